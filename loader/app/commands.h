@@ -1,0 +1,18 @@
+// The subcommands of `orris`: each adds itself to the command line and sets the exit status when it
+// runs. Exit status: 0 clean, 1 problems found, 2 wrong usage or unreadable input, 3 host failure.
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace orris {
+
+void addRenderCommand(CLI::App& app, int& status);
+void addValidateCommand(CLI::App& app, int& status);
+void addOptionsCommand(CLI::App& app, int& status);
+void addWorldCommand(CLI::App& app, int& status);
+void addCompareCommand(CLI::App& app, int& status);
+void addViewCommand(CLI::App& app, int& status);
+
+}  // namespace orris

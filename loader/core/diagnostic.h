@@ -1,0 +1,44 @@
+// Located messages: how every problem a user can cause is reported.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace orris {
+
+enum class Severity { Note, Warning, Error };
+
+/// A place in a file as its author sees it. `file` is a pack path ("/lib/sky.glsl") or the path the
+/// user typed; `line` and `column` start at 1, 0 means unknown.
+struct SourceLocation {
+  std::string file;
+  int line = 0;
+  int column = 0;
+  bool operator==(const SourceLocation&) const = default;
+};
+
+/// One problem. `message` says what was found and expected; `hint` says what to do (may be empty).
+struct Diagnostic {
+  Severity severity = Severity::Error;
+  std::string id;                            ///< stable kebab-case identifier, "include-missing"
+  SourceLocation at;
+  std::string message;
+  std::vector<SourceLocation> includedFrom;  ///< innermost #include first
+  std::string sourceLine;                    ///< the author's line, for the caret (may be empty)
+  std::vector<std::string> notes;            ///< macro or option that led here
+  std::string hint;
+};
+
+using Diagnostics = std::vector<Diagnostic>;
+
+bool hasErrors(const Diagnostics& diagnostics);
+
+/// "file:line:column: error: message", then include chain, source line with caret, notes, hint;
+/// lines joined by '\n', no trailing newline.
+std::string formatDiagnostic(const Diagnostic& diagnostic);
+
+/// Removes exact repetitions (same severity, place and message), keeping the first of each.
+void removeDuplicates(Diagnostics& diagnostics);
+
+}  // namespace orris

@@ -1,0 +1,34 @@
+// Bytes by pack path, wherever they come from: a folder, a zip, or memory (tests, fuzzers).
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/diagnostic.h"
+
+namespace orris {
+
+/// Read-only files by normalised path ("/lib/a.glsl"); the root is the pack's `shaders` folder.
+/// Case-sensitive. A symbolic link that leaves the root is not followed.
+class FileSource {
+ public:
+  virtual ~FileSource() = default;
+  virtual std::optional<std::string> read(std::string_view path) const = 0;
+  /// All file paths, sorted.
+  virtual const std::vector<std::string>& files() const = 0;
+  bool contains(std::string_view path) const;
+};
+
+/// Files held in memory.
+std::unique_ptr<FileSource> memorySource(std::map<std::string, std::string> files);
+
+/// Opens a pack: a folder with `shaders/` inside (or that is itself named `shaders`), or a zip whose
+/// first directory named `shaders` is the root. Limits: 64 MiB a file, 1 GiB in all, 65536 files.
+/// nullptr and a diagnostic when it cannot be opened.
+std::unique_ptr<FileSource> openPack(const std::string& path, Diagnostics& diagnostics);
+
+}  // namespace orris

@@ -1,0 +1,18 @@
+// Paths inside a pack: absolute, '/'-separated, normalised, never outside the root.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace orris {
+
+/// Resolves `path` as written in the file `from` ("/lib/a.glsl"): an absolute path starts at the
+/// root, any other at the folder of `from`; "." and ".." are resolved. nullopt when the path is
+/// empty, holds a NUL or backslash, or would leave the root.
+std::optional<std::string> resolvePackPath(std::string_view from, std::string_view path);
+
+/// "/world0/composite.fsh" -> "/world0"; "/a" -> "/".
+std::string_view packPathParent(std::string_view path);
+
+}  // namespace orris

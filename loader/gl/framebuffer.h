@@ -1,0 +1,28 @@
+// Framebuffers over textures, and reading pixels back.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gl/handle.h"
+#include "gl/texture.h"
+
+namespace orris::gl {
+
+struct Framebuffer {
+  Handle<deleteFramebuffer> handle;
+  int width = 0, height = 0;
+  int colors = 0;
+  unsigned id() const { return handle.id(); }
+};
+
+/// Colour attachments in order, draw buffers 0..n-1 enabled; `depth` may be null. Incomplete: id 0
+/// and `error` set.
+Framebuffer createFramebuffer(const std::vector<const Texture*>& colors, const Texture* depth,
+                              const std::string& label, std::string& error);
+
+/// Reads level 0, all channels as float (integers converted exactly up to 2^24), bottom row first
+/// as GL has it; 3-D textures slice after slice; depth as one channel.
+std::vector<float> readPixels(const Texture& texture, int& channels);
+
+}  // namespace orris::gl

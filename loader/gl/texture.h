@@ -1,0 +1,37 @@
+// A texture that knows its target, format and size.
+#pragma once
+
+#include <string>
+
+#include "gl/format.h"
+#include "gl/handle.h"
+
+namespace orris::gl {
+
+struct Texture {
+  Handle<deleteTexture> handle;
+  unsigned target = 0;          ///< GL_TEXTURE_2D, ...
+  unsigned internalFormat = 0;
+  int width = 0, height = 1, depth = 1;
+  bool integer = false;
+  unsigned id() const { return handle.id(); }
+};
+
+struct TextureParameters {
+  bool linear = true;
+  bool repeat = false;
+  bool mipmaps = false;      ///< trilinear minification (nearest-mipmap when not linear)
+  bool compare = false;      ///< GL_LEQUAL comparison
+};
+
+/// Storage of one level (or all levels with `levels`), contents undefined. Target from the number
+/// of dimensions: 1, 2, 3. `label` is the object label ("colortex4 alt").
+Texture createTexture(int dimensions, const TextureFormat& format, int width, int height, int depth,
+                      int levels, const std::string& label);
+Texture createDepthTexture(int width, int height, int levels, const std::string& label);
+void setParameters(const Texture& texture, const TextureParameters& parameters);
+/// Whole level 0; `pixels` tightly packed.
+void upload(const Texture& texture, unsigned pixelFormat, unsigned pixelType, const void* pixels);
+void generateMipmaps(const Texture& texture);
+
+}  // namespace orris::gl

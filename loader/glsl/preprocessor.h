@@ -1,0 +1,32 @@
+// The preprocessor packs are written for (Iris runs JCPP over the flattened source; the driver sees
+// no directive but #version and #extension). Contract: contract/README "Preprocessor".
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/diagnostic.h"
+#include "glsl/token.h"
+
+namespace orris {
+
+/// Object-like macros known from the first line, name and body.
+using MacroDefinitions = std::vector<std::pair<std::string, std::string>>;
+
+/// Expands macros and conditionals. A redefinition silently replaces; an undefined identifier in #if
+/// is 0; #if is integer arithmetic; `\`-newline joins lines; ## and # work; __LINE__ etc. are
+/// ordinary names; #extension and #version of active branches are collected; comments survive as
+/// tokens. Errors (unbalanced conditionals, malformed directives, #error) are located diagnostics;
+/// preprocessing goes on after each.
+TokenStream preprocess(const FlatSource& source, const MacroDefinitions& environment,
+                       Diagnostics& diagnostics);
+
+/// The same over a *.properties text: '#' directives are honoured, other '#' and '!' lines are
+/// comments and vanish, macros expand in values; line structure is kept (line n stays line n, lines
+/// of inactive branches become empty). Contract: properties.csv "(file)", idmaps.csv
+/// "common.preprocess".
+std::string preprocessProperties(const std::string& file, const std::string& text,
+                                 const MacroDefinitions& environment, Diagnostics& diagnostics);
+
+}  // namespace orris

@@ -1,0 +1,63 @@
+// Where a piece of assembled source came from: the author's file, line and column, and the chain of
+// #includes that led there.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/diagnostic.h"
+
+namespace orris {
+
+/// One inclusion of one file. Site 0 is the entry file (parent -1).
+struct IncludeSite {
+  std::string file;
+  int parent = -1;     ///< index of the including site
+  int parentLine = 0;  ///< line of the #include in the parent's file
+};
+
+/// Line and column (1-based) in the file of a site. site -1: made by the host.
+struct Origin {
+  int site = -1;
+  int line = 0;
+  int column = 0;
+};
+
+/// One line of the flattened source, as the author wrote it (options already applied).
+struct FlatLine {
+  std::string text;
+  int site = 0;
+  int line = 0;
+};
+
+/// A file with its includes expanded in place (no preprocessing done).
+struct FlatSource {
+  std::vector<IncludeSite> sites;
+  std::vector<FlatLine> lines;
+};
+
+/// Output text with the origin of every token: `lines[i]` holds, sorted by output column, the
+/// segments of output line i+1. Columns are 1-based.
+struct MappedText {
+  struct Segment {
+    int column = 1;  ///< column in the output line where this segment starts
+    Origin origin;
+    int macro = -1;  ///< index into macroNames of the outermost macro it was expanded from, or -1
+  };
+  std::string text;
+  std::vector<std::vector<Segment>> lines;
+  std::vector<IncludeSite> sites;
+  std::vector<std::string> macroNames;
+
+  /// Author's place of an output position; column 0 asks for the line's first segment.
+  SourceLocation locate(int line, int column) const;
+  std::vector<SourceLocation> includedFrom(int line, int column) const;
+  /// Name of the macro whose expansion covers the position, or "".
+  std::string_view macroAt(int line, int column) const;
+};
+
+SourceLocation locate(const std::vector<IncludeSite>& sites, const Origin& origin);
+std::vector<SourceLocation> includedFrom(const std::vector<IncludeSite>& sites, int site);
+
+}  // namespace orris

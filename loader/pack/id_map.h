@@ -1,0 +1,37 @@
+// block.properties, item.properties, entity.properties: names to the numbers shaders see.
+// Contract: idmaps.csv.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/diagnostic.h"
+
+namespace orris {
+
+/// One name on a block.<id> line: "minecraft:oak_stairs" with required properties.
+struct BlockFilter {
+  std::string name;  ///< with namespace
+  std::vector<std::pair<std::string, std::vector<std::string>>> properties;  ///< name, any of values
+  bool isTag = false;
+  int id = -1;
+};
+
+struct BlockIdMap {
+  bool present = false;  ///< false: no file, legacy numeric ids apply
+  std::vector<BlockFilter> filters;                 ///< in file order
+  std::map<std::string, std::string> renderLayers;  ///< block name -> "solid", "cutout", ...
+
+  /// Id of a state, -1 when unlisted. The first matching filter wins; names before tags.
+  int idOf(const std::string& name, const std::map<std::string, std::string>& properties) const;
+};
+
+/// `text` is already preprocessed.
+BlockIdMap parseBlockProperties(const std::string& file, const std::string& text,
+                                Diagnostics& diagnostics);
+/// item.properties and entity.properties: name -> id.
+std::map<std::string, int> parseIdProperties(const std::string& file, const std::string& text,
+                                             const std::string& prefix, Diagnostics& diagnostics);
+
+}  // namespace orris

@@ -1,0 +1,106 @@
+// The loaded pack: an immutable value, no GL in it, no disk access after loading.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/file_source.h"
+#include "glsl/validate.h"
+#include "pack/directives.h"
+#include "pack/id_map.h"
+#include "pack/program_id.h"
+#include "pack/shader_properties.h"
+
+namespace orris {
+
+/// A compute shader of a program, ready to compile.
+struct ComputeSource {
+  std::string name;  ///< "composite3_a"
+  StageText text;
+  ProgramDirectives directives;
+  std::array<int, 3> localSize{1, 1, 1};
+  std::vector<AppliedRule> rules;
+};
+
+/// A program, ready to compile: flattened, preprocessed, rewritten.
+struct ProgramSource {
+  std::string name;    ///< "composite3"
+  std::string folder;  ///< "/world0" or "/"
+  ProgramGroup group = ProgramGroup::Gbuffers;
+  int index = 0;
+  std::vector<StageText> stages;       ///< vertex, [tess, geometry,] fragment; empty if only computes
+  std::vector<ComputeSource> computes; ///< in dispatch order
+  ProgramDirectives directives;
+  std::vector<int> drawBuffers;        ///< directive, or the group's default
+  std::optional<AlphaTest> alphaTest;  ///< from shaders.properties
+  std::optional<BlendMode> blend;
+  std::map<std::string, BlendMode> bufferBlend;
+  std::array<float, 3> scale{1, 0, 0};
+  bool writesFragData = false;         ///< fixed-function alpha test applies (glsl/rewrite.h)
+  std::map<std::string, bool> flips;   ///< explicit flip.* of this program, canonical buffer names
+  std::vector<AppliedRule> rules;
+  std::vector<std::string> options;    ///< names of options whose lines occur in its files
+  /// Hash of all final texts: equal hash, equal GL program.
+  std::uint64_t hash = 0;
+};
+
+/// What to load: a value for each chosen option and the host's environment.
+struct LoadRequest {
+  OptionValues values;
+  std::string profile;              ///< "" for none; applied before `values`
+  std::string dimension = "minecraft:overworld";  ///< or a folder name: "world0", "world-1", "world1"
+  MacroDefinitions environment;     ///< see standardMacros()
+  bool buildSources = true;         ///< false: options, properties and screens only
+};
+
+struct ShaderPack {
+  std::string name;
+  OptionSet options;
+  OptionValues values;              ///< every non-default value in force
+  ShaderProperties properties;
+  PackDirectives directives;
+  BlockIdMap blockIds;
+  std::map<std::string, int> itemIds, entityIds;
+  std::map<std::string, std::map<std::string, std::string>> languages;  ///< "en_us" -> key -> text
+  std::string folder;               ///< program folder in use: "/" or "/world0"
+  std::vector<std::string> dimensions;  ///< all program folders: "/", "/world0", ...
+  std::vector<ProgramSource> programs;  ///< of `folder`, in frame order then name; enabled ones only
+  std::vector<std::string> disabledPrograms;
+  std::map<std::string, FileLines> files;  ///< every file of the include graph, options applied
+  std::shared_ptr<const FileSource> source;  ///< for textures and buffer contents
+
+  /// A program by exact name, or through the fallback tree; nullptr when there is none.
+  const ProgramSource* find(std::string_view name) const;
+  const ProgramSource* resolve(std::string_view name) const;
+  /// The author's line, for diagnostics.
+  std::string sourceLine(const std::string& file, int line) const;
+  /// The profile whose values are in force, "" for custom. Contract: profile.current.
+  std::string currentProfile() const;
+};
+
+/// Macros of contract/macros.csv. `glVendor`, `glRenderer` and `glExtensions` as the driver names
+/// them; biome, stage and category macros included; IRIS_FEATURE_* is added by loadShaderPack.
+struct HostDescription {
+  std::string glVendor = "Mesa", glRenderer = "llvmpipe";
+  std::vector<std::string> glExtensions;
+  int glVersion = 450, glslVersion = 450;
+  int minecraftVersion = 12101, irisVersion = 10800;
+};
+MacroDefinitions standardMacros(const HostDescription& host);
+
+/// Registry number of a biome as in the BIOME_* macros ("minecraft:plains"); -1 when unknown.
+int biomeId(std::string_view name);
+
+/// Loads and prepares everything of one dimension. nullopt when the pack cannot run at all (missing
+/// include, cycle, no programs, unsupported required feature, unknown option or profile in the
+/// request, value outside its list); errors that concern one program only are diagnostics and the
+/// program is still listed. Single-program preprocessing runs on both cores.
+std::optional<ShaderPack> loadShaderPack(std::shared_ptr<const FileSource> source,
+                                         const LoadRequest& request, Diagnostics& diagnostics);
+
+}  // namespace orris

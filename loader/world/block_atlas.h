@@ -1,0 +1,30 @@
+// The block atlas: albedo, normal (LabPBR normal+AO+height) and specular (LabPBR) textures, generated
+// by our own code, deterministic, 16x16 texels a tile, tiles at multiples of 16.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "image/image.h"
+
+namespace orris {
+
+/// Tile rectangle in uv, top row first: (u0,v0) is the tile's top left.
+struct AtlasTile {
+  glm::vec2 min{0}, max{0};
+};
+
+/// Power-of-two size. Default texels: normal (127,127,255,255), specular 0.
+struct BlockAtlas {
+  int tileSize = 16;
+  Image8 albedo, normal, specular;
+  std::map<std::string, AtlasTile> tiles;
+  AtlasTile tile(const std::string& name) const;  ///< the "missing" tile when unknown
+};
+
+/// Only the named textures (model no more than the scene needs), plus "missing".
+BlockAtlas buildAtlas(const std::vector<std::string>& textureNames);
+
+}  // namespace orris

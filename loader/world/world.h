@@ -1,0 +1,66 @@
+// A world as rendered: blocks, cameras, time and weather, events. See docs/world-format.md.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/diagnostic.h"
+#include "world/block_world.h"
+
+namespace orris {
+
+/// Position of the eye in world blocks; yaw and pitch in degrees as in the game: yaw 0 looks south
+/// (+z), 90 west (-x); pitch 90 looks down. Vertical field of view in degrees.
+struct Camera {
+  std::string name;
+  glm::dvec3 position{0};
+  float yaw = 0, pitch = 0;
+  float fov = 70;
+};
+
+/// Everything but blocks and cameras. Contract: uniforms.csv groups world, biome, player.
+struct Environment {
+  int time = 6000;      ///< ticks 0..23999
+  int day = 0;
+  float rain = 0, thunder = 0;
+  std::string biome = "minecraft:plains";
+  std::string dimension = "minecraft:overworld";
+  int renderDistance = 128;  ///< blocks, uniform `far`
+  float temperature = 0.8f, rainfall = 0.4f;
+  glm::vec3 fogColor{0.7f, 0.8f, 1.0f}, skyColor{0.47f, 0.65f, 1.0f};
+};
+
+struct SetBlock { glm::ivec3 at; BlockState state; };
+struct MoveCamera { Camera camera; };
+struct SetOption { std::string name, value; };
+struct SetTime { int time; };
+/// Something that happens before the given frame (first frame: 0) is drawn.
+struct Event {
+  int frame = 0;
+  std::variant<SetBlock, MoveCamera, SetOption, SetTime> action;
+};
+
+struct World {
+  std::string name;
+  std::string exercises;  ///< one line: what this world is for
+  BlockWorld blocks;
+  std::vector<Camera> cameras;  ///< at least one; the first is the default
+  Environment environment;
+  std::vector<Event> events;    ///< sorted by frame
+
+  const Camera* camera(std::string_view name) const;
+};
+
+/// Loads a folder with world.json, a world.json, or a Sponge .schem (v2). Numeric limits: 512 blocks
+/// an axis and 2^27 blocks in all. `seed` drives generated worlds.
+std::optional<World> loadWorld(const std::string& path, unsigned seed, Diagnostics& diagnostics);
+
+/// Cameras for a world without any: "default" looks at the box from a corner outside, "inside" from
+/// a free spot near its middle.
+std::vector<Camera> defaultCameras(const BlockWorld& blocks);
+
+}  // namespace orris
