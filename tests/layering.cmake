@@ -1,3 +1,4 @@
+cmake_minimum_required(VERSION 3.22)
 # Every #include "x/..." of a folder must name the folder itself or one of its USES (direct or
 # inherited through them is not enough: what is used is listed).
 file(GLOB sources ${FOLDER}/*.h ${FOLDER}/*.cpp)
