@@ -1,7 +1,8 @@
-// A GL context without (OSMesa, EGL surfaceless) or with (GLFW) a window. All three libraries are
-// loaded when asked for: a missing one is a message, not a link failure.
+// A GL context without (OSMesa, EGL surfaceless) or with (GLFW) a window. OSMesa and EGL are loaded
+// when asked for: a missing library is a message, not a link failure.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,12 +17,16 @@ namespace orris::gl {
 
 enum class Backend { Auto, OSMesa, Egl, Glfw };
 std::optional<Backend> parseBackend(std::string_view name);  ///< "auto", "osmesa", "egl", "glfw"
+std::string_view backendName(Backend backend);               ///< what parseBackend accepts
 
 struct ContextRequest {
   Backend backend = Backend::Auto;  ///< Auto: OSMesa, else EGL
   int width = 1, height = 1;        ///< window size, GLFW only
   std::string title = "orris";
   bool visible = true;
+  /// File names tried in order.
+  std::vector<std::string> osmesaLibraries = {"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"};
+  std::vector<std::string> eglLibraries = {"libEGL.so.1", "libEGL.so"};
 };
 
 /// Facts of the driver, read once.
@@ -29,31 +34,41 @@ struct DriverInfo {
   std::string vendor, renderer, version, shadingLanguage;
   int glVersion = 0;  ///< 450
   std::vector<std::string> extensions;
-  int maxDrawBuffers = 8, maxTextureUnits = 32, maxImageUnits = 8, maxTextureSize = 0;
+  int maxDrawBuffers = 8;
+  int maxTextureUnits = 32;  ///< of all stages together: the units that can be bound to
+  int maxImageUnits = 8, maxTextureSize = 0;
 };
 
-/// A current compatibility-profile context (>= 3.3), made current on the creating thread.
+using GetProcAddress = std::function<void*(const char*)>;
+
+/// A compatibility-profile context (>= 4.3 with direct state access), made current on the creating
+/// thread. One is current at a time: a new one takes over the GL functions of functions.h, and GL
+/// objects must be destroyed before their context.
 class Context {
  public:
+  Context() = default;
+  Context(const Context&) = delete;
+  Context& operator=(const Context&) = delete;
   virtual ~Context() = default;
   virtual Backend backend() const = 0;
   /// The window, nullptr for headless backends.
   virtual GLFWwindow* window() const { return nullptr; }
   const DriverInfo& driver() const { return driver_; }
-  /// Messages of high severity (KHR_debug) and glGetError since the last call, oldest first.
+  /// Messages of high severity (KHR_debug) and glGetError since the last call, oldest first, each
+  /// different text once. Compiler messages are not among them: Program keeps those.
   std::vector<std::string> takeErrors();
 
  protected:
   /// To be called by backends once current: loads functions, reads driver facts, installs the
   /// debug callback. false and a diagnostic when something is missing.
-  bool initialise(void* (*getProcAddress)(const char*), Diagnostics& diagnostics);
+  bool initialise(const GetProcAddress& getProcAddress, Diagnostics& diagnostics);
 
  private:
   DriverInfo driver_;
-  std::shared_ptr<std::vector<std::string>> errors_ = std::make_shared<std::vector<std::string>>();
+  std::vector<std::string> errors_;  // written by the driver's debug callback
 };
 
-/// nullptr and a diagnostic that says what was tried, what failed and what to install.
+/// nullptr and one diagnostic that says what was tried, what failed and what to install.
 std::unique_ptr<Context> createContext(const ContextRequest& request, Diagnostics& diagnostics);
 
 }  // namespace orris::gl

@@ -13,7 +13,7 @@ class Handle {
   explicit Handle(unsigned id) : id_(id) {}
   Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, 0)) {}
   Handle& operator=(Handle&& other) noexcept {
-    std::swap(id_, other.id_);
+    Handle old(std::exchange(id_, std::exchange(other.id_, 0)));
     return *this;
   }
   ~Handle() {

@@ -22,12 +22,13 @@ struct StageSource {
   std::string_view text;
 };
 
-/// A linked program, or logs. `stageLogs` follows the order of the sources.
+/// A linked program, or logs and id 0. `stageLogs` and `stageFailed` follow the order of the
+/// sources; a stage that failed leaves the program unlinked with an empty link log.
 struct Program {
   Handle<deleteProgram> handle;
-  std::vector<ActiveVariable> uniforms;    ///< samplers and images included
+  std::vector<ActiveVariable> uniforms;  ///< samplers and images included
   std::vector<ActiveVariable> attributes;
-  std::vector<int> computeLocalSize;       ///< 3 values for a compute program
+  std::vector<int> computeLocalSize;  ///< 3 values for a compute program
   std::vector<std::string> stageLogs;
   std::vector<bool> stageFailed;
   std::string linkLog;
@@ -45,7 +46,7 @@ bool isSampler(unsigned type);
 bool isShadowSampler(unsigned type);
 bool isIntegerSampler(unsigned type);
 bool isImage(unsigned type);
-/// 1, 2 or 3 for sampler and image types.
+/// 1, 2 or 3 for sampler and image types; 0 where no texture of ours fits (cube, array, buffer).
 int dimensionsOf(unsigned type);
 
 }  // namespace orris::gl

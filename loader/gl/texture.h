@@ -10,7 +10,7 @@ namespace orris::gl {
 
 struct Texture {
   Handle<deleteTexture> handle;
-  unsigned target = 0;          ///< GL_TEXTURE_2D, ...
+  unsigned target = 0;  ///< GL_TEXTURE_2D, ...
   unsigned internalFormat = 0;
   int width = 0, height = 1, depth = 1;
   bool integer = false;
@@ -20,8 +20,8 @@ struct Texture {
 struct TextureParameters {
   bool linear = true;
   bool repeat = false;
-  bool mipmaps = false;      ///< trilinear minification (nearest-mipmap when not linear)
-  bool compare = false;      ///< GL_LEQUAL comparison
+  bool mipmaps = false;  ///< trilinear minification (nearest-mipmap when not linear)
+  bool compare = false;  ///< GL_LEQUAL comparison
 };
 
 /// Storage of one level (or all levels with `levels`), contents undefined. Target from the number
@@ -30,7 +30,7 @@ Texture createTexture(int dimensions, const TextureFormat& format, int width, in
                       int levels, const std::string& label);
 Texture createDepthTexture(int width, int height, int levels, const std::string& label);
 void setParameters(const Texture& texture, const TextureParameters& parameters);
-/// Whole level 0; `pixels` tightly packed.
+/// Whole level 0; `pixels` tightly packed, rows without padding.
 void upload(const Texture& texture, unsigned pixelFormat, unsigned pixelType, const void* pixels);
 void generateMipmaps(const Texture& texture);
 

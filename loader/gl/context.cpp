@@ -1,0 +1,214 @@
+#include "gl/context.h"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "gl/context_backends.h"
+#include "gl/functions.h"
+
+namespace orris::gl {
+namespace {
+
+struct BackendName {
+  std::string_view name;
+  Backend backend;
+};
+constexpr BackendName kBackendNames[] = {{"auto", Backend::Auto},
+                                         {"osmesa", Backend::OSMesa},
+                                         {"egl", Backend::Egl},
+                                         {"glfw", Backend::Glfw}};
+
+// What the loader calls beyond OpenGL 4.3; all are part of 4.5.
+constexpr const char* kExtensionsBelow45[] = {"GL_ARB_direct_state_access", "GL_ARB_clear_texture",
+                                              "GL_ARB_buffer_storage"};
+
+// An endless source of errors must not fill the memory.
+constexpr size_t kMaxErrors = 64;
+
+void addOnce(std::vector<std::string>& errors, std::string text) {
+  if (errors.size() < kMaxErrors && std::find(errors.begin(), errors.end(), text) == errors.end()) {
+    errors.push_back(std::move(text));
+  }
+}
+
+void APIENTRY onDebugMessage(GLenum source, GLenum, GLuint, GLenum severity, GLsizei length,
+                             const GLchar* message, const void* user) {
+  if (severity != GL_DEBUG_SEVERITY_HIGH || source == GL_DEBUG_SOURCE_SHADER_COMPILER) return;
+  std::string text = length < 0 ? std::string(message) : std::string(message, size_t(length));
+  while (!text.empty() && (text.back() == '\n' || text.back() == '\0')) text.pop_back();
+  addOnce(*static_cast<std::vector<std::string>*>(const_cast<void*>(user)), std::move(text));
+}
+
+std::string errorName(GLenum error) {
+  switch (error) {
+    case GL_INVALID_ENUM:
+      return "GL_INVALID_ENUM";
+    case GL_INVALID_VALUE:
+      return "GL_INVALID_VALUE";
+    case GL_INVALID_OPERATION:
+      return "GL_INVALID_OPERATION";
+    case GL_INVALID_FRAMEBUFFER_OPERATION:
+      return "GL_INVALID_FRAMEBUFFER_OPERATION";
+    case GL_OUT_OF_MEMORY:
+      return "GL_OUT_OF_MEMORY";
+    case GL_STACK_UNDERFLOW:
+      return "GL_STACK_UNDERFLOW";
+    case GL_STACK_OVERFLOW:
+      return "GL_STACK_OVERFLOW";
+    default:
+      return fmt::format("GL error {:#06x}", error);
+  }
+}
+
+int getInteger(GLenum name) {
+  GLint value = 0;
+  GetIntegerv(name, &value);
+  return value;
+}
+
+std::string getString(GLenum name) {
+  const GLubyte* text = GetString(name);
+  return text == nullptr ? std::string() : std::string(reinterpret_cast<const char*>(text));
+}
+
+DriverInfo readDriver() {
+  DriverInfo driver;
+  driver.vendor = getString(GL_VENDOR);
+  driver.renderer = getString(GL_RENDERER);
+  driver.version = getString(GL_VERSION);
+  driver.shadingLanguage = getString(GL_SHADING_LANGUAGE_VERSION);
+  driver.glVersion = getInteger(GL_MAJOR_VERSION) * 100 + getInteger(GL_MINOR_VERSION) * 10;
+  const int count = getInteger(GL_NUM_EXTENSIONS);
+  for (int i = 0; i < count; ++i) {
+    const GLubyte* name = GetStringi(GL_EXTENSIONS, GLuint(i));
+    if (name != nullptr) driver.extensions.emplace_back(reinterpret_cast<const char*>(name));
+  }
+  driver.maxDrawBuffers = getInteger(GL_MAX_DRAW_BUFFERS);
+  driver.maxTextureUnits = getInteger(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS);
+  driver.maxImageUnits = getInteger(GL_MAX_IMAGE_UNITS);
+  driver.maxTextureSize = getInteger(GL_MAX_TEXTURE_SIZE);
+  return driver;
+}
+
+// What the driver lacks of what the loader needs; empty when nothing.
+std::string lacking(const DriverInfo& driver) {
+  if (driver.glVersion < 430) return "OpenGL 4.3";
+  if (driver.glVersion >= 450) return {};
+  std::vector<std::string> missing;
+  for (const char* name : kExtensionsBelow45) {
+    const auto& all = driver.extensions;
+    if (std::find(all.begin(), all.end(), name) == all.end()) missing.emplace_back(name);
+  }
+  return fmt::format("{}", fmt::join(missing, ", "));
+}
+
+void installDebugCallback(std::vector<std::string>* errors) {
+  Enable(GL_DEBUG_OUTPUT);
+  // Synchronous: messages come on this thread, before the call that caused them returns.
+  Enable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
+  DebugMessageControl(GL_DONT_CARE, GL_DONT_CARE, GL_DONT_CARE, 0, nullptr, GL_FALSE);
+  DebugMessageControl(GL_DONT_CARE, GL_DONT_CARE, GL_DEBUG_SEVERITY_HIGH, 0, nullptr, GL_TRUE);
+  DebugMessageCallback(onDebugMessage, errors);
+}
+
+std::unique_ptr<Context> createHeadless(const ContextRequest& request, Diagnostics& diagnostics) {
+  Diagnostics failures;
+  if (auto context = createOsmesaContext(request, failures)) return context;
+  if (auto context = createEglContext(request, failures)) return context;
+  Diagnostic diagnostic;
+  diagnostic.id = "gl-no-headless-context";
+  diagnostic.message = "no way to draw without a display: neither OSMesa nor EGL gave a context";
+  for (const Diagnostic& failure : failures) diagnostic.notes.push_back(failure.message);
+  diagnostic.hint = "install libosmesa6, or libegl1 with libegl-mesa0 and libgl1-mesa-dri";
+  diagnostics.push_back(std::move(diagnostic));
+  return nullptr;
+}
+
+}  // namespace
+
+std::optional<Backend> parseBackend(std::string_view name) {
+  for (const BackendName& known : kBackendNames) {
+    if (known.name == name) return known.backend;
+  }
+  return std::nullopt;
+}
+
+std::string_view backendName(Backend backend) {
+  for (const BackendName& known : kBackendNames) {
+    if (known.backend == backend) return known.name;
+  }
+  return "auto";
+}
+
+bool Context::initialise(const GetProcAddress& getProcAddress, Diagnostics& diagnostics) {
+  const std::vector<std::string> missing = loadFunctions(getProcAddress);
+  if (GetString != nullptr && GetStringi != nullptr && GetIntegerv != nullptr) {
+    driver_ = readDriver();
+    const std::string lacks = lacking(driver_);
+    if (!lacks.empty()) {
+      addContextError(diagnostics, "gl-too-old",
+                      fmt::format("the GL driver \"{}\" ({}) lacks {}", driver_.renderer,
+                                  driver_.version, lacks),
+                      "use a newer driver, or Mesa's software driver: --backend osmesa, or "
+                      "LIBGL_ALWAYS_SOFTWARE=1 with --backend egl");
+      return false;
+    }
+  }
+  if (!missing.empty()) {
+    addContextError(diagnostics, "gl-function-missing",
+                    fmt::format("the GL driver does not offer {}", fmt::join(missing, ", ")),
+                    "use another driver or --backend");
+    return false;
+  }
+  installDebugCallback(&errors_);
+  return true;
+}
+
+std::vector<std::string> Context::takeErrors() {
+  // A driver tells the same error twice, in words and by number; the words suffice.
+  const bool told = !errors_.empty();
+  for (int i = 0; i < int(kMaxErrors); ++i) {
+    const GLenum error = GetError();
+    if (error == GL_NO_ERROR) break;
+    if (!told) addOnce(errors_, errorName(error));
+  }
+  return std::exchange(errors_, {});
+}
+
+std::unique_ptr<Context> createContext(const ContextRequest& request, Diagnostics& diagnostics) {
+  switch (request.backend) {
+    case Backend::OSMesa:
+      return createOsmesaContext(request, diagnostics);
+    case Backend::Egl:
+      return createEglContext(request, diagnostics);
+    case Backend::Glfw:
+      return createGlfwContext(request, diagnostics);
+    case Backend::Auto:
+      break;
+  }
+  return createHeadless(request, diagnostics);
+}
+
+void addContextError(Diagnostics& diagnostics, std::string id, std::string message,
+                     std::string hint) {
+  Diagnostic diagnostic;
+  diagnostic.id = std::move(id);
+  diagnostic.message = std::move(message);
+  diagnostic.hint = std::move(hint);
+  diagnostics.push_back(std::move(diagnostic));
+}
+
+void* loadLibrary(const std::vector<std::string>& names) {
+  for (const std::string& name : names) {
+    if (void* library = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL)) return library;
+  }
+  return nullptr;
+}
+
+void* findSymbol(void* library, const char* name) { return dlsym(library, name); }
+
+}  // namespace orris::gl

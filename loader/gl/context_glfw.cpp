@@ -1,0 +1,70 @@
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+
+#include "gl/context_backends.h"
+#include "gl/functions.h"
+
+namespace orris::gl {
+namespace {
+
+std::string lastGlfwError() {
+  const char* description = nullptr;
+  if (glfwGetError(&description) == GLFW_NO_ERROR || description == nullptr) return "unknown error";
+  return description;
+}
+
+bool refuse(Diagnostics& diagnostics, std::string_view action) {
+  addContextError(diagnostics, "gl-no-window",
+                  fmt::format("cannot {}: {}", action, lastGlfwError()),
+                  "a display is needed: set DISPLAY, or run under xvfb-run, or draw without a "
+                  "window with --backend osmesa or egl");
+  return false;
+}
+
+class GlfwContext final : public Context {
+ public:
+  // Only one window at a time is ever open, so the library ends with it.
+  ~GlfwContext() override {
+    if (window_ != nullptr) glfwDestroyWindow(window_);
+    if (started_) glfwTerminate();
+  }
+  Backend backend() const override { return Backend::Glfw; }
+  GLFWwindow* window() const override { return window_; }
+
+  bool create(const ContextRequest& request, Diagnostics& diagnostics) {
+    started_ = glfwInit() == GLFW_TRUE;
+    if (!started_) return refuse(diagnostics, "start GLFW");
+    for (const GlVersion& version : kVersions) {
+      glfwDefaultWindowHints();
+      glfwWindowHint(GLFW_VISIBLE, request.visible ? GLFW_TRUE : GLFW_FALSE);
+      glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, version.major);
+      glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, version.minor);
+      glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_COMPAT_PROFILE);
+      window_ =
+          glfwCreateWindow(request.width, request.height, request.title.c_str(), nullptr, nullptr);
+      if (window_ != nullptr) break;
+    }
+    if (window_ == nullptr) return refuse(diagnostics, "open a window");
+    glfwMakeContextCurrent(window_);
+    const auto resolve = [](const char* name) {
+      return reinterpret_cast<void*>(glfwGetProcAddress(name));
+    };
+    return initialise(resolve, diagnostics);
+  }
+
+ private:
+  GLFWwindow* window_ = nullptr;
+  bool started_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Context> createGlfwContext(const ContextRequest& request,
+                                           Diagnostics& diagnostics) {
+  auto context = std::make_unique<GlfwContext>();
+  if (!context->create(request, diagnostics)) return nullptr;
+  return context;
+}
+
+}  // namespace orris::gl

@@ -1,0 +1,97 @@
+// OSMesa, loaded at run time and without its header: newer Mesa has neither.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <array>
+
+#include "gl/context_backends.h"
+#include "gl/functions.h"
+
+namespace orris::gl {
+namespace {
+
+using OsmesaHandle = void*;
+
+constexpr int kFormat = 0x22;
+constexpr int kDepthBits = 0x30;
+constexpr int kProfile = 0x33;
+constexpr int kCompatProfile = 0x35;
+constexpr int kMajorVersion = 0x36;
+constexpr int kMinorVersion = 0x37;
+
+struct OsmesaApi {
+  OsmesaHandle (*createContextAttribs)(const int* attributes, OsmesaHandle share) = nullptr;
+  GLboolean (*makeCurrent)(OsmesaHandle, void* buffer, GLenum type, GLsizei width,
+                           GLsizei height) = nullptr;
+  void (*destroyContext)(OsmesaHandle) = nullptr;
+  void (*(*getProcAddress)(const char*))() = nullptr;
+
+  bool load(void* library) {
+    const auto resolve = [library](auto& function, const char* name) {
+      function = reinterpret_cast<std::decay_t<decltype(function)>>(findSymbol(library, name));
+      return function != nullptr;
+    };
+    return resolve(createContextAttribs, "OSMesaCreateContextAttribs") &&
+           resolve(makeCurrent, "OSMesaMakeCurrent") &&
+           resolve(destroyContext, "OSMesaDestroyContext") &&
+           resolve(getProcAddress, "OSMesaGetProcAddress");
+  }
+};
+
+class OsmesaContext final : public Context {
+ public:
+  explicit OsmesaContext(const OsmesaApi& api) : api_(api) {}
+  ~OsmesaContext() override {
+    if (handle_ == nullptr) return;
+    api_.makeCurrent(nullptr, nullptr, 0, 0, 0);
+    api_.destroyContext(handle_);
+  }
+  Backend backend() const override { return Backend::OSMesa; }
+
+  bool create(Diagnostics& diagnostics) {
+    for (const GlVersion& version : kVersions) {
+      const int attributes[] = {
+          kFormat,       GL_RGBA,       kDepthBits,    24, kProfile, kCompatProfile, kMajorVersion,
+          version.major, kMinorVersion, version.minor, 0};
+      handle_ = api_.createContextAttribs(attributes, nullptr);
+      if (handle_ != nullptr) break;
+    }
+    // The library wants a buffer; frames are drawn into framebuffer objects.
+    if (handle_ == nullptr ||
+        api_.makeCurrent(handle_, pixel_.data(), GL_UNSIGNED_BYTE, 1, 1) == GL_FALSE) {
+      addContextError(diagnostics, "gl-context-refused",
+                      "OSMesa gives no compatibility context of OpenGL 4.3 or newer",
+                      "install Mesa 21 or newer, or run with --backend egl");
+      return false;
+    }
+    const auto resolve = [this](const char* name) {
+      return reinterpret_cast<void*>(api_.getProcAddress(name));
+    };
+    return initialise(resolve, diagnostics);
+  }
+
+ private:
+  OsmesaApi api_;
+  OsmesaHandle handle_ = nullptr;
+  std::array<unsigned char, 4> pixel_{};
+};
+
+}  // namespace
+
+std::unique_ptr<Context> createOsmesaContext(const ContextRequest& request,
+                                             Diagnostics& diagnostics) {
+  OsmesaApi api;
+  void* library = loadLibrary(request.osmesaLibraries);
+  if (library == nullptr || !api.load(library)) {
+    addContextError(
+        diagnostics, "gl-library-missing",
+        fmt::format("cannot load OSMesa (tried {})", fmt::join(request.osmesaLibraries, ", ")),
+        "install libosmesa6 where the system still has it, or run with --backend egl");
+    return nullptr;
+  }
+  auto context = std::make_unique<OsmesaContext>(api);
+  if (!context->create(diagnostics)) return nullptr;
+  return context;
+}
+
+}  // namespace orris::gl

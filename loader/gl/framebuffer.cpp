@@ -1,0 +1,119 @@
+#include "gl/framebuffer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "gl/functions.h"
+
+namespace orris::gl {
+namespace {
+
+std::string statusName(GLenum status) {
+  switch (status) {
+    case GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT:
+      return "an attachment has a format not drawable";
+    case GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT:
+      return "it has no attachment";
+    case GL_FRAMEBUFFER_INCOMPLETE_DRAW_BUFFER:
+      return "a draw buffer has no attachment";
+    case GL_FRAMEBUFFER_INCOMPLETE_READ_BUFFER:
+      return "the read buffer has no attachment";
+    case GL_FRAMEBUFFER_UNSUPPORTED:
+      return "the driver does not support these formats together";
+    case GL_FRAMEBUFFER_INCOMPLETE_LAYER_TARGETS:
+      return "2D and 3D attachments are mixed";
+    default:
+      return fmt::format("status {:#06x}", status);
+  }
+}
+
+std::string describe(const std::vector<const Texture*>& colors, const Texture* depth) {
+  std::string text;
+  for (const Texture* texture : colors) {
+    const TextureFormat* format = findFormat(texture->internalFormat);
+    text += fmt::format("{}{} {}x{}", text.empty() ? "" : ", ",
+                        format != nullptr ? format->name : "unknown format", texture->width,
+                        texture->height);
+  }
+  if (depth != nullptr) {
+    text += fmt::format("{}depth {}x{}", text.empty() ? "" : ", ", depth->width, depth->height);
+  }
+  return text;
+}
+
+void attach(Framebuffer& framebuffer, GLenum point, const Texture& texture) {
+  const bool first = framebuffer.width == 0;
+  framebuffer.width = first ? texture.width : std::min(framebuffer.width, texture.width);
+  framebuffer.height = first ? texture.height : std::min(framebuffer.height, texture.height);
+  NamedFramebufferTexture(framebuffer.id(), point, texture.id(), 0);
+}
+
+// How the texels of a format come back without loss.
+struct Transfer {
+  GLenum format;
+  int channels;
+  FormatClass formatClass;
+};
+
+Transfer transferOf(const Texture& texture) {
+  const TextureFormat* format = findFormat(texture.internalFormat);
+  if (format == nullptr) return {GL_DEPTH_COMPONENT, 1, FormatClass::Float};
+  return {format->pixelFormat, format->channels, format->formatClass};
+}
+
+template <typename Texel>
+std::vector<float> readAs(const Texture& texture, GLenum format, GLenum type, size_t count) {
+  std::vector<Texel> texels(count);
+  GetTextureImage(texture.id(), 0, format, type, GLsizei(count * sizeof(Texel)), texels.data());
+  if constexpr (std::is_same_v<Texel, float>) {
+    return texels;
+  } else {
+    return {texels.begin(), texels.end()};
+  }
+}
+
+}  // namespace
+
+Framebuffer createFramebuffer(const std::vector<const Texture*>& colors, const Texture* depth,
+                              const std::string& label, std::string& error) {
+  Framebuffer framebuffer;
+  GLuint id = 0;
+  CreateFramebuffers(1, &id);
+  framebuffer.handle = Handle<deleteFramebuffer>(id);
+  framebuffer.colors = int(colors.size());
+  if (!label.empty()) ObjectLabel(GL_FRAMEBUFFER, id, GLsizei(label.size()), label.data());
+  std::vector<GLenum> drawBuffers;
+  for (const Texture* texture : colors) {
+    const GLenum point = GL_COLOR_ATTACHMENT0 + GLenum(drawBuffers.size());
+    drawBuffers.push_back(point);
+    attach(framebuffer, point, *texture);
+  }
+  if (depth != nullptr) attach(framebuffer, GL_DEPTH_ATTACHMENT, *depth);
+  if (drawBuffers.empty()) drawBuffers.push_back(GL_NONE);
+  NamedFramebufferDrawBuffers(id, GLsizei(drawBuffers.size()), drawBuffers.data());
+  NamedFramebufferReadBuffer(id, drawBuffers.front());
+  const GLenum status = CheckNamedFramebufferStatus(id, GL_FRAMEBUFFER);
+  if (status == GL_FRAMEBUFFER_COMPLETE) return framebuffer;
+  error = fmt::format("framebuffer \"{}\" ({}) is incomplete: {}", label, describe(colors, depth),
+                      statusName(status));
+  return {};
+}
+
+std::vector<float> readPixels(const Texture& texture, int& channels) {
+  const Transfer transfer = transferOf(texture);
+  channels = transfer.channels;
+  const size_t count =
+      size_t(texture.width) * size_t(texture.height) * size_t(texture.depth) * size_t(channels);
+  PixelStorei(GL_PACK_ALIGNMENT, 1);
+  switch (transfer.formatClass) {
+    case FormatClass::Int:
+      return readAs<GLint>(texture, transfer.format, GL_INT, count);
+    case FormatClass::Uint:
+      return readAs<GLuint>(texture, transfer.format, GL_UNSIGNED_INT, count);
+    default:
+      return readAs<float>(texture, transfer.format, GL_FLOAT, count);
+  }
+}
+
+}  // namespace orris::gl

@@ -1,0 +1,15 @@
+#include "gl/handle.h"
+
+#include "gl/functions.h"
+
+namespace orris::gl {
+
+void deleteTexture(unsigned id) { DeleteTextures(1, &id); }
+void deleteFramebuffer(unsigned id) { DeleteFramebuffers(1, &id); }
+void deleteBuffer(unsigned id) { DeleteBuffers(1, &id); }
+void deleteVertexArray(unsigned id) { DeleteVertexArrays(1, &id); }
+void deleteProgram(unsigned id) { DeleteProgram(id); }
+void deleteShader(unsigned id) { DeleteShader(id); }
+void deleteSampler(unsigned id) { DeleteSamplers(1, &id); }
+
+}  // namespace orris::gl
