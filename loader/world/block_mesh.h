@@ -14,15 +14,15 @@ namespace orris {
 
 /// One vertex; quads are four in a row, counter-clockwise seen from outside, (0,1,2)(2,3,0).
 struct BlockVertex {
-  glm::vec3 position;           ///< relative to the section's origin, blocks
-  glm::vec2 uv, midUv;          ///< atlas
+  glm::vec3 position;   ///< relative to the section's origin, blocks
+  glm::vec2 uv, midUv;  ///< atlas
   glm::vec3 normal;
-  glm::vec4 tangent;            ///< u direction, w handedness
-  glm::u8vec4 tint;             ///< biome tint rgb; a: vanilla ambient occlusion 0..255 (255 = none)
-  glm::u8vec2 light;            ///< block*16, sky*16 (0..240), smooth
-  glm::i8vec4 midBlock;         ///< 1/64 block to the block's centre; w emission 0..15
-  std::uint16_t state;          ///< palette index, for mc_Entity
-  std::uint16_t fluid;          ///< 1 for fluids (mc_Entity.y)
+  glm::vec4 tangent;     ///< u direction, w handedness
+  glm::u8vec4 tint;      ///< biome tint rgb; a: vanilla ambient occlusion 0..255 (255 = none)
+  glm::u8vec2 light;     ///< block*16, sky*16 (0..240), smooth
+  glm::i8vec4 midBlock;  ///< 1/64 block to the block's centre; w emission 0..15
+  std::uint16_t state;   ///< palette index, for mc_Entity
+  std::uint16_t fluid;   ///< 1 for fluids (mc_Entity.y)
 };
 
 /// Faces of one 16^3 section in one layer: vertices [first, first+count).

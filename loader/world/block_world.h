@@ -1,13 +1,18 @@
 // A box of blocks by palette. Coordinates are world blocks, x east, y up, z south, as in the game.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <map>
 #include <vector>
 
 #include "world/block_state.h"
 
 namespace orris {
+
+constexpr int kMaxWorldSize = 512;  ///< blocks an axis
+constexpr std::int64_t kMaxWorldBlocks = std::int64_t(1) << 27;
 
 /// Palette entry 0 is always minecraft:air; outside the box everything is air.
 class BlockWorld {
@@ -29,9 +34,10 @@ class BlockWorld {
   void fill(glm::ivec3 from, glm::ivec3 to, std::uint32_t paletteIndex);  ///< both inclusive
 
  private:
-  size_t offset(glm::ivec3 p) const;
+  std::size_t offset(glm::ivec3 p) const;
   glm::ivec3 origin_, size_;
   std::vector<BlockState> palette_;
+  std::map<BlockState, std::uint32_t> indexOf_;
   std::vector<std::uint32_t> blocks_;
 };
 

@@ -1,6 +1,7 @@
 // Vanilla block and sky light, 0..15 a block, for the lightmap coordinates.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -17,7 +18,7 @@ class LightLevels {
   int sky(glm::ivec3 p) const;
 
  private:
-  size_t offset(glm::ivec3 p) const;
+  std::size_t offset(glm::ivec3 p) const;
   glm::ivec3 origin_, size_;
   std::vector<std::uint8_t> levels_;  // block in the low nibble, sky in the high one
 };

@@ -24,7 +24,7 @@ struct Camera {
 
 /// Everything but blocks and cameras. Contract: uniforms.csv groups world, biome, player.
 struct Environment {
-  int time = 6000;      ///< ticks 0..23999
+  int time = 6000;  ///< ticks 0..23999
   int day = 0;
   float rain = 0, thunder = 0;
   std::string biome = "minecraft:plains";
@@ -34,10 +34,19 @@ struct Environment {
   glm::vec3 fogColor{0.7f, 0.8f, 1.0f}, skyColor{0.47f, 0.65f, 1.0f};
 };
 
-struct SetBlock { glm::ivec3 at; BlockState state; };
-struct MoveCamera { Camera camera; };
-struct SetOption { std::string name, value; };
-struct SetTime { int time; };
+struct SetBlock {
+  glm::ivec3 at;
+  BlockState state;
+};
+struct MoveCamera {
+  Camera camera;
+};
+struct SetOption {
+  std::string name, value;
+};
+struct SetTime {
+  int time;
+};
 /// Something that happens before the given frame (first frame: 0) is drawn.
 struct Event {
   int frame = 0;
@@ -50,7 +59,7 @@ struct World {
   BlockWorld blocks;
   std::vector<Camera> cameras;  ///< at least one; the first is the default
   Environment environment;
-  std::vector<Event> events;    ///< sorted by frame
+  std::vector<Event> events;  ///< sorted by frame
 
   const Camera* camera(std::string_view name) const;
 };

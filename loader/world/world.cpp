@@ -1,0 +1,106 @@
+#include "world/world.h"
+
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "world/schematic.h"
+#include "world/world_json.h"
+
+namespace orris {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t kMaxFileBytes = std::uintmax_t(1) << 28;
+
+std::optional<std::string> readWholeFile(const fs::path& path) {
+  std::error_code problem;
+  if (!fs::is_regular_file(path, problem) || fs::file_size(path, problem) > kMaxFileBytes) {
+    return std::nullopt;
+  }
+  std::ifstream stream(path, std::ios::binary);
+  std::ostringstream bytes;
+  if (!stream || !(bytes << stream.rdbuf())) return std::nullopt;
+  return bytes.str();
+}
+
+/// Reads `path` inside `folder`; a link that leads outside is not followed.
+std::optional<std::string> readInside(const fs::path& folder, const std::string& path) {
+  std::error_code problem;
+  const fs::path root = fs::canonical(folder, problem);
+  const fs::path file = fs::canonical(folder / path, problem);
+  if (problem) return std::nullopt;
+  const fs::path relative = file.lexically_relative(root);
+  if (relative.empty() || *relative.begin() == "..") return std::nullopt;
+  return readWholeFile(file);
+}
+
+void addError(Diagnostics& diagnostics, const std::string& file, std::string message,
+              std::string hint) {
+  Diagnostic diagnostic;
+  diagnostic.id = "world-unreadable";
+  diagnostic.at.file = file;
+  diagnostic.message = std::move(message);
+  diagnostic.hint = std::move(hint);
+  diagnostics.push_back(std::move(diagnostic));
+}
+
+std::optional<World> loadSchematic(const fs::path& path, Diagnostics& diagnostics) {
+  const std::optional<std::string> bytes = readWholeFile(path);
+  if (!bytes) {
+    addError(diagnostics, path.string(), "cannot read this schematic", "");
+    return std::nullopt;
+  }
+  std::optional<BlockWorld> blocks = parseSchematic(*bytes, path.string(), diagnostics);
+  if (!blocks) return std::nullopt;
+  World world;
+  world.name = path.stem().string();
+  world.exercises = "a schematic";
+  world.blocks = std::move(*blocks);
+  world.cameras = defaultCameras(world.blocks);
+  return world;
+}
+
+std::optional<World> loadJson(const fs::path& path, unsigned seed, Diagnostics& diagnostics) {
+  const std::optional<std::string> text = readWholeFile(path);
+  if (!text) {
+    addError(diagnostics, path.string(), "cannot read this world",
+             "WORLD is a folder with world.json, a world.json or a Sponge .schem");
+    return std::nullopt;
+  }
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  std::error_code problem;
+  WorldJson json;
+  json.text = *text;
+  json.file = path.string();
+  json.defaultName = fs::weakly_canonical(folder, problem).filename().string();
+  json.seed = seed;
+  json.readFile = [&](const std::string& name) { return readInside(folder, name); };
+  return parseWorldJson(json, diagnostics);
+}
+
+}  // namespace
+
+const Camera* World::camera(std::string_view cameraName) const {
+  for (const Camera& candidate : cameras) {
+    if (candidate.name == cameraName) return &candidate;
+  }
+  return nullptr;
+}
+
+std::optional<World> loadWorld(const std::string& path, unsigned seed, Diagnostics& diagnostics) {
+  std::error_code problem;
+  const fs::path given(path);
+  if (fs::is_directory(given, problem)) return loadJson(given / "world.json", seed, diagnostics);
+  const std::string extension = given.extension().string();
+  if (extension == ".schem" || extension == ".schematic") return loadSchematic(given, diagnostics);
+  if (extension == ".json") return loadJson(given, seed, diagnostics);
+  addError(diagnostics, path, fs::exists(given, problem) ? "not a world" : "no such file or folder",
+           "WORLD is a folder with world.json, a world.json or a Sponge .schem");
+  return std::nullopt;
+}
+
+}  // namespace orris

@@ -1,0 +1,185 @@
+#include "world/world_json.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "world/world_json_blocks.h"
+
+namespace orris {
+namespace {
+
+constexpr RealRange kPositionRange{-30000000, 30000000};
+constexpr IntegerRange kCellRange{-30000000, 30000000};
+constexpr IntegerRange kTimeRange{0, 23999};
+constexpr double kDegrees = 57.29577951308232;
+
+/// Yaw and pitch of the direction from the camera to a target, in the game's convention.
+void lookAt(Camera& camera, glm::dvec3 target) {
+  const glm::dvec3 d = target - camera.position;
+  const double horizontal = std::hypot(d.x, d.z);
+  if (horizontal > 0) camera.yaw = float(std::atan2(-d.x, d.z) * kDegrees);
+  camera.pitch = float(-std::atan2(d.y, horizontal) * kDegrees);
+}
+
+Camera readCamera(JsonReader& reader, const JsonNode& node, bool named) {
+  Camera camera;
+  const char* what = "a camera";
+  if (!reader.object(node, what, {"name", "position", "yaw", "pitch", "target", "fov"}))
+    return camera;
+  if (named) reader.required(node, "name", what);
+  reader.optional(node, "name", camera.name);
+  if (const JsonNode* position = reader.required(node, "position", what)) {
+    camera.position =
+        reader.vector(*position, "\"position\"", kPositionRange).value_or(glm::dvec3(0));
+  }
+  reader.optional(node, "yaw", RealRange{-360, 360}, camera.yaw);
+  reader.optional(node, "pitch", RealRange{-90, 90}, camera.pitch);
+  reader.optional(node, "fov", RealRange{1, 170}, camera.fov);
+  if (const JsonNode* target = node.find("target")) {
+    if (node.find("yaw") || node.find("pitch")) {
+      reader.error(target->offset, "a camera has either \"target\" or \"yaw\" and \"pitch\"");
+    }
+    if (const auto point = reader.vector(*target, "\"target\"", kPositionRange)) {
+      if (*point == camera.position) reader.error(target->offset, "\"target\" equals \"position\"");
+      lookAt(camera, *point);
+    }
+  }
+  return camera;
+}
+
+std::vector<Camera> readCameras(JsonReader& reader, const JsonNode& root) {
+  std::vector<Camera> cameras;
+  const JsonNode* list = root.find("cameras");
+  if (!list || !reader.array(*list, "\"cameras\"")) return cameras;
+  std::set<std::string> names;
+  for (const JsonNode& node : list->items) {
+    Camera camera = readCamera(reader, node, true);
+    if (!names.insert(camera.name).second) {
+      reader.error(node.offset, fmt::format("a second camera is named \"{}\"", camera.name));
+    }
+    cameras.push_back(std::move(camera));
+  }
+  return cameras;
+}
+
+Environment readEnvironment(JsonReader& reader, const JsonNode& root) {
+  Environment environment;
+  const JsonNode* node = root.find("environment");
+  if (!node) return environment;
+  reader.object(*node, "\"environment\"",
+                {"time", "day", "rain", "thunder", "biome", "dimension", "renderDistance",
+                 "temperature", "rainfall", "fogColor", "skyColor"});
+  reader.optional(*node, "time", kTimeRange, environment.time);
+  reader.optional(*node, "day", IntegerRange{0, 1000000}, environment.day);
+  reader.optional(*node, "rain", RealRange{0, 1}, environment.rain);
+  reader.optional(*node, "thunder", RealRange{0, 1}, environment.thunder);
+  reader.optional(*node, "biome", environment.biome);
+  reader.optional(*node, "dimension", environment.dimension);
+  reader.optional(*node, "renderDistance", IntegerRange{16, 1024}, environment.renderDistance);
+  reader.optional(*node, "temperature", RealRange{-2, 2}, environment.temperature);
+  reader.optional(*node, "rainfall", RealRange{0, 1}, environment.rainfall);
+  reader.optional(*node, "fogColor", RealRange{0, 1}, environment.fogColor);
+  reader.optional(*node, "skyColor", RealRange{0, 1}, environment.skyColor);
+  return environment;
+}
+
+SetBlock readSetBlock(JsonReader& reader, const JsonNode& node, const BlockWorld& blocks) {
+  SetBlock action{};
+  if (!reader.object(node, "\"set\"", {"block", "at"})) return action;
+  const JsonNode* block = reader.required(node, "block", "\"set\"");
+  const JsonNode* at = reader.required(node, "at", "\"set\"");
+  if (block) action.state = reader.block(*block, "\"block\"").value_or(BlockState{});
+  const auto cell = at ? reader.cell(*at, "\"at\"", kCellRange) : std::nullopt;
+  if (cell && !blocks.contains(*cell)) reader.error(at->offset, "\"at\" is outside the world");
+  action.at = cell.value_or(glm::ivec3(0));
+  return action;
+}
+
+/// The name of a camera of this world, or a camera of its own.
+MoveCamera readMoveCamera(JsonReader& reader, const JsonNode& node,
+                          const std::vector<Camera>& cameras) {
+  if (node.kind != JsonNode::Kind::String) return {readCamera(reader, node, false)};
+  for (const Camera& camera : cameras) {
+    if (camera.name == node.text) return {camera};
+  }
+  reader.error(node.offset, fmt::format("no camera is named \"{}\"", node.text));
+  return {};
+}
+
+SetOption readSetOption(JsonReader& reader, const JsonNode& node) {
+  SetOption action;
+  if (!reader.object(node, "\"option\"", {"name", "value"})) return action;
+  reader.required(node, "name", "\"option\"");
+  reader.required(node, "value", "\"option\"");
+  reader.optional(node, "name", action.name);
+  reader.optional(node, "value", action.value);
+  return action;
+}
+
+std::optional<Event> readEvent(JsonReader& reader, const JsonNode& node, const World& world) {
+  if (!reader.object(node, "an event", {"frame", "set", "camera", "option", "time"})) return {};
+  Event event;
+  reader.required(node, "frame", "an event");
+  reader.optional(node, "frame", IntegerRange{0, 1000000000}, event.frame);
+  if (node.members.size() != 2) {
+    reader.error(node.offset,
+                 "an event has \"frame\" and one of \"set\", \"camera\", \"option\", \"time\"");
+    return {};
+  }
+  if (const JsonNode* set = node.find("set")) {
+    event.action = readSetBlock(reader, *set, world.blocks);
+  } else if (const JsonNode* camera = node.find("camera")) {
+    event.action = readMoveCamera(reader, *camera, world.cameras);
+  } else if (const JsonNode* option = node.find("option")) {
+    event.action = readSetOption(reader, *option);
+  } else if (const JsonNode* time = node.find("time")) {
+    event.action = SetTime{reader.integer(*time, "\"time\"", kTimeRange).value_or(0)};
+  }
+  return event;
+}
+
+std::vector<Event> readEvents(JsonReader& reader, const JsonNode& root, const World& world) {
+  std::vector<Event> events;
+  const JsonNode* list = root.find("events");
+  if (!list || !reader.array(*list, "\"events\"")) return events;
+  for (const JsonNode& node : list->items) {
+    if (auto event = readEvent(reader, node, world)) events.push_back(std::move(*event));
+  }
+  // Events of one frame keep their order in the file.
+  std::stable_sort(events.begin(), events.end(),
+                   [](const Event& a, const Event& b) { return a.frame < b.frame; });
+  return events;
+}
+
+}  // namespace
+
+std::optional<World> parseWorldJson(const WorldJson& json, Diagnostics& diagnostics) {
+  const JsonText source{json.text, json.file};
+  const std::optional<JsonNode> root = parseLocatedJson(source, diagnostics);
+  if (!root) return std::nullopt;
+  JsonReader reader(source, diagnostics);
+  if (!reader.object(*root, "the world",
+                     {"name", "exercises", "origin", "size", "from", "palette", "blocks", "cameras",
+                      "environment", "events"}) &&
+      root->kind != JsonNode::Kind::Object) {
+    return std::nullopt;
+  }
+  World world;
+  world.name = json.defaultName;
+  reader.optional(*root, "name", world.name);
+  reader.optional(*root, "exercises", world.exercises);
+  std::optional<BlockWorld> blocks = readBlocks(reader, *root, json);
+  if (!blocks) return std::nullopt;
+  world.blocks = std::move(*blocks);
+  world.environment = readEnvironment(reader, *root);
+  world.cameras = readCameras(reader, *root);
+  if (world.cameras.empty()) world.cameras = defaultCameras(world.blocks);
+  world.events = readEvents(reader, *root, world);
+  if (reader.failed()) return std::nullopt;
+  return world;
+}
+
+}  // namespace orris

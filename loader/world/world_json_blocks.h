@@ -1,0 +1,14 @@
+// The "blocks" of a world.json: a list of operations, applied in order.
+#pragma once
+
+#include "world/json_reader.h"
+#include "world/world_json.h"
+
+namespace orris {
+
+/// The box of blocks that the root's "origin" and "size" (or "from") give, with the operations of
+/// "blocks" applied. nullopt when the box itself is wrong; other errors are in the reader.
+std::optional<BlockWorld> readBlocks(JsonReader& reader, const JsonNode& root,
+                                     const WorldJson& json);
+
+}  // namespace orris
