@@ -9,16 +9,19 @@
 namespace orris::gl {
 namespace {
 
-std::string statusName(GLenum status) {
+// Why a driver refuses, in words; drivers differ in the status they give for a format.
+std::string reasonOf(GLenum status, const std::vector<const Texture*>& colors) {
+  for (const Texture* texture : colors) {
+    const TextureFormat* format = findFormat(texture->internalFormat);
+    if (format != nullptr && !format->renderable) {
+      return fmt::format("{} cannot be drawn to", format->name);
+    }
+  }
   switch (status) {
     case GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT:
-      return "an attachment has a format not drawable";
+      return "an attachment cannot be drawn to";
     case GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT:
       return "it has no attachment";
-    case GL_FRAMEBUFFER_INCOMPLETE_DRAW_BUFFER:
-      return "a draw buffer has no attachment";
-    case GL_FRAMEBUFFER_INCOMPLETE_READ_BUFFER:
-      return "the read buffer has no attachment";
     case GL_FRAMEBUFFER_UNSUPPORTED:
       return "the driver does not support these formats together";
     case GL_FRAMEBUFFER_INCOMPLETE_LAYER_TARGETS:
@@ -96,7 +99,7 @@ Framebuffer createFramebuffer(const std::vector<const Texture*>& colors, const T
   const GLenum status = CheckNamedFramebufferStatus(id, GL_FRAMEBUFFER);
   if (status == GL_FRAMEBUFFER_COMPLETE) return framebuffer;
   error = fmt::format("framebuffer \"{}\" ({}) is incomplete: {}", label, describe(colors, depth),
-                      statusName(status));
+                      reasonOf(status, colors));
   return {};
 }
 
