@@ -2,8 +2,8 @@
 // #includes that led there.
 #pragma once
 
-#include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/diagnostic.h"
@@ -49,12 +49,15 @@ struct MappedText {
   std::vector<std::vector<Segment>> lines;
   std::vector<IncludeSite> sites;
   std::vector<std::string> macroNames;
+  std::vector<Origin> macroOrigins;  ///< where each was defined; site -1: by the host
 
-  /// Author's place of an output position; column 0 asks for the line's first segment.
+  /// Author's place of an output position; column 0 asks for the line's first segment. A place
+  /// inside a token the author wrote as one keeps the token's column.
   SourceLocation locate(int line, int column) const;
   std::vector<SourceLocation> includedFrom(int line, int column) const;
   /// Name of the macro whose expansion covers the position, or "".
   std::string_view macroAt(int line, int column) const;
+  int macroIndexAt(int line, int column) const;  ///< index into macroNames, or -1
 };
 
 SourceLocation locate(const std::vector<IncludeSite>& sites, const Origin& origin);

@@ -17,7 +17,8 @@ struct Token {
   bool spaceBefore = false;
   int newlinesBefore = 0;  ///< line breaks before this token in the output
   Origin origin;
-  int macro = -1;          ///< index into TokenStream::macroNames, or -1
+  int macro = -1;        ///< index into TokenStream::macroNames, or -1
+  bool painted = false;  ///< the preprocessor's mark: never expand this name again
 };
 
 /// A preprocessed stage: no directives remain in `tokens`; comments do.
@@ -25,18 +26,27 @@ struct TokenStream {
   std::vector<Token> tokens;
   std::vector<IncludeSite> sites;
   std::vector<std::string> macroNames;
-  int version = 0;                     ///< from the active #version; 0 when there was none
-  std::string profile;                 ///< "compatibility", "core" or ""
+  std::vector<Origin> macroOrigins;  ///< definition of each macro; site -1: by the host
+  int version = 0;                   ///< from the active #version; 0 when there was none
+  std::string profile;               ///< "compatibility", "core" or ""
   Origin versionOrigin;
   struct Extension {
     std::string name, behaviour;
     Origin origin;
   };
-  std::vector<Extension> extensions;   ///< active #extension lines, in order
+  std::vector<Extension> extensions;  ///< active #extension lines, in order
 };
 
-/// Splits one line group of GLSL (no directives) into tokens; used by the preprocessor and by tests.
+/// Splits GLSL (no directives) into tokens; lines and columns count from the start of `text`, the
+/// site stays -1. A block comment that is not closed ends with the text.
 std::vector<Token> tokenize(std::string_view text);
+
+/// Appends the tokens of `text` from offset `from` to `out`; `origin.column` is the offset in `text`
+/// plus 1. Returns the offset of a block comment that `text` does not close, or text.size().
+std::size_t tokenizeFrom(std::string_view text, std::size_t from, std::vector<Token>& out);
+
+/// Would `left` directly followed by `right` be read as other tokens ("-" and "-1")?
+bool wouldGlue(const Token& left, const Token& right);
 
 /// Text and map: "#version N profile", the extensions, then the tokens without comments.
 MappedText print(const TokenStream& stream);

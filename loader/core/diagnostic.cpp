@@ -1,0 +1,76 @@
+#include "core/diagnostic.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+
+namespace orris {
+namespace {
+
+const char* severityName(Severity severity) {
+  switch (severity) {
+    case Severity::Note:
+      return "note";
+    case Severity::Warning:
+      return "warning";
+    case Severity::Error:
+      break;
+  }
+  return "error";
+}
+
+std::string formatLocation(const SourceLocation& at) {
+  if (at.line <= 0) return at.file;
+  if (at.column <= 0) return fmt::format("{}:{}", at.file, at.line);
+  return fmt::format("{}:{}:{}", at.file, at.line, at.column);
+}
+
+// Blanks up to the column, tabs kept so that the caret stands under its character whatever the tab
+// width; bytes that continue a UTF-8 character take no cell.
+std::string caretLine(const std::string& line, int column) {
+  std::string caret;
+  const std::size_t end = std::min(line.size(), static_cast<std::size_t>(column - 1));
+  for (std::size_t i = 0; i < end; ++i) {
+    const auto byte = static_cast<unsigned char>(line[i]);
+    if ((byte & 0xC0) == 0x80) continue;
+    caret += line[i] == '\t' ? '\t' : ' ';
+  }
+  return caret + '^';
+}
+
+}  // namespace
+
+bool hasErrors(const Diagnostics& diagnostics) {
+  return std::any_of(diagnostics.begin(), diagnostics.end(),
+                     [](const Diagnostic& d) { return d.severity == Severity::Error; });
+}
+
+std::string formatDiagnostic(const Diagnostic& diagnostic) {
+  std::string text = formatLocation(diagnostic.at);
+  if (!text.empty()) text += ": ";
+  text += fmt::format("{}: {}", severityName(diagnostic.severity), diagnostic.message);
+  for (const SourceLocation& site : diagnostic.includedFrom) {
+    text += "\n  included from " + formatLocation(site);
+  }
+  if (!diagnostic.sourceLine.empty()) {
+    text += "\n  " + diagnostic.sourceLine;
+    if (diagnostic.at.column > 0) {
+      text += "\n  " + caretLine(diagnostic.sourceLine, diagnostic.at.column);
+    }
+  }
+  for (const std::string& note : diagnostic.notes) text += "\n  note: " + note;
+  if (!diagnostic.hint.empty()) text += "\n  hint: " + diagnostic.hint;
+  return text;
+}
+
+void removeDuplicates(Diagnostics& diagnostics) {
+  using Key = std::tuple<Severity, std::string, int, int, std::string>;
+  std::set<Key> seen;
+  std::erase_if(diagnostics, [&seen](const Diagnostic& d) {
+    return !seen.insert({d.severity, d.at.file, d.at.line, d.at.column, d.message}).second;
+  });
+}
+
+}  // namespace orris

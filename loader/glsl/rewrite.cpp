@@ -1,0 +1,56 @@
+#include "glsl/rewrite.h"
+
+#include <algorithm>
+#include <array>
+
+#include "glsl/rewrite_rules.h"
+
+namespace orris {
+namespace {
+
+struct StageNames {
+  Stage stage;
+  const char* extension;
+  const char* name;
+};
+
+constexpr std::array<StageNames, 6> kStages = {{
+    {Stage::Vertex, "vsh", "vertex"},
+    {Stage::TessControl, "tcs", "tessellation control"},
+    {Stage::TessEvaluation, "tes", "tessellation evaluation"},
+    {Stage::Geometry, "gsh", "geometry"},
+    {Stage::Fragment, "fsh", "fragment"},
+    {Stage::Compute, "csh", "compute"},
+}};
+
+// In this order: names are settled before the rules that read declarations, and the version is set
+// last because the others ask for the pack's.
+constexpr void (*kRules[])(RewriteContext&) = {
+    ruleExtensions, ruleAttributeVarying, ruleTextureFunctions, ruleTextureName, ruleVersion,
+};
+
+bool writesFragData(const TokenStream& stream, Stage stage) {
+  if (stage != Stage::Fragment) return false;
+  return std::any_of(stream.tokens.begin(), stream.tokens.end(), [](const Token& token) {
+    return isIdentifier(token, "gl_FragData") || isIdentifier(token, "gl_FragColor");
+  });
+}
+
+}  // namespace
+
+const char* stageExtension(Stage stage) {
+  return kStages[static_cast<std::size_t>(stage)].extension;
+}
+
+const char* stageName(Stage stage) { return kStages[static_cast<std::size_t>(stage)].name; }
+
+RewriteResult rewrite(TokenStream& stream, Stage stage) {
+  RewriteContext context(stream, stage);
+  for (auto* rule : kRules) rule(context);
+  RewriteResult result;
+  result.rules = std::move(context.rules);
+  result.writesFragData = writesFragData(stream, stage);
+  return result;
+}
+
+}  // namespace orris
