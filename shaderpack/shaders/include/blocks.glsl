@@ -1,0 +1,53 @@
+// Block ids of block.properties, by class.
+#if !defined INCLUDED_BLOCKS
+#define INCLUDED_BLOCKS
+
+const int block_plant = 10;
+const int block_leaves = 11;
+const int block_open = 12;         // thin shapes: drawn, but light passes
+const int block_slab_bottom = 13;
+const int block_slab_top = 14;
+const int block_water = 20;
+const int block_translucent = 21;  // stained glass, ice, slime
+const int block_lamp = 100;        // full cubes, 100 + colour
+const int block_small_lamp = 200;  // torches and the like, 200 + colour
+const int block_lamps_end = 300;
+
+bool is_lamp(int id) { return id >= block_lamp && id < block_lamps_end; }
+
+bool is_small_lamp(int id) { return id >= block_small_lamp && id < block_lamps_end; }
+
+/// Light colour by the last digits of a lamp's id, linear, brightest channel 1; black means the
+/// block's own texture decides.
+vec3 lamp_color(int id) {
+    const vec3 colors[10] = vec3[10](
+        vec3(0.0),               // 0 own texture
+        vec3(1.0, 0.56, 0.22),   // 1 fire: torch, lantern, campfire
+        vec3(1.0, 0.70, 0.38),   // 2 glowstone, shroomlight, redstone lamp
+        vec3(0.62, 0.90, 1.0),   // 3 sea lantern, conduit, beacon
+        vec3(1.0, 0.10, 0.04),   // 4 redstone
+        vec3(0.16, 0.80, 1.0),   // 5 soul fire
+        vec3(1.0, 0.92, 0.84),   // 6 end rod, white
+        vec3(0.62, 0.26, 1.0),   // 7 amethyst, crying obsidian, portal
+        vec3(0.45, 1.0, 0.36),   // 8 green froglight, sea pickle
+        vec3(1.0, 0.34, 0.06));  // 9 lava, magma
+    return colors[clamp(id % 100, 0, 9)];
+}
+
+/// Light level where the host gives none with the vertex (Iris before 1.7).
+float lamp_level(int id) {
+    const float levels[10] =
+        float[10](15.0, 14.0, 15.0, 15.0, 7.0, 10.0, 14.0, 10.0, 12.0, 15.0);
+    return is_lamp(id) ? levels[clamp(id % 100, 0, 9)] : 0.0;
+}
+
+/// Light level of a vertex's block: at_midBlock.w where it means that, else by id.
+float block_emission(int id, float given) {
+#if defined IRIS_FEATURE_BLOCK_EMISSION_ATTRIBUTE
+    return given;
+#else
+    return lamp_level(id);
+#endif
+}
+
+#endif

@@ -1,0 +1,60 @@
+// Every render target of the pack.
+//
+// target       format    size    clear  written by                    read by
+// colortex0    RGBA16F   window  0      sky, deferred1, translucent   deferred1, final
+//   linear radiance, before exposure
+// colortex1    RGBA8     window  0      opaque gbuffers               deferred, deferred1
+//   rgb albedo as textured (sRGB), a material byte (include/gbuffer.glsl)
+// colortex2    RGBA8     window  0      opaque gbuffers               deferred, deferred1
+//   rg normal, octahedral, world axes; b block light, a sky light (0..1)
+// colortex3    RGBA16F   window  keep   deferred                      deferred (next frame), deferred1
+//   rgb mean incoming radiance over the hemisphere, a number of frames in it;
+//   RGBA32F from 256 frames on, where half floats stop moving
+// colortex4    RGBA16F   atlas   keep   prepare, prepare1             prepare, deferred, translucent
+//   floodfill light by cell (include/voxel/volume.glsl)
+// colortex5    RGBA16F   window  keep   deferred                      deferred (next frame)
+//   xyz normal, world axes, w distance to the camera: what colortex3 belongs to
+// shadowcolor0 RGBA8     shadow  0      shadow                        prepare, deferred, translucent
+//   voxels in the bottom rows (include/voxel/voxel.glsl), unused above them
+// shadowtex1   depth     shadow  1      shadow                        deferred, deferred1, translucent
+//   shadow map without translucent blocks, above the rows of the voxels
+//
+// colortex3..5 and the shadow targets exist only while an option uses them.
+#if !defined INCLUDED_BUFFERS
+#define INCLUDED_BUFFERS
+
+/*
+const int colortex0Format = RGBA16F;
+const vec4 colortex0ClearColor = vec4(0.0, 0.0, 0.0, 0.0);
+const int colortex1Format = RGBA8;
+const vec4 colortex1ClearColor = vec4(0.0, 0.0, 0.0, 0.0);
+const int colortex2Format = RGBA8;
+*/
+
+#if VOXELS
+#if TEMPORAL_FRAMES > 128
+/*
+const int colortex3Format = RGBA32F;
+*/
+#else
+/*
+const int colortex3Format = RGBA16F;
+*/
+#endif
+/*
+const bool colortex3Clear = false;
+const int colortex5Format = RGBA16F;
+const bool colortex5Clear = false;
+const int shadowcolor0Format = RGBA8;
+const vec4 shadowcolor0ClearColor = vec4(0.0, 0.0, 0.0, 0.0);
+*/
+#endif
+
+#if GI_METHOD == FLOODFILL
+/*
+const int colortex4Format = RGBA16F;
+const bool colortex4Clear = false;
+*/
+#endif
+
+#endif

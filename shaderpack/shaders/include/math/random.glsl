@@ -1,0 +1,28 @@
+// Random numbers without a table: pcg3d of Jarzynski & Olano 2020, "Hash Functions for GPU
+// Rendering". Pixel, frame and draw all enter the hash, so neither neighbours nor frames correlate.
+#if !defined INCLUDED_MATH_RANDOM
+#define INCLUDED_MATH_RANDOM
+
+uvec3 random_state;
+
+void seed_random(ivec2 pixel, int frame) { random_state = uvec3(uvec2(pixel), uint(frame) << 8); }
+
+uvec3 hash(uvec3 v) {
+    v = v * 1664525u + 1013904223u;
+    v.x += v.y * v.z;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    v ^= v >> 16u;
+    v.x += v.y * v.z;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    return v;
+}
+
+/// Three numbers in [0,1); 24 bits each, so that 1 is never reached. At most 256 calls a frame.
+vec3 next_random() {
+    random_state.z += 1u;
+    return vec3(hash(random_state) >> 8u) * (1.0 / 16777216.0);
+}
+
+#endif

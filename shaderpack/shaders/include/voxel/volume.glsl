@@ -1,0 +1,44 @@
+// The voxel volume: a cube of VOLUME^3 cells of one block, centred on the camera's cell, and its
+// place in a 2-D atlas.
+//
+//   volume space  player space + fract(cameraPosition) + VOLUME/2; cells are floor() of it
+//   atlas         one tile of VOLUME x VOLUME texels for each layer y, left to right, then up:
+//                 texel = (y mod COLUMNS, y div COLUMNS) * VOLUME + (x, z)
+//
+// Cells are tested before they are mapped: y+1 of the top layer would otherwise land in the tile
+// of another layer.
+#if !defined INCLUDED_VOXEL_VOLUME
+#define INCLUDED_VOXEL_VOLUME
+
+#include "/include/uniforms.glsl"
+
+const ivec2 atlas_size = ivec2(ATLAS_COLUMNS, ATLAS_ROWS) * VOLUME;
+
+bool in_volume(ivec3 cell) {
+    return all(greaterThanEqual(cell, ivec3(0))) && all(lessThan(cell, ivec3(VOLUME)));
+}
+
+/// Only for cells in the volume.
+ivec2 atlas_texel(ivec3 cell) {
+    int row = cell.y / ATLAS_COLUMNS;
+    return ivec2(cell.y - row * ATLAS_COLUMNS, row) * VOLUME + cell.xz;
+}
+
+/// Inverse of atlas_texel; spare tiles give a cell outside the volume.
+ivec3 atlas_cell(ivec2 texel) {
+    ivec2 tile = texel / VOLUME;
+    ivec2 within = texel - tile * VOLUME;
+    return ivec3(within.x, tile.y * ATLAS_COLUMNS + tile.x, within.y);
+}
+
+vec3 to_volume(vec3 player) { return player + fract(cameraPosition) + float(VOLUME / 2); }
+
+vec3 from_volume(vec3 position) { return position - fract(cameraPosition) - float(VOLUME / 2); }
+
+/// How many cells the volume moved since the last frame; a cell was at cell + scroll before.
+/// floor, not int(): int() makes the cell at 0 two wide.
+ivec3 volume_scroll() {
+    return ivec3(floor(cameraPosition)) - ivec3(floor(previousCameraPosition));
+}
+
+#endif

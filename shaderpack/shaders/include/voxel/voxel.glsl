@@ -1,0 +1,55 @@
+// One voxel is one RGBA8 texel of shadowcolor0: rgb is the square root of the linear albedo, tint
+// or light colour, a one of the codes below.
+#if !defined INCLUDED_VOXEL_VOXEL
+#define INCLUDED_VOXEL_VOXEL
+
+const int voxel_air = 0;
+const int voxel_solid = 1;
+const int voxel_slab_bottom = 2;
+const int voxel_slab_top = 3;
+const int voxel_translucent = 4;
+const int voxel_lamp = 16;        // + light level 1..15, fills the cell
+const int voxel_small_lamp = 32;  // + light level 1..15, a ball in the cell
+
+// The ball of a small lamp, and how much brighter it is than a full block of that level: about
+// the ratio of the areas seen.
+const float small_lamp_radius = 0.25;
+const float small_lamp_boost = 5.0;
+
+struct Voxel {
+    vec3 color;  // linear: albedo, tint or light colour
+    int code;
+};
+
+vec4 encode_voxel(vec3 color, int code) {
+    return vec4(sqrt(clamp(color, 0.0, 1.0)), float(code) / 255.0);
+}
+
+Voxel decode_voxel(vec4 texel) {
+    return Voxel(texel.rgb * texel.rgb, int(texel.a * 255.0 + 0.5));
+}
+
+bool is_lamp_voxel(int code) { return code >= voxel_lamp; }
+
+/// Light of the propagation does not pass; slabs leave half of their cell open.
+bool is_opaque_voxel(int code) { return code == voxel_solid || is_lamp_voxel(code); }
+
+/// Radiance of a lamp, as a block that fills its cell.
+vec3 lamp_radiance(Voxel v) {
+    float level = float(v.code & 15) / 15.0;
+    return v.color * (EMISSION_STRENGTH * level * level);
+}
+
+#if defined READ_VOXELS
+#include "/include/voxel/volume.glsl"
+
+uniform sampler2D shadowcolor0;
+
+/// Air outside the volume.
+Voxel voxel_at(ivec3 cell) {
+    if (!in_volume(cell)) return Voxel(vec3(0.0), voxel_air);
+    return decode_voxel(texelFetch(shadowcolor0, atlas_texel(cell), 0));
+}
+#endif
+
+#endif

@@ -1,0 +1,139 @@
+// Light from everything but the direct sun: GI_SAMPLES rays a pixel through the voxels, averaged
+// with the frames before. Radiance is constant along a ray, so nothing is divided by distance.
+#include "/settings.glsl"
+
+#if defined VERTEX_STAGE
+
+void main() { gl_Position = ftransform(); }
+
+#else
+
+#define READ_GBUFFER
+#define READ_VOXELS
+#include "/include/gbuffer.glsl"
+#include "/include/math/random.glsl"
+#include "/include/math/sampling.glsl"
+#include "/include/lighting/sky.glsl"
+#include "/include/lighting/shadow.glsl"
+#include "/include/voxel/trace.glsl"
+#if GI_METHOD == FLOODFILL
+#include "/include/voxel/light_field.glsl"
+#endif
+
+#if GI_METHOD == BOUNCE_4
+const int gi_bounces = 4;
+#elif GI_METHOD == BOUNCE_2
+const int gi_bounces = 2;
+#else
+const int gi_bounces = 1;
+#endif
+
+// A little off the face, more than depth rounds at the edge of the volume.
+const float ray_offset = 0.02;
+
+uniform sampler2D colortex3;
+uniform sampler2D colortex5;
+
+/* RENDERTARGETS: 3,5 */
+layout(location = 0) out vec4 out_radiance;
+layout(location = 1) out vec4 out_geometry;
+
+/// Sun or moon light that a hit reflects, without its albedo.
+vec3 sun_at(Hit hit, vec3 light) {
+    vec3 player = from_volume(hit.position);
+    return light_irradiance() * (max(dot(hit.normal, light), 0.0) / pi) *
+           light_visibility(player, hit.normal, light, 0);
+}
+
+/// One sample of the mean incoming radiance.
+vec3 gather(Surface s, vec3 light) {
+    vec3 origin = to_volume(s.player) + s.normal * ray_offset;
+    vec3 normal = s.normal;
+    vec3 throughput = vec3(1.0);
+    vec3 radiance = vec3(0.0);
+    for (int bounce = 0; bounce < gi_bounces; ++bounce) {
+        vec3 direction = cosine_direction(normal, next_random().xy);
+        Hit hit = trace(origin, direction);
+        throughput *= hit.transmittance;
+        if (!hit.found) {
+            // Where no sky light comes, the volume ends inside of a cave, not under the sky.
+            radiance += throughput * sky_radiance(direction) * smoothstep(0.0, 0.1, s.light.y);
+            break;
+        }
+        if (is_lamp_voxel(hit.voxel.code)) {
+            float boost = hit.voxel.code >= voxel_small_lamp ? small_lamp_boost : 1.0;
+            radiance += throughput * lamp_radiance(hit.voxel) * boost;
+            break;
+        }
+        normal = hit.normal;
+        origin = hit.position + normal * ray_offset;
+        throughput *= hit.voxel.color;
+        radiance += throughput * sun_at(hit, light);
+#if GI_METHOD == FLOODFILL
+        radiance += throughput * light_at_face(hit.position, normal, next_random().xy);
+#endif
+    }
+    return radiance;
+}
+
+#ifdef TEMPORAL_ACCUMULATION
+
+bool camera_is_still() {
+    return cameraPosition == previousCameraPosition && gbufferModelView == gbufferPreviousModelView &&
+           gbufferProjection == gbufferPreviousProjection;
+}
+
+/// What earlier frames found for this surface: rgb, and how many of them; 0 where it was not seen.
+vec4 history(Surface s) {
+    vec3 player = s.player + (cameraPosition - previousCameraPosition);
+    vec4 clip = gbufferPreviousProjection * (gbufferPreviousModelView * vec4(player, 1.0));
+    vec2 uv = clip.xy / clip.w * 0.5 + 0.5;
+    ivec2 pixel = ivec2(floor(uv * vec2(viewWidth, viewHeight)));
+    bool on_screen = clip.w > 0.0 && all(greaterThanEqual(uv, vec2(0.0))) && all(lessThan(uv, vec2(1.0)));
+    if (!on_screen) return vec4(0.0);
+
+    vec4 geometry = texelFetch(colortex5, pixel, 0);
+    float distance_now = length(player);
+    bool same = abs(geometry.w - distance_now) < 0.02 * distance_now + 0.02 &&
+                dot(geometry.xyz, s.normal) > 0.9;
+    return same ? texelFetch(colortex3, pixel, 0) : vec4(0.0);
+}
+
+// While the cache still fills, early frames are wrong rather than noisy: let them fade as the
+// frames' number cubed instead of keeping them in a plain mean.
+#if GI_METHOD == FLOODFILL
+const float history_ramp = 3.0;
+#else
+const float history_ramp = 1.0;
+#endif
+
+vec4 accumulate(vec3 radiance, vec4 before) {
+    float floor_weight = camera_is_still() ? 1.0 / float(TEMPORAL_FRAMES) : TEMPORAL_WEIGHT;
+    float weight = max(floor_weight, history_ramp / (before.a + history_ramp));
+    return vec4(mix(before.rgb, radiance, weight), min(before.a + 1.0, float(TEMPORAL_FRAMES)));
+}
+
+#endif
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    Surface s = read_surface(pixel);
+    seed_random(pixel, frameCounter);
+    vec3 light = light_direction();
+
+    vec3 radiance = vec3(0.0);
+    for (int i = 0; i < GI_SAMPLES; ++i) radiance += gather(s, light);
+    radiance /= float(GI_SAMPLES);
+
+    out_radiance = vec4(radiance, 1.0);
+#ifdef TEMPORAL_ACCUMULATION
+    out_radiance = accumulate(radiance, history(s));
+#endif
+    out_geometry = vec4(s.normal, length(s.player));
+    if (s.sky) {
+        out_radiance = vec4(0.0);
+        out_geometry = vec4(0.0);
+    }
+}
+
+#endif

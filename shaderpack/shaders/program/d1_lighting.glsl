@@ -1,0 +1,60 @@
+// The lit opaque scene, and the sky where there is none.
+#include "/settings.glsl"
+
+#if defined VERTEX_STAGE
+
+void main() { gl_Position = ftransform(); }
+
+#else
+
+#define READ_GBUFFER
+#include "/include/gbuffer.glsl"
+#include "/include/lighting/ambient.glsl"
+#include "/include/lighting/direct.glsl"
+#include "/include/lighting/shadow.glsl"
+#if VOXELS
+#include "/include/voxel/volume.glsl"
+uniform sampler2D colortex3;
+#endif
+
+uniform sampler2D colortex0;
+
+/* RENDERTARGETS: 0 */
+layout(location = 0) out vec4 out_color;
+
+/// Mean radiance over the hemisphere, without the direct sun.
+vec3 indirect_radiance(Surface s, ivec2 pixel) {
+    vec3 lightmap = ambient_radiance(s.light, s.normal);
+#if VOXELS
+    // The volume's edge sees too little: fade to the lightmap over four cells.
+    vec3 position = to_volume(s.player);
+    vec3 margin = min(position, float(VOLUME) - position);
+    float inside = clamp(min(margin.x, min(margin.y, margin.z)) / 4.0, 0.0, 1.0);
+    return mix(lightmap, texelFetch(colortex3, pixel, 0).rgb + AMBIENT_MINIMUM, inside);
+#else
+    return lightmap;
+#endif
+}
+
+vec3 light_surface(Surface s, ivec2 pixel) {
+    vec3 l = light_direction();
+    vec3 v = -normalize(s.player);
+    // A leaf is lit from either side.
+    vec3 n = s.thin && dot(s.normal, l) < 0.0 ? -s.normal : s.normal;
+    float level = s.emission / 15.0;
+    vec3 radiance = s.albedo * (EMISSION_STRENGTH * level * level);
+    radiance += s.albedo * indirect_radiance(s, pixel);
+    radiance += light_irradiance() * light_visibility(s.player, n, l, shadow_radius) *
+                reflect_direct(s.albedo, n, v, l);
+    return radiance;
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    Surface s = read_surface(pixel);
+    // What the sky programs drew: stars, sun, moon.
+    vec3 behind = texelFetch(colortex0, pixel, 0).rgb + sky_radiance(normalize(s.player));
+    out_color = vec4(s.sky ? behind : light_surface(s, pixel), 1.0);
+}
+
+#endif

@@ -1,0 +1,58 @@
+// Opaque geometry into the G-buffer. PROGRAM_BASIC: without a texture.
+#include "/settings.glsl"
+#include "/include/blocks.glsl"
+#include "/include/gbuffer.glsl"
+#include "/include/lighting/ambient.glsl"
+
+#if defined VERTEX_STAGE
+
+in vec2 mc_Entity;
+in vec4 at_midBlock;
+
+out vec2 uv;
+out vec4 tint;
+out vec2 light;
+flat out vec3 normal;
+flat out float material;
+
+void main() {
+    gl_Position = ftransform();
+    uv = (gl_TextureMatrix[0] * gl_MultiTexCoord0).xy;
+    tint = gl_Color;
+    // Texture coordinates of the lightmap back to levels.
+    light = clamp(((gl_TextureMatrix[1] * gl_MultiTexCoord1).xy - 1.0 / 32.0) * 16.0 / 15.0, 0.0, 1.0);
+    normal = normalize(mat3(gbufferModelViewInverse) * (gl_NormalMatrix * gl_Normal));
+
+    int id = int(floor(mc_Entity.x + 0.5));
+    bool thin = id == block_plant || id == block_leaves;
+    material = block_emission(id, at_midBlock.w) + (thin ? material_thin : 0.0);
+}
+
+#else
+
+in vec2 uv;
+in vec4 tint;
+in vec2 light;
+flat in vec3 normal;
+flat in float material;
+
+#if !defined PROGRAM_BASIC
+uniform sampler2D gtexture;
+#endif
+
+/* RENDERTARGETS: 1,2 */
+layout(location = 0) out vec4 out_albedo;
+layout(location = 1) out vec4 out_geometry;
+
+void main() {
+    // separateAo: the tint's alpha is ambient occlusion.
+    vec4 color = vec4(tint.rgb, 1.0);
+#if !defined PROGRAM_BASIC
+    color *= texture(gtexture, uv);
+    if (color.a < alphaTestRef) discard;
+#endif
+    out_albedo = vec4(color.rgb, material / 255.0);
+    out_geometry = vec4(encode_normal(normal), occlude_light(light, tint.a));
+}
+
+#endif

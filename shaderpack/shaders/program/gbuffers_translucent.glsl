@@ -1,0 +1,78 @@
+// Water, glass, weather and clouds: lit where they are drawn and blended over the lit scene.
+#include "/settings.glsl"
+#include "/include/blocks.glsl"
+#include "/include/uniforms.glsl"
+
+#if defined VERTEX_STAGE
+
+in vec2 mc_Entity;
+
+out vec2 uv;
+out vec4 tint;
+out vec2 light;
+out vec3 player;
+flat out vec3 normal;
+flat out float is_water;
+
+void main() {
+    gl_Position = ftransform();
+    uv = (gl_TextureMatrix[0] * gl_MultiTexCoord0).xy;
+    tint = gl_Color;
+    light = clamp(((gl_TextureMatrix[1] * gl_MultiTexCoord1).xy - 1.0 / 32.0) * 16.0 / 15.0, 0.0, 1.0);
+    player = (gbufferModelViewInverse * (gl_ModelViewMatrix * gl_Vertex)).xyz;
+    normal = normalize(mat3(gbufferModelViewInverse) * (gl_NormalMatrix * gl_Normal));
+    is_water = float(int(floor(mc_Entity.x + 0.5)) == block_water);
+}
+
+#else
+
+#include "/include/math/color.glsl"
+#include "/include/lighting/ambient.glsl"
+#include "/include/lighting/direct.glsl"
+#include "/include/lighting/shadow.glsl"
+#if GI_METHOD == FLOODFILL
+#define READ_VOXELS
+#include "/include/voxel/light_field.glsl"
+#endif
+
+in vec2 uv;
+in vec4 tint;
+in vec2 light;
+in vec3 player;
+flat in vec3 normal;
+flat in float is_water;
+
+uniform sampler2D gtexture;
+
+/* RENDERTARGETS: 0 */
+layout(location = 0) out vec4 out_color;
+
+/// Mean radiance over the hemisphere: with floodfill, lamps from its cells instead of the lightmap.
+vec3 indirect_radiance(vec3 n) {
+#if GI_METHOD == FLOODFILL
+    vec3 position = to_volume(player);
+    if (in_volume(ivec3(floor(position))))
+        return ambient_radiance(vec2(0.0, light.y), n) + light_solid_aware(position, n);
+#endif
+    return ambient_radiance(light, n);
+}
+
+void main() {
+    vec4 color = texture(gtexture, uv) * vec4(tint.rgb, 1.0);
+    if (color.a < alphaTestRef) discard;
+    vec3 albedo = to_linear(color.rgb);
+
+    vec3 v = -normalize(player);
+    vec3 n = dot(normal, v) < 0.0 ? -normal : normal;
+    vec3 l = light_direction();
+    vec3 radiance = albedo * indirect_radiance(n);
+    radiance += light_irradiance() * light_visibility(player, n, l, shadow_radius) *
+                reflect_direct(albedo, n, v, l);
+
+    // Water mirrors the sky where the sky reaches it. Fresnel: Schlick, reflectance 0.02.
+    float fresnel = is_water * (0.02 + 0.98 * pow(1.0 - clamp(dot(n, v), 0.0, 1.0), 5.0));
+    vec3 mirrored = sky_radiance(reflect(-v, n)) * (light.y * light.y);
+    out_color = vec4(mix(radiance, mirrored, fresnel), mix(color.a, 1.0, fresnel));
+}
+
+#endif

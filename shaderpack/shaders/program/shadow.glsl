@@ -1,0 +1,153 @@
+// One pass over the terrain gives both the shadow map and the voxels: the geometry shader sends
+// each triangle to the map and, for each quad, one texel to the atlas below it.
+#include "/settings.glsl"
+#include "/include/uniforms.glsl"
+#include "/include/blocks.glsl"
+#include "/include/lighting/shadow_space.glsl"
+#if VOXELS
+#include "/include/math/color.glsl"
+#include "/include/voxel/volume.glsl"
+#include "/include/voxel/voxel.glsl"
+#endif
+
+#if defined VERTEX_STAGE
+
+in vec2 mc_Entity;
+in vec2 mc_midTexCoord;
+in vec4 at_midBlock;
+
+out vec2 vertex_uv;
+out vec2 vertex_mid_uv;
+out vec3 vertex_tint;
+out vec3 vertex_center;  // of the block, player space
+out float vertex_id;
+out float vertex_emission;
+out float vertex_up;
+
+void main() {
+    vec4 view = gl_ModelViewMatrix * gl_Vertex;
+    gl_Position = place_shadow(gl_ProjectionMatrix * view);
+    vertex_uv = (gl_TextureMatrix[0] * gl_MultiTexCoord0).xy;
+    vertex_mid_uv = mc_midTexCoord;
+    vertex_tint = gl_Color.rgb;
+    vertex_center = (shadowModelViewInverse * view).xyz + at_midBlock.xyz / 64.0;
+    vertex_id = mc_Entity.x;
+    vertex_emission = block_emission(int(floor(mc_Entity.x + 0.5)), at_midBlock.w);
+    vertex_up = (mat3(shadowModelViewInverse) * (gl_NormalMatrix * gl_Normal)).y;
+}
+
+#elif defined GEOMETRY_STAGE
+
+layout(triangles) in;
+layout(triangle_strip, max_vertices = 6) out;
+
+in vec2 vertex_uv[];
+in vec2 vertex_mid_uv[];
+in vec3 vertex_tint[];
+in vec3 vertex_center[];
+in float vertex_id[];
+in float vertex_emission[];
+in float vertex_up[];
+
+out vec2 uv;
+flat out vec4 voxel;  // a 0: part of the shadow map
+
+#if VOXELS
+
+uniform sampler2D gtexture;
+
+/// Mean linear colour of the quad, weighted by alpha: 16 taps over its part of the atlas.
+vec3 face_color() {
+    vec2 mid = vertex_mid_uv[0];
+    vec2 half_size = max(abs(vertex_uv[0] - mid), max(abs(vertex_uv[1] - mid), abs(vertex_uv[2] - mid)));
+    vec4 sum = vec4(0.0);
+    for (int i = 0; i < 16; ++i) {
+        vec2 tap = vec2(i & 3, i >> 2) * 0.5 - 0.75;
+        vec4 texel = textureLod(gtexture, mid + tap * half_size, 0.0);
+        sum += vec4(to_linear(texel.rgb), 1.0) * texel.a;
+    }
+    return sum.rgb / max(sum.a, 1e-3) * to_linear(vertex_tint[0]);
+}
+
+/// What the block is to the voxels; a 0: nothing.
+vec4 block_voxel(int id, float emission) {
+    vec3 color = face_color();
+    int level = int(clamp(emission, 0.0, 15.0) + 0.5);
+    if (level > 0) {
+        vec3 own = color / max(max(color.r, color.g), max(color.b, 1e-3));
+        vec3 listed = is_lamp(id) ? lamp_color(id) : vec3(0.0);
+        bool is_listed = any(greaterThan(listed, vec3(0.0)));
+        return encode_voxel(is_listed ? listed : own,
+                            level + (is_small_lamp(id) ? voxel_small_lamp : voxel_lamp));
+    }
+    if (id == block_plant || id == block_open || is_small_lamp(id)) return vec4(0.0);
+    if (id == block_water || id == block_translucent) return encode_voxel(color, voxel_translucent);
+    if (id == block_slab_bottom) return encode_voxel(color, voxel_slab_bottom);
+    if (id == block_slab_top) return encode_voxel(color, voxel_slab_top);
+    return encode_voxel(color, voxel_solid);
+}
+
+void emit_voxel() {
+    // Quads arrive as pairs of triangles: the second would write the same again.
+    bool second = (gl_PrimitiveIDIn & 1) == 1;
+    bool block = renderStage != MC_RENDER_STAGE_ENTITIES && renderStage != MC_RENDER_STAGE_BLOCK_ENTITIES;
+    ivec3 cell = ivec3(floor(to_volume(vertex_center[0])));
+    if (second || !block || !in_volume(cell)) return;
+    voxel = block_voxel(int(floor(vertex_id[0] + 0.5)), vertex_emission[0]);
+    if (voxel.a == 0.0) return;
+
+    // The faces of a block share one texel; depth lets the top face win whatever the order.
+    float depth = vertex_up[0] > 0.5 ? -0.5 : 0.0;
+    // A right angle at the texel's corner that holds its centre and no other.
+    vec2 corner = vec2(atlas_texel(cell));
+    const vec2 legs[3] = vec2[3](vec2(0.0), vec2(1.5, 0.0), vec2(0.0, 1.5));
+    for (int i = 0; i < 3; ++i) {
+        vec2 unit = (corner + legs[i]) / float(SHADOW_RESOLUTION);
+        gl_Position = vec4(unit * 2.0 - 1.0, depth, 1.0);
+        uv = vec2(0.0);
+        EmitVertex();
+    }
+    EndPrimitive();
+}
+
+#endif
+
+void emit_triangle() {
+    for (int i = 0; i < 3; ++i) {
+        gl_Position = gl_in[i].gl_Position;
+        uv = vertex_uv[i];
+        voxel = vec4(0.0);
+        EmitVertex();
+    }
+    EndPrimitive();
+}
+
+void main() {
+#if SHADOW_MAP
+    emit_triangle();
+#endif
+#if VOXELS
+    emit_voxel();
+#endif
+}
+
+#else
+
+in vec2 uv;
+flat in vec4 voxel;
+
+uniform sampler2D gtexture;
+
+/* RENDERTARGETS: 0 */
+layout(location = 0) out vec4 out_voxel;
+
+void main() {
+    bool in_map = gl_FragCoord.y >= float(shadow_map_bottom);
+    bool is_voxel = voxel.a > 0.0;
+    // Triangles that cross the lower edge of the map would cover voxels.
+    if (in_map == is_voxel) discard;
+    if (!is_voxel && texture(gtexture, uv).a < 0.1) discard;
+    out_voxel = voxel;
+}
+
+#endif

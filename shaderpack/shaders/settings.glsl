@@ -1,0 +1,95 @@
+// Every option of the pack. The comment list of a line is syntax: host and game read it.
+#if !defined INCLUDED_SETTINGS
+#define INCLUDED_SETTINGS
+
+// Value names, so that `#if GI_METHOD == FLOODFILL` compares numbers. shaders.properties repeats
+// the ones it needs.
+#define NONE 0
+
+#define PHONG 1
+#define LAMBERT_GGX 2
+
+#define MAP 1
+#define MAP_PCF 2
+
+#define PUBLISHED 1
+#define NORMAL_OFFSET 2
+#define SOLID_AWARE 2
+
+#define BOUNCE_1 1
+#define BOUNCE_2 2
+#define BOUNCE_4 3
+#define FLOODFILL 4
+
+#define ATLAS_2D 1
+
+#define REINHARD 1
+#define ACES 2
+
+// Direct light
+#define DIRECT_LIGHT PHONG // [PHONG LAMBERT_GGX]
+#define SUN_STRENGTH 8.0 // [2.0 4.0 6.0 8.0 12.0 16.0]
+#define SKY_STRENGTH 1.0 // [0.0 0.25 0.5 1.0 1.5 2.0]
+#define EMISSION_STRENGTH 16.0 // [2.0 4.0 8.0 16.0 32.0 64.0]
+#define AMBIENT_MINIMUM 0.005 // [0.0 0.002 0.005 0.01 0.02 0.1]
+const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 45.0 60.0]
+
+// Shadows
+#define SHADOW_METHOD MAP_PCF // [NONE MAP MAP_PCF]
+#define SHADOW_BIAS NORMAL_OFFSET // [PUBLISHED NORMAL_OFFSET]
+#define SHADOW_RESOLUTION 1024 // [1024 2048 4096]
+#define SHADOW_DISTANCE 64.0 // [32.0 48.0 64.0 96.0 128.0]
+
+// Global illumination
+#define GI_METHOD FLOODFILL // [NONE BOUNCE_1 BOUNCE_2 BOUNCE_4 FLOODFILL]
+#define GI_SAMPLES 1 // [1 2 4]
+#define VOXEL_SIZE 64 // [32 48 64 96]
+
+// Floodfill
+#define FLOODFILL_STORAGE ATLAS_2D // [ATLAS_2D]
+#define FLOODFILL_ALPHA 2.43902 // [0.5 0.9 1.0 2.0 2.2 2.35 2.43902 2.5 2.55 2.65 2.67 2.75]
+#define FLOODFILL_GAMMA 2.2 // [1.0 1.8 2.0 2.2 2.4]
+#define FLOODFILL_INTERVAL 3 // [1 2 3 4 6]
+#define FLOODFILL_LOOKUP PUBLISHED // [PUBLISHED SOLID_AWARE]
+
+// Temporal accumulation
+#define TEMPORAL_ACCUMULATION // Reuse the samples of earlier frames
+#define TEMPORAL_WEIGHT 0.1 // [0.02 0.05 0.1 0.2 0.5]
+#define TEMPORAL_FRAMES 64 // [10 16 32 64 128 256 1024]
+
+// Picture
+#define TONE_MAP ACES // [NONE REINHARD ACES]
+#define EXPOSURE 1.0 // [0.25 0.5 0.7 1.0 1.4 2.0 4.0]
+
+// Derived: not options.
+#define VOXELS (GI_METHOD != NONE)
+#define SHADOW_MAP (SHADOW_METHOD != NONE)
+
+// A 96 volume needs a shadow target of 2048; with a smaller one it falls back to 64.
+#if VOXEL_SIZE == 96 && SHADOW_RESOLUTION < 2048
+#define VOLUME 64
+#else
+#define VOLUME VOXEL_SIZE
+#endif
+
+// Tiles of the atlas (include/voxel/volume.glsl); size.buffer in shaders.properties repeats the
+// products ATLAS_COLUMNS * VOLUME and ATLAS_ROWS * VOLUME.
+#if VOLUME == 32
+#define ATLAS_COLUMNS 32
+#define ATLAS_ROWS 1
+#elif VOLUME == 48
+#define ATLAS_COLUMNS 16
+#define ATLAS_ROWS 3
+#elif VOLUME == 96
+#define ATLAS_COLUMNS 20
+#define ATLAS_ROWS 5
+#else
+#define ATLAS_COLUMNS 16
+#define ATLAS_ROWS 4
+#endif
+
+const int shadowMapResolution = SHADOW_RESOLUTION;
+const float shadowDistance = SHADOW_DISTANCE;
+const float shadowDistanceRenderMul = 1.0;
+
+#endif
