@@ -1,0 +1,48 @@
+#include "frame/celestial.h"
+
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace orris {
+namespace {
+
+glm::mat4 rotation(float degrees, glm::vec3 axis) {
+  return glm::rotate(glm::mat4(1), glm::radians(degrees), axis);
+}
+
+}  // namespace
+
+float skyAngleOf(int worldTime) {
+  const double d = worldTime / 24000.0 - 0.25;
+  const double fraction = d - std::floor(d);
+  return static_cast<float>((2 * fraction + 0.5 - std::cos(fraction * 3.14159265358979) / 2) / 3);
+}
+
+float sunAngleOf(float skyAngle) { return skyAngle < 0.75f ? skyAngle + 0.25f : skyAngle - 0.75f; }
+
+glm::vec3 sunDirection(float skyAngle, float sunPathRotation) {
+  const glm::mat4 turn = rotation(-90, {0, 1, 0}) * rotation(sunPathRotation, {0, 0, 1}) *
+                         rotation(360 * skyAngle, {1, 0, 0});
+  return glm::vec3(turn * glm::vec4(0, 1, 0, 0));
+}
+
+// Iris: ShadowMatrices.
+glm::mat4 shadowModelViewMatrix(float sunAngle, float sunPathRotation, float interval,
+                                const glm::dvec3& cameraPosition) {
+  const float angle = sunAngle <= 0.5f ? sunAngle : sunAngle - 0.5f;
+  const float sky = angle < 0.25f ? angle + 0.75f : angle - 0.25f;
+  glm::mat4 matrix = glm::translate(glm::mat4(1), glm::vec3(0, 0, -100)) *
+                     rotation(90, {1, 0, 0}) * rotation(-360 * sky, {0, 0, 1}) *
+                     rotation(sunPathRotation, {1, 0, 0});
+  if (interval == 0) return matrix;
+  glm::vec3 offset;
+  for (int i = 0; i < 3; ++i)
+    offset[i] = static_cast<float>(std::fmod(cameraPosition[i], interval) - interval / 2);
+  return glm::translate(matrix, offset);
+}
+
+glm::mat4 shadowProjectionMatrix(float distance, float nearPlane, float farPlane) {
+  return glm::ortho(-distance, distance, -distance, distance, nearPlane, farPlane);
+}
+
+}  // namespace orris

@@ -1,0 +1,411 @@
+#include "frame/frame_renderer.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <fmt/format.h>
+
+#include "frame/builtin_program.h"
+#include "frame/celestial.h"
+#include "frame/loaded_pack.h"
+#include "frame/pass_state.h"
+#include "gl/functions.h"
+
+namespace orris {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Clip planes of a matrix, for boxes in the space it takes.
+class Frustum {
+ public:
+  explicit Frustum(const glm::mat4& m) {
+    const glm::mat4 t = glm::transpose(m);
+    for (int i = 0; i < 3; ++i) {
+      planes_[2 * i] = t[3] + t[i];
+      planes_[2 * i + 1] = t[3] - t[i];
+    }
+  }
+  bool outside(const glm::vec3& lo, const glm::vec3& hi) const {
+    return std::any_of(std::begin(planes_), std::end(planes_), [&](const glm::vec4& p) {
+      const glm::vec3 far(p.x > 0 ? hi.x : lo.x, p.y > 0 ? hi.y : lo.y, p.z > 0 ? hi.z : lo.z);
+      return glm::dot(glm::vec3(p), far) + p.w < 0;
+    });
+  }
+
+ private:
+  glm::vec4 planes_[6];
+};
+
+RenderLayer layerOf(Geometry geometry) {
+  return geometry == Geometry::Cutout        ? RenderLayer::Cutout
+         : geometry == Geometry::Translucent ? RenderLayer::Translucent
+                                             : RenderLayer::Solid;
+}
+
+bool isSky(Geometry geometry) {
+  return geometry == Geometry::Sky || geometry == Geometry::Stars || geometry == Geometry::SunMoon;
+}
+
+}  // namespace
+
+FrameRenderer::FrameRenderer(gl::Context& context, const RendererOptions& options)
+    : context_(context), options_(options) {}
+FrameRenderer::~FrameRenderer() = default;
+
+bool FrameRenderer::setPack(std::shared_ptr<const ShaderPack> pack, const SceneData& scene,
+                            LoadReport& report, Diagnostics& diagnostics) {
+  Diagnostics problems;
+  Schedule schedule =
+      buildSchedule(*pack, options_.width, options_.height, scene.contents(), problems);
+  auto loaded = std::make_unique<Loaded>(*pack, schedule, scene, options_.floatScreen,
+                                         loaded_.get(), report, problems);
+  const bool failed = hasErrors(problems);
+  diagnostics.insert(diagnostics.end(), problems.begin(), problems.end());
+  if (failed) return false;
+  firstFrame_ |= loaded->freshTargets;
+  pack_ = std::move(pack);
+  schedule_ = std::move(schedule);
+  loaded_ = std::move(loaded);
+  loaded_->makeBinder(pack_->directives);
+  return true;
+}
+
+void FrameRenderer::updateScene(const SceneData& scene) {
+  loaded_->scene->uploadMesh(scene, blockIdsOf(*pack_, scene), vertexStyleOf(*pack_));
+}
+
+std::vector<int> FrameRenderer::blockIdsOf(const ShaderPack& pack, const SceneData& scene) const {
+  return orris::blockIdsOf(pack, scene.world.blocks);
+}
+
+bool FrameRenderer::resize(int width, int height, Diagnostics& diagnostics) {
+  if (width == options_.width && height == options_.height) return true;
+  options_.width = width;
+  options_.height = height;
+  schedule_ = buildSchedule(*pack_, width, height, loaded_->contents, diagnostics);
+  loaded_->resize(*pack_, schedule_, options_.floatScreen, diagnostics);
+  loaded_->makeBinder(pack_->directives);
+  firstFrame_ = true;
+  return !hasErrors(diagnostics);
+}
+
+void FrameRenderer::render(const FrameState& state) {
+  gl::PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  gl::PixelStorei(GL_PACK_ALIGNMENT, 1);
+  stepTimes_.clear();
+  const float* fog = &state.environment.fogColor.x;
+  loaded_->scene->updateLightmap(state);
+  loaded_->resources->bindBuffers();
+  setFog(state);
+  loaded_->custom.evaluate(
+      [&](const std::string& name) {
+        const UniformRow* row = findUniform(name);
+        return row != nullptr ? row->value(state, DrawState()) : Value::ofInt(0);
+      },
+      state.frameTime, state.seed + static_cast<unsigned>(state.frameCounter));
+  if (std::exchange(firstFrame_, false)) {
+    loaded_->targets->clearAll(fog);
+    loaded_->resources->clearImages(true);
+    for (const Step& step : schedule_.setup) runStep(step, state);
+  }
+  for (const Step& step : schedule_.frame) runStep(step, state);
+  loaded_->targets->keepHistory();
+  loaded_->targets->forgetMipmaps();
+}
+
+void FrameRenderer::runStep(const Step& step, const FrameState& state) {
+  const auto start = Clock::now();
+  if (loaded_->storesFromShaders) gl::MemoryBarrier(GL_ALL_BARRIER_BITS);
+  switch (step.kind) {
+    case Step::Kind::ClearImages: loaded_->resources->clearImages(false); break;
+    case Step::Kind::ClearShadow: loaded_->targets->clearShadow(); break;
+    case Step::Kind::ClearColor: loaded_->targets->clearColor(&state.environment.fogColor.x); break;
+    case Step::Kind::Compute: dispatch(step, state); break;
+    case Step::Kind::Fullscreen: drawFullscreen(step, state); break;
+    case Step::Kind::Draw:
+    case Step::Kind::DrawShadow: drawGeometry(step, state); break;
+    case Step::Kind::CopyShadowDepth: loaded_->copyDepth(loaded_->targets->shadowDepth(0), loaded_->targets->shadowDepth(1)); break;
+    case Step::Kind::ShadowMipmaps: shadowMipmaps(); break;
+    case Step::Kind::SampleCenterDepth: sampleCenterDepth(); break;
+    case Step::Kind::CopyDepth: loaded_->copyDepth(loaded_->targets->depth(0), loaded_->targets->depth(step.index)); break;
+    case Step::Kind::Present: present(step, state); break;
+  }
+  if (!options_.timings) return;
+  gl::Finish();
+  stepTimes_.push_back({step.name, std::chrono::duration<double>(Clock::now() - start).count()});
+}
+
+const GpuProgram& FrameRenderer::programOf(const Step& step) const {
+  if (step.program >= 0) return *loaded_->programs.at(step.program);
+  return isSky(step.geometry) ? *loaded_->builtinSky : *loaded_->builtinTerrain;
+}
+
+void FrameRenderer::useProgram(const GpuProgram& program, const Step& step, const FrameState& state,
+                               const DrawState& draw) {
+  gl::UseProgram(program.program.id());
+  uploadUniforms(program.frameUniforms, state, draw, loaded_->custom);
+  uploadUniforms(program.drawUniforms, state, draw, loaded_->custom);
+  loaded_->binder->bind(program, step);
+}
+
+void FrameRenderer::drawFullscreen(const Step& step, const FrameState& state) {
+  buildMipmaps(step);
+  const ProgramSource& source = pack_->programs[step.program];
+  std::string error;
+  const gl::Framebuffer& framebuffer = loaded_->targets->framebuffer(step, error);
+  gl::BindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+  const auto [scale, x, y] = source.scale;
+  const auto w = static_cast<float>(framebuffer.width), h = static_cast<float>(framebuffer.height);
+  gl::Viewport(static_cast<int>(w * x), static_cast<int>(h * y), static_cast<int>(w * scale),
+               static_cast<int>(h * scale));
+  DrawState draw;
+  setFullscreenState(&source, draw);
+  const GpuProgram& program = programOf(step);
+  useProgram(program, step, state, draw);
+  loaded_->scene->bindShapes();
+  bindVertices(program.program);
+  loaded_->scene->drawQuads(loaded_->scene->fullscreen, program.patches);
+  unbindVertices(program.program);
+  SamplerBinder::unbind(program);
+}
+
+void FrameRenderer::drawGeometry(const Step& step, const FrameState& state) {
+  const ProgramSource* source = step.program >= 0 ? &pack_->programs[step.program] : nullptr;
+  std::string error;
+  const gl::Framebuffer& framebuffer = loaded_->targets->framebuffer(step, error);
+  gl::BindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+  const bool shadow = step.kind == Step::Kind::DrawShadow;
+  const int size = schedule_.shadowResolution;
+  gl::Viewport(0, 0, shadow ? size : options_.width, shadow ? size : options_.height);
+  DrawState draw;
+  draw.atlasSize = draw.gtextureSize = loaded_->scene->atlasSize();
+  setGeometryState(step, source, draw);
+  const GpuProgram& program = programOf(step);
+  if (isSky(step.geometry)) {
+    drawSky(step, program, state, draw);
+  } else {
+    glm::mat4 projection = state.gbufferProjection;
+    if (shadow) {
+      projection = state.shadowProjection;
+      if (const auto& fov = pack_->directives.shadowMapFov)
+        projection = glm::perspective(glm::radians(*fov), 1.0f, 0.05f, 256.0f);
+    }
+    drawTerrain(step, program, state, shadow ? state.shadowModelView : state.gbufferModelView,
+                projection, draw);
+  }
+  gl::Disable(GL_ALPHA_TEST);
+  gl::Disable(GL_BLEND);
+  gl::DepthMask(GL_TRUE);
+}
+
+void FrameRenderer::drawTerrain(const Step& step, const GpuProgram& program, const FrameState& state,
+                                const glm::mat4& view, const glm::mat4& projection,
+                                DrawState& draw) {
+  const bool shadow = step.kind == Step::Kind::DrawShadow;
+  draw.modelView = view;
+  draw.projection = projection;
+  draw.textureMatrix = glm::mat4(1);
+  loadMatrices(view, projection, true);
+  useProgram(program, step, state, draw);
+  loaded_->scene->bindTerrain();
+  bindVertices(program.program);
+  const Frustum frustum(projection * view);
+  const float mul = pack_->directives.shadowDistanceRenderMul;
+  const float reach = mul >= 0 ? pack_->directives.shadowDistance * mul
+                               : static_cast<float>(state.environment.renderDistance);
+  std::vector<std::pair<float, const MeshSection*>> visible;
+  for (const MeshSection& section : loaded_->scene->sections()) {
+    if (section.layer != layerOf(step.geometry) || section.count == 0) continue;
+    const glm::vec3 lo(glm::dvec3(section.origin) - state.cameraPosition), hi = lo + 16.0f;
+    const glm::vec3 nearest = glm::clamp(glm::vec3(0), lo, hi);
+    // The shadow pass keeps everything in reach: packs voxelise from it.
+    if (shadow ? glm::length(nearest) > reach : frustum.outside(lo - 1.0f, hi + 1.0f)) continue;
+    visible.emplace_back(glm::length((lo + hi) * 0.5f), &section);
+  }
+  if (step.geometry == Geometry::Translucent)
+    std::stable_sort(visible.begin(), visible.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+  for (const auto& [distance, section] : visible) {
+    draw.chunkOffset = glm::vec3(glm::dvec3(section->origin) - state.cameraPosition);
+    loadModelView(glm::translate(view, draw.chunkOffset));
+    uploadUniforms(program.drawUniforms, state, draw, loaded_->custom);
+    loaded_->scene->drawQuads({section->first, section->count / 4}, program.patches);
+  }
+  unbindVertices(program.program);
+  SamplerBinder::unbind(program);
+}
+
+void FrameRenderer::drawSky(const Step& step, const GpuProgram& program, const FrameState& state,
+                            DrawState& draw) {
+  const GpuScene& scene = *loaded_->scene;
+  const bool turning = step.geometry != Geometry::Sky;
+  const float night = std::clamp(1 - (std::cos(state.skyAngle * 6.2831853f) * 2 + 0.25f), 0.0f, 1.0f);
+  const float starlight = night * night * 0.5f;
+  if (step.geometry == Geometry::Stars && starlight <= 0) return;
+  draw.modelView = state.gbufferModelView;
+  if (turning) {
+    const auto turn = [](float degrees, glm::vec3 axis) {
+      return glm::rotate(glm::mat4(1), glm::radians(degrees), axis);
+    };
+    draw.modelView = draw.modelView * turn(-90, {0, 1, 0}) *
+                     turn(pack_->directives.sunPathRotation, {0, 0, 1}) *
+                     turn(360 * state.skyAngle, {1, 0, 0});
+  }
+  draw.projection = state.gbufferProjection;
+  draw.atlasSize = glm::ivec2(0);
+  loadMatrices(draw.modelView, draw.projection, true);
+  useProgram(program, step, state, draw);
+  scene.bindShapes();
+  bindVertices(program.program);
+  if (step.geometry == Geometry::Sky) {
+    setConstantColor(program.program, glm::vec4(state.environment.skyColor, 1));
+    scene.drawQuads(scene.skyDisc, program.patches);
+  } else if (step.geometry == Geometry::Stars) {
+    setConstantColor(program.program, glm::vec4(starlight));
+    scene.drawQuads(scene.stars, program.patches);
+  } else {
+    setConstantColor(program.program, glm::vec4(1, 1, 1, 1 - state.environment.rain));
+    if (pack_->properties.flag("sun", true)) scene.drawQuads(scene.sun, program.patches);
+    draw.renderStage = 5;  // MC_RENDER_STAGE_MOON
+    uploadUniforms(program.drawUniforms, state, draw, loaded_->custom);
+    if (pack_->properties.flag("moon", true)) scene.drawQuads(scene.moon, program.patches);
+  }
+  unbindVertices(program.program);
+  SamplerBinder::unbind(program);
+}
+
+void FrameRenderer::dispatch(const Step& step, const FrameState& state) {
+  const ProgramSource& source = pack_->programs[step.program];
+  glm::vec2 size(options_.width, options_.height);
+  if (step.group == ProgramGroup::Shadow) size = glm::vec2(static_cast<float>(schedule_.shadowResolution));
+  if (step.group == ProgramGroup::Setup) size = glm::vec2(1);
+  DrawState draw;
+  draw.fullscreen = true;
+  for (size_t i = 0; i < source.computes.size(); ++i) {
+    const ComputeSource& compute = source.computes[i];
+    const GpuProgram& program = *loaded_->computes.at({step.program, static_cast<int>(i)});
+    useProgram(program, step, state, draw);
+    gl::MemoryBarrier(GL_ALL_BARRIER_BITS);
+    if (const auto it = pack_->properties.indirect.find(compute.name);
+        it != pack_->properties.indirect.end()) {
+      gl::BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, loaded_->resources->buffer(it->second.first));
+      gl::DispatchComputeIndirect(static_cast<GLintptr>(it->second.second));
+    } else {
+      const auto groups = groupCounts(compute, program.program.computeLocalSize, size);
+      gl::DispatchCompute(groups[0], groups[1], groups[2]);
+    }
+    SamplerBinder::unbind(program);
+  }
+  gl::MemoryBarrier(GL_ALL_BARRIER_BITS);
+}
+
+void FrameRenderer::present(const Step& step, const FrameState& state) {
+  const gl::Framebuffer& screen = loaded_->targets->screenFramebuffer();
+  if (step.program < 0) {
+    RenderTarget* source = loaded_->targets->find(false, 0);
+    loaded_->blit(source->side((step.flipped & 1u) != 0), screen);
+    return;
+  }
+  buildMipmaps(step);
+  gl::BindFramebuffer(GL_FRAMEBUFFER, screen.id());
+  gl::Viewport(0, 0, options_.width, options_.height);
+  DrawState draw;
+  setFullscreenState(&pack_->programs[step.program], draw);
+  const GpuProgram& program = programOf(step);
+  useProgram(program, step, state, draw);
+  loaded_->scene->bindShapes();
+  bindVertices(program.program);
+  loaded_->scene->drawQuads(loaded_->scene->fullscreen, program.patches);
+  unbindVertices(program.program);
+  SamplerBinder::unbind(program);
+}
+
+void FrameRenderer::buildMipmaps(const Step& step) {
+  const bool shadow = step.group == ProgramGroup::ShadowComp;
+  for (int buffer : step.mipmaps) {
+    RenderTarget* target = loaded_->targets->find(shadow, buffer);
+    if (target == nullptr) continue;
+    const bool alt = ((shadow ? step.shadowFlipped : step.flipped) >> buffer & 1u) != 0;
+    gl::generateMipmaps(target->side(alt));
+    target->mipmapped[alt && target->plan.needsAlt ? 1 : 0] = true;
+  }
+}
+
+void FrameRenderer::shadowMipmaps() {
+  for (int i = 0; i < 2; ++i)
+    if (pack_->directives.shadowtex[i].mipmap && loaded_->targets->shadowDepth(i).id() != 0)
+      gl::generateMipmaps(loaded_->targets->shadowDepth(i));
+}
+
+void FrameRenderer::sampleCenterDepth() {
+  std::string error;
+  Step step;
+  step.kind = Step::Kind::Draw;
+  step.group = ProgramGroup::Gbuffers;
+  gl::BindFramebuffer(GL_FRAMEBUFFER, loaded_->targets->framebuffer(step, error).id());
+  gl::ReadPixels(options_.width / 2, options_.height / 2, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT,
+                 &centerDepth_);
+}
+
+unsigned FrameRenderer::screenFramebuffer() { return loaded_->targets->screenFramebuffer().id(); }
+
+namespace {
+
+ImageF flipped(const std::vector<float>& pixels, int width, int height, int channels) {
+  ImageF image(width, height, channels);
+  const size_t row = static_cast<size_t>(width) * channels;
+  for (int y = 0; y < height; ++y)
+    std::copy_n(pixels.begin() + static_cast<std::ptrdiff_t>((height - 1 - y) * row), row, image.at(0, y));
+  return image;
+}
+
+float fromSrgb(float v) { return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f); }
+
+}  // namespace
+
+Image8 FrameRenderer::screenshot() const {
+  int channels = 0;
+  const gl::Texture& screen = loaded_->targets->screen();
+  const ImageF image = flipped(gl::readPixels(screen, channels), screen.width, screen.height, channels);
+  Image8 result(image.width, image.height, 3);
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      for (int c = 0; c < 3; ++c)
+        result.at(x, y)[c] = static_cast<std::uint8_t>(std::lround(std::clamp(image.at(x, y)[c], 0.0f, 1.0f) * 255));
+  return result;
+}
+
+ImageF FrameRenderer::screenshotLinear() const {
+  int channels = 0;
+  const gl::Texture& screen = loaded_->targets->screen();
+  const ImageF image = flipped(gl::readPixels(screen, channels), screen.width, screen.height, channels);
+  ImageF result(image.width, image.height, 3);
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      for (int c = 0; c < 3; ++c) result.at(x, y)[c] = fromSrgb(image.at(x, y)[c]);
+  return result;
+}
+
+std::optional<ImageF> FrameRenderer::dump(const std::string& name) const {
+  const gl::Texture* texture = nullptr;
+  if (const auto buffer = parseBufferName(name, false)) {
+    const int i = buffer->index;
+    if (buffer->kind == BufferName::Kind::Depth) texture = &loaded_->targets->depth(i);
+    if (buffer->kind == BufferName::Kind::ShadowDepth) texture = &loaded_->targets->shadowDepth(i);
+    const bool shadow = buffer->kind == BufferName::Kind::ShadowColor;
+    if (shadow || buffer->kind == BufferName::Kind::Color)
+      if (RenderTarget* target = loaded_->targets->find(shadow, i); target != nullptr)
+        texture = &target->side(((shadow ? schedule_.finalShadowFlipped : schedule_.finalFlipped) >> i & 1u) != 0);
+  } else if (const ImageResource* image = loaded_->resources->image(name); image != nullptr) {
+    texture = &image->texture;
+  }
+  if (texture == nullptr || texture->id() == 0) return std::nullopt;
+  int channels = 0;
+  const std::vector<float> pixels = gl::readPixels(*texture, channels);
+  return flipped(pixels, texture->width, texture->height * texture->depth, channels);
+}
+
+}  // namespace orris

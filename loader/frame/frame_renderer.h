@@ -1,0 +1,97 @@
+// Runs a schedule: programs, targets and scene on the GPU, one frame at a time.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "frame/gpu_program.h"
+#include "frame/gpu_scene.h"
+#include "frame/pack_resources.h"
+#include "frame/render_targets.h"
+#include "frame/sampler_binder.h"
+#include "gl/context.h"
+#include "image/image.h"
+
+namespace orris {
+
+struct RendererOptions {
+  int width = 0, height = 0;
+  bool floatScreen = false;  ///< keep values beyond 0..1 on the screen
+  bool timings = false;      ///< finish and time every step (the software rasteriser's queries lie)
+};
+
+/// What a (re)load did.
+struct LoadReport {
+  int programsBuilt = 0, programsReused = 0;
+  std::vector<std::string> built;  ///< names, in frame order
+  double compileSeconds = 0;
+};
+
+struct StepTime {
+  std::string name;
+  double seconds = 0;
+};
+
+/// Needs the context it was made with to be current in every call.
+class FrameRenderer {
+ public:
+  FrameRenderer(gl::Context& context, const RendererOptions& options);
+  ~FrameRenderer();
+
+  /// Takes a pack for a scene. Programs whose text did not change are kept, and render targets whose
+  /// plan did not. On any error nothing changes: the last good pack keeps running.
+  bool setPack(std::shared_ptr<const ShaderPack> pack, const SceneData& scene, LoadReport& report,
+               Diagnostics& diagnostics);
+  /// Blocks changed: new vertices.
+  void updateScene(const SceneData& scene);
+  bool resize(int width, int height, Diagnostics& diagnostics);
+
+  void render(const FrameState& state);
+
+  const ShaderPack& pack() const { return *pack_; }
+  const Schedule& schedule() const { return schedule_; }
+  /// Depth under the screen centre in the last frame, if a program asked for it.
+  float centerDepth() const { return centerDepth_; }
+  const std::vector<StepTime>& stepTimes() const { return stepTimes_; }
+
+  /// The screen, top row first.
+  Image8 screenshot() const;
+  ImageF screenshotLinear() const;  ///< decoded from sRGB
+  /// Any buffer by name (colortexN, shadowcolorN, depthtexN, shadowtexN, a custom image), as it
+  /// stands after the last frame, top row first; a 3-D image as its slices from top to bottom.
+  std::optional<ImageF> dump(const std::string& name) const;
+  unsigned screenFramebuffer();
+
+ private:
+  struct Loaded;
+  void runStep(const Step& step, const FrameState& state);
+  void drawFullscreen(const Step& step, const FrameState& state);
+  void drawGeometry(const Step& step, const FrameState& state);
+  void drawTerrain(const Step& step, const GpuProgram& program, const FrameState& state,
+                   const glm::mat4& view, const glm::mat4& projection, DrawState& draw);
+  void drawSky(const Step& step, const GpuProgram& program, const FrameState& state, DrawState& draw);
+  void dispatch(const Step& step, const FrameState& state);
+  void present(const Step& step, const FrameState& state);
+  void buildMipmaps(const Step& step);
+  void shadowMipmaps();
+  void sampleCenterDepth();
+  void useProgram(const GpuProgram& program, const Step& step, const FrameState& state,
+                  const DrawState& draw);
+  const GpuProgram& programOf(const Step& step) const;
+  std::vector<int> blockIdsOf(const ShaderPack& pack, const SceneData& scene) const;
+
+  gl::Context& context_;
+  RendererOptions options_;
+  std::shared_ptr<const ShaderPack> pack_;
+  Schedule schedule_;
+  std::unique_ptr<Loaded> loaded_;
+  bool firstFrame_ = true;
+  float centerDepth_ = 1;
+  std::vector<StepTime> stepTimes_;
+};
+
+}  // namespace orris

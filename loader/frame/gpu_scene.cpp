@@ -1,0 +1,210 @@
+#include "frame/gpu_scene.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "gl/functions.h"
+
+namespace orris {
+namespace {
+
+// Mip levels in which a 16-texel tile still covers whole texels.
+constexpr int kAtlasLevels = 5;
+constexpr int kStars = 780;
+
+std::uint32_t hashOf(std::uint32_t x) {
+  x ^= x >> 16;
+  x *= 0x7feb352du;
+  x ^= x >> 15;
+  x *= 0x846ca68bu;
+  return x ^ x >> 16;
+}
+float unitFloat(std::uint32_t& state) {
+  state = hashOf(state + 0x9e3779b9u);
+  return static_cast<float>(state >> 8) / 16777216.0f;
+}
+
+gl::Texture uploadImage(const Image8& image, int levels, const std::string& label) {
+  gl::Texture texture =
+      gl::createTexture(2, *gl::findFormat("RGBA8"), image.width, image.height, 1, levels, label);
+  gl::upload(texture, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
+  return texture;
+}
+
+// Box-filtered levels of the atlas: tiles are powers of two, so no tile bleeds into another.
+gl::Texture uploadAtlas(const Image8& image, const std::string& label) {
+  gl::Texture texture = uploadImage(image, kAtlasLevels, label);
+  gl::generateMipmaps(texture);
+  gl::setParameters(texture, {.linear = false, .repeat = false, .mipmaps = true});
+  return texture;
+}
+
+GpuVertex shapeVertex(glm::vec3 position, glm::vec2 uv) {
+  GpuVertex v;
+  for (int i = 0; i < 3; ++i) v.position[i] = position[i];
+  for (int i = 0; i < 2; ++i) v.uv[i] = v.midUv[i] = uv[i];
+  return v;
+}
+
+/// Collects quads and remembers where each shape starts.
+class ShapeList {
+ public:
+  void quad(const std::array<glm::vec3, 4>& corners, const std::array<glm::vec2, 4>& uv) {
+    for (int i = 0; i < 4; ++i) vertices.push_back(shapeVertex(corners[i], uv[i]));
+  }
+  QuadRange since(size_t start) const {
+    return {static_cast<unsigned>(start), static_cast<unsigned>((vertices.size() - start) / 4)};
+  }
+  std::vector<GpuVertex> vertices;
+};
+
+constexpr std::array<glm::vec2, 4> kUnitUv = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+
+QuadRange addSkyDisc(ShapeList& shapes) {
+  const size_t start = shapes.vertices.size();
+  const std::array<glm::vec2, 4> center = {{{0.5f, 0.5f}, {0.5f, 0.5f}, {0.5f, 0.5f}, {0.5f, 0.5f}}};
+  constexpr int kSegments = 8;
+  const auto rim = [](int i) {
+    const float a = static_cast<float>(i) * 2 * 3.14159265f / kSegments;
+    return glm::vec3(512 * std::cos(a), 16, 512 * std::sin(a));
+  };
+  for (int i = 0; i < kSegments; i += 2)
+    shapes.quad({{{0, 16, 0}, rim(i), rim(i + 1), rim(i + 2)}}, center);
+  return shapes.since(start);
+}
+
+QuadRange addStars(ShapeList& shapes) {
+  const size_t start = shapes.vertices.size();
+  std::uint32_t random = 10842;
+  for (int i = 0; i < kStars; ++i) {
+    const float y = unitFloat(random) * 2 - 1, angle = unitFloat(random) * 6.2831853f;
+    const float size = 0.15f + unitFloat(random) * 0.1f, r = std::sqrt(1 - y * y);
+    const glm::vec3 d(r * std::cos(angle), y, r * std::sin(angle));
+    const glm::vec3 side = glm::normalize(glm::cross(d, std::abs(d.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0)));
+    const glm::vec3 up = glm::cross(side, d);
+    const glm::vec3 c = d * 100.0f;
+    shapes.quad({{c - (side + up) * size, c + (side - up) * size, c + (side + up) * size,
+                  c + (up - side) * size}},
+                kUnitUv);
+  }
+  return shapes.since(start);
+}
+
+QuadRange addCelestialQuad(ShapeList& shapes, float y, float size, float u0) {
+  const size_t start = shapes.vertices.size();
+  shapes.quad({{{-size, y, -size}, {size, y, -size}, {size, y, size}, {-size, y, size}}},
+              {{{u0, 0}, {u0 + 0.5f, 0}, {u0 + 0.5f, 1}, {u0, 1}}});
+  return shapes.since(start);
+}
+
+// A white disc for the sun and a dimmer, blotched one for the moon.
+Image8 celestialImage() {
+  Image8 image(64, 32, 4);
+  for (int y = 0; y < 32; ++y)
+    for (int x = 0; x < 64; ++x) {
+      const float dx = (static_cast<float>(x % 32) - 15.5f) / 8, dy = (static_cast<float>(y) - 15.5f) / 8;
+      const bool inside = std::max(std::abs(dx), std::abs(dy)) < 1;
+      const bool blotch = hashOf(static_cast<std::uint32_t>(y / 4 * 16 + x / 4)) % 3 == 0;
+      const std::array<int, 3> color = x < 32 ? std::array{255, 250, 220}
+                                              : blotch ? std::array{150, 155, 170}
+                                                       : std::array{190, 195, 210};
+      for (int c = 0; c < 3; ++c) image.at(x, y)[c] = static_cast<std::uint8_t>(inside ? color[c] : 0);
+      image.at(x, y)[3] = 255;
+    }
+  return image;
+}
+
+// The game's brightness curve of a light level 0..15.
+float levelBrightness(int level) {
+  const float f = static_cast<float>(level) / 15;
+  return f / (4 - 3 * f);
+}
+
+}  // namespace
+
+GpuScene::GpuScene(const SceneData& scene, const std::vector<int>& blockIds,
+                   const VertexStyle& style) {
+  atlas_ = uploadAtlas(scene.atlas.albedo, "atlas");
+  normals_ = uploadAtlas(scene.atlas.normal, "normals");
+  specular_ = uploadAtlas(scene.atlas.specular, "specular");
+  lightmap_ = gl::createTexture(2, *gl::findFormat("RGBA8"), 16, 16, 1, 1, "lightmap");
+  Image8 white(1, 1, 4);
+  std::fill(white.pixels.begin(), white.pixels.end(), std::uint8_t{255});
+  white_ = uploadImage(white, 1, "white");
+  celestial_ = uploadImage(celestialImage(), 1, "celestial");
+  gl::setParameters(celestial_, {.linear = false});
+  buildShapes();
+  uploadMesh(scene, blockIds, style);
+}
+
+void GpuScene::buildShapes() {
+  ShapeList shapes;
+  shapes.quad({{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}}, kUnitUv);
+  fullscreen = shapes.since(0);
+  skyDisc = addSkyDisc(shapes);
+  stars = addStars(shapes);
+  sun = addCelestialQuad(shapes, 100, 30, 0);
+  moon = addCelestialQuad(shapes, -100, 20, 0.5f);
+  shapes_ = gl::createBuffer(shapes.vertices.size() * sizeof(GpuVertex), shapes.vertices.data(), "shapes");
+}
+
+void GpuScene::uploadMesh(const SceneData& scene, const std::vector<int>& blockIds,
+                          const VertexStyle& style) {
+  const std::vector<GpuVertex> vertices = packVertices(scene.mesh, blockIds, style);
+  sections_ = scene.mesh.sections;
+  terrain_ = gl::createBuffer(std::max<size_t>(1, vertices.size()) * sizeof(GpuVertex),
+                              vertices.empty() ? nullptr : vertices.data(), "terrain");
+  unsigned most = kStars;
+  for (const MeshSection& section : sections_) most = std::max(most, section.count / 4);
+  std::vector<std::uint32_t> indices;
+  indices.reserve(size_t{most} * 6);
+  for (std::uint32_t i = 0; i < most; ++i)
+    for (const std::uint32_t corner : {0u, 1u, 2u, 2u, 3u, 0u}) indices.push_back(i * 4 + corner);
+  indices_ = gl::createBuffer(indices.size() * sizeof(std::uint32_t), indices.data(), "quad indices");
+}
+
+void GpuScene::updateLightmap(const FrameState& state) {
+  const float height = std::cos(state.skyAngle * 2 * 3.14159265f) * 2 + 0.5f;
+  const float day = std::clamp(height, 0.0f, 1.0f) * 0.95f + 0.05f;
+  std::array<std::uint8_t, 16 * 16 * 4> pixels{};
+  for (int sky = 0; sky < 16; ++sky)
+    for (int block = 0; block < 16; ++block) {
+      const float s = levelBrightness(sky) * day, b = levelBrightness(block) * 1.4f;
+      // Torches are warm: green and blue fall faster than red, as in the game.
+      const float rgb[3] = {b + s, b * ((b * 0.6f + 0.4f) * 0.6f + 0.4f) + s, b * (b * b * 0.6f + 0.4f) + s};
+      for (int c = 0; c < 3; ++c)
+        pixels[(sky * 16 + block) * 4 + c] = static_cast<std::uint8_t>(
+            std::lround(std::clamp(rgb[c] * 0.96f + 0.03f, 0.0f, 1.0f) * 255));
+      pixels[(sky * 16 + block) * 4 + 3] = 255;
+    }
+  gl::upload(lightmap_, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+  gl::setParameters(lightmap_, {.linear = true});
+}
+
+void GpuScene::bindTerrain() const {
+  gl::BindBuffer(GL_ARRAY_BUFFER, terrain_.id());
+  gl::BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
+}
+
+void GpuScene::bindShapes() const {
+  gl::BindBuffer(GL_ARRAY_BUFFER, shapes_.id());
+  gl::BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
+}
+
+void GpuScene::drawQuads(const QuadRange& range, bool patches) const {
+  if (patches) gl::PatchParameteri(GL_PATCH_VERTICES, 3);
+  gl::DrawElementsBaseVertex(patches ? GL_PATCHES : GL_TRIANGLES, static_cast<int>(range.quads * 6),
+                             GL_UNSIGNED_INT, nullptr, static_cast<int>(range.firstVertex));
+}
+
+gl::Texture makeNoiseTexture(int resolution) {
+  Image8 image(resolution, resolution, 4);
+  for (size_t i = 0; i < image.pixels.size(); ++i)
+    image.pixels[i] = i % 4 == 3 ? 255 : static_cast<std::uint8_t>(hashOf(static_cast<std::uint32_t>(i)));
+  gl::Texture texture = uploadImage(image, 1, "noisetex");
+  gl::setParameters(texture, {.linear = true, .repeat = true});
+  return texture;
+}
+
+}  // namespace orris

@@ -1,0 +1,73 @@
+// The world on the GPU: terrain vertices, sky shapes, the fullscreen quad, and the host's own
+// textures (atlas, lightmap, noise).
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "frame/frame_state.h"
+#include "frame/schedule.h"
+#include "frame/vertex_layout.h"
+#include "gl/buffer.h"
+#include "gl/texture.h"
+#include "world/block_mesh.h"
+
+namespace orris {
+
+/// Everything about a world that does not change between edits; no GL in it.
+struct SceneData {
+  World world;
+  std::vector<BlockFacts> facts;  ///< by palette index
+  BlockAtlas atlas;
+  std::unique_ptr<LightLevels> light;
+  BlockMesh mesh;
+
+  SceneContents contents() const;
+  /// What the eye at `position` stands in.
+  EyeSurroundings surroundings(const glm::dvec3& position) const;
+};
+
+/// Facts, atlas, light and mesh of a world; unknown blocks are warnings.
+SceneData buildScene(World world, float ambientOcclusionLevel, Diagnostics& diagnostics);
+/// Light and mesh again after blocks changed.
+void rebuildMesh(SceneData& scene, float ambientOcclusionLevel);
+
+/// A range of triangles: `count` quads from vertex `firstVertex` of one buffer.
+struct QuadRange {
+  unsigned firstVertex = 0, quads = 0;
+};
+
+class GpuScene {
+ public:
+  GpuScene(const SceneData& scene, const std::vector<int>& blockIds, const VertexStyle& style);
+  /// New vertices for the same world.
+  void uploadMesh(const SceneData& scene, const std::vector<int>& blockIds, const VertexStyle& style);
+
+  const gl::Texture& atlas() const { return atlas_; }
+  const gl::Texture& normals() const { return normals_; }
+  const gl::Texture& specular() const { return specular_; }
+  const gl::Texture& lightmap() const { return lightmap_; }
+  const gl::Texture& white() const { return white_; }
+  const gl::Texture& celestial() const { return celestial_; }  ///< sun left half, moon right half
+  glm::ivec2 atlasSize() const { return {atlas_.width, atlas_.height}; }
+  const std::vector<MeshSection>& sections() const { return sections_; }
+
+  void updateLightmap(const FrameState& state);
+  void bindTerrain() const;
+  void bindShapes() const;
+  /// Draws quads of the bound buffer; `patches` for tessellation.
+  void drawQuads(const QuadRange& range, bool patches) const;
+
+  QuadRange fullscreen, skyDisc, stars, sun, moon;
+
+ private:
+  void buildShapes();
+  gl::Texture atlas_, normals_, specular_, lightmap_, white_, celestial_;
+  gl::Buffer terrain_, shapes_, indices_;
+  std::vector<MeshSection> sections_;
+};
+
+/// The noise texture of packs: independent bytes, the same every run, alpha 255.
+gl::Texture makeNoiseTexture(int resolution);
+
+}  // namespace orris

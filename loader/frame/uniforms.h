@@ -1,0 +1,43 @@
+// Standard uniforms: one table from Iris name to value. Contract: uniforms.csv.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "frame/frame_state.h"
+#include "pack/expression.h"
+
+namespace orris {
+
+/// What changes from draw to draw.
+struct DrawState {
+  glm::mat4 modelView{1}, projection{1}, textureMatrix{1};
+  glm::vec3 chunkOffset{0};
+  glm::ivec2 atlasSize{0}, gtextureSize{0};
+  glm::ivec4 blendFunc{0};
+  int renderStage = 0;       ///< MC_RENDER_STAGE_*
+  float alphaTestRef = 0.1f;
+  bool fullscreen = false;
+};
+
+struct UniformRow {
+  std::string_view name;
+  ValueType type;
+  bool perDraw;  ///< depends on DrawState; not an input of custom uniforms
+  Value (*value)(const FrameState&, const DrawState&);
+};
+
+/// Sorted by name.
+std::span<const UniformRow> uniformTable();
+const UniformRow* findUniform(std::string_view name);
+
+Value valueOf(float v);
+Value valueOf(const glm::vec2& v);
+Value valueOf(const glm::vec3& v);
+Value valueOf(const glm::vec4& v);
+Value valueOf(const glm::ivec2& v);
+Value valueOf(const glm::ivec3& v);
+Value valueOf(const glm::mat3& m);
+Value valueOf(const glm::mat4& m);
+
+}  // namespace orris
