@@ -74,11 +74,7 @@ bool FrameRenderer::setPack(std::shared_ptr<const ShaderPack> pack, const SceneD
 }
 
 void FrameRenderer::updateScene(const SceneData& scene) {
-  loaded_->scene->uploadMesh(scene, blockIdsOf(*pack_, scene), vertexStyleOf(*pack_));
-}
-
-std::vector<int> FrameRenderer::blockIdsOf(const ShaderPack& pack, const SceneData& scene) const {
-  return orris::blockIdsOf(pack, scene.world.blocks);
+  loaded_->scene->uploadMesh(scene, blockIdsOf(*pack_, scene.world.blocks), vertexStyleOf(*pack_));
 }
 
 bool FrameRenderer::resize(int width, int height, Diagnostics& diagnostics) {

@@ -82,7 +82,6 @@ class FrameRenderer {
   void useProgram(const GpuProgram& program, const Step& step, const FrameState& state,
                   const DrawState& draw);
   const GpuProgram& programOf(const Step& step) const;
-  std::vector<int> blockIdsOf(const ShaderPack& pack, const SceneData& scene) const;
 
   gl::Context& context_;
   RendererOptions options_;

@@ -1,0 +1,115 @@
+#include "frame/render_session.h"
+
+#include <fmt/format.h>
+
+namespace orris {
+
+MacroDefinitions environmentFor(const gl::DriverInfo& driver) {
+  HostDescription host;
+  host.glVendor = driver.vendor;
+  host.glRenderer = driver.renderer;
+  host.glExtensions = driver.extensions;
+  host.glVersion = driver.glVersion;
+  host.glslVersion = driver.glVersion;
+  return standardMacros(host);
+}
+
+RenderSession::RenderSession(gl::Context& context, SessionRequest request, SceneData scene)
+    : context_(context), request_(std::move(request)), scene_(std::move(scene)) {}
+
+std::unique_ptr<RenderSession> RenderSession::create(gl::Context& context, SessionRequest request,
+                                                     World world, Diagnostics& diagnostics) {
+  request.load.environment = environmentFor(context.driver());
+  if (request.time) world.environment.time = *request.time;
+  auto session = std::unique_ptr<RenderSession>(
+      new RenderSession(context, std::move(request), SceneData()));
+  const auto pack = session->loadPack(diagnostics);
+  if (pack == nullptr) return nullptr;
+  session->scene_ = buildScene(std::move(world), pack->directives.ambientOcclusionLevel, diagnostics);
+  session->renderer_ = std::make_unique<FrameRenderer>(context, session->request_.renderer);
+  SessionReload start{0, "start", false, {}};
+  start.succeeded =
+      session->renderer_->setPack(pack, session->scene_, start.report, diagnostics);
+  session->reloads_.push_back(start);
+  return start.succeeded ? std::move(session) : nullptr;
+}
+
+std::shared_ptr<const ShaderPack> RenderSession::loadPack(Diagnostics& diagnostics) {
+  Diagnostics problems;
+  auto source = request_.openPack(problems);
+  std::optional<ShaderPack> pack;
+  if (source != nullptr) pack = loadShaderPack(std::move(source), request_.load, problems);
+  const bool failed = !pack || hasErrors(problems);
+  diagnostics.insert(diagnostics.end(), problems.begin(), problems.end());
+  if (failed) return nullptr;
+  return std::make_shared<const ShaderPack>(std::move(*pack));
+}
+
+bool RenderSession::reload(const std::string& cause, Diagnostics& diagnostics) {
+  SessionReload reload{frame_, cause, false, {}};
+  if (const auto pack = loadPack(diagnostics); pack != nullptr) {
+    const float level = pack->directives.ambientOcclusionLevel;
+    const bool newLevel = level != renderer_->pack().directives.ambientOcclusionLevel;
+    if (newLevel) rebuildMesh(scene_, level);
+    reload.succeeded = renderer_->setPack(pack, scene_, reload.report, diagnostics);
+    if (newLevel && reload.succeeded) renderer_->updateScene(scene_);
+  }
+  reloads_.push_back(reload);
+  return reload.succeeded;
+}
+
+bool RenderSession::setOption(const std::string& name, const std::string& value,
+                              Diagnostics& diagnostics) {
+  const OptionValues before = request_.load.values;
+  request_.load.values[name] = value;
+  if (reload(fmt::format("{}={}", name, value), diagnostics)) return true;
+  request_.load.values = before;
+  return false;
+}
+
+bool RenderSession::setProfile(const std::string& name, Diagnostics& diagnostics) {
+  const std::string before = request_.load.profile;
+  request_.load.profile = name;
+  if (reload("profile " + name, diagnostics)) return true;
+  request_.load.profile = before;
+  return false;
+}
+
+void RenderSession::applyEvents(Diagnostics& diagnostics) {
+  bool blocksChanged = false;
+  World& world = scene_.world;
+  for (; nextEvent_ < world.events.size() && world.events[nextEvent_].frame <= frame_; ++nextEvent_) {
+    const auto& action = world.events[nextEvent_].action;
+    if (const auto* block = std::get_if<SetBlock>(&action)) {
+      world.blocks.set(block->at, world.blocks.paletteIndex(block->state));
+      blocksChanged = true;
+    } else if (const auto* camera = std::get_if<MoveCamera>(&action)) {
+      request_.camera = camera->camera;
+    } else if (const auto* option = std::get_if<SetOption>(&action)) {
+      setOption(option->name, option->value, diagnostics);
+    } else if (const auto* time = std::get_if<SetTime>(&action)) {
+      world.environment.time = time->time;
+    }
+  }
+  if (!blocksChanged) return;
+  rebuildMesh(scene_, renderer_->pack().directives.ambientOcclusionLevel);
+  renderer_->updateScene(scene_);
+}
+
+void RenderSession::renderFrame(Diagnostics& diagnostics) {
+  applyEvents(diagnostics);
+  FrameInput input;
+  input.width = renderer_->schedule().width;
+  input.height = renderer_->schedule().height;
+  input.seed = request_.seed;
+  input.camera = request_.camera;
+  input.environment = scene_.world.environment;
+  input.eye = scene_.surroundings(request_.camera.position);
+  input.centerDepth = renderer_->centerDepth();
+  input.frameTime = request_.frameTime;
+  state_ = nextFrameState(input, renderer_->pack().directives, state_ ? &*state_ : nullptr);
+  renderer_->render(*state_);
+  ++frame_;
+}
+
+}  // namespace orris
