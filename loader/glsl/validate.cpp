@@ -1,0 +1,121 @@
+#include "glsl/validate.h"
+
+#include <fmt/format.h>
+#include <glslang/Public/ResourceLimits.h>
+#include <glslang/Public/ShaderLang.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <string_view>
+
+#include "glsl/compiler_log.h"
+
+namespace orris {
+namespace {
+
+struct GlslangProcess {
+  GlslangProcess() { glslang::InitializeProcess(); }
+  ~GlslangProcess() { glslang::FinalizeProcess(); }
+};
+
+EShLanguage languageOf(Stage stage) {
+  constexpr std::array<EShLanguage, 6> kLanguages = {EShLangVertex,         EShLangTessControl,
+                                                     EShLangTessEvaluation, EShLangGeometry,
+                                                     EShLangFragment,       EShLangCompute};
+  return kLanguages[static_cast<std::size_t>(stage)];
+}
+
+// glslang's own numbers are the minima of the specification in places; a desktop driver of GL 4.5
+// (Mesa llvmpipe measured) allows more.
+TBuiltInResource desktopLimits() {
+  TBuiltInResource limits = *GetDefaultResources();
+  for (int TBuiltInResource::*images :
+       {&TBuiltInResource::maxImageUnits, &TBuiltInResource::maxVertexImageUniforms,
+        &TBuiltInResource::maxTessControlImageUniforms,
+        &TBuiltInResource::maxTessEvaluationImageUniforms,
+        &TBuiltInResource::maxGeometryImageUniforms, &TBuiltInResource::maxFragmentImageUniforms,
+        &TBuiltInResource::maxComputeImageUniforms, &TBuiltInResource::maxCombinedImageUniforms}) {
+    limits.*images = std::max(limits.*images, 32);
+  }
+  for (int TBuiltInResource::*textures :
+       {&TBuiltInResource::maxTextureImageUnits, &TBuiltInResource::maxVertexTextureImageUnits,
+        &TBuiltInResource::maxGeometryTextureImageUnits,
+        &TBuiltInResource::maxComputeTextureImageUnits}) {
+    limits.*textures = std::max(limits.*textures, 32);
+  }
+  limits.maxCombinedTextureImageUnits = std::max(limits.maxCombinedTextureImageUnits, 192);
+  limits.maxCombinedShaderOutputResources = std::max(limits.maxCombinedShaderOutputResources, 64);
+  limits.maxVaryingFloats = std::max(limits.maxVaryingFloats, 128);
+  limits.maxVaryingComponents = std::max(limits.maxVaryingComponents, 128);
+  limits.maxComputeUniformComponents = std::max(limits.maxComputeUniformComponents, 4096);
+  limits.maxGeometryOutputVertices = std::max(limits.maxGeometryOutputVertices, 1024);
+  limits.maxGeometryTotalOutputComponents = std::max(limits.maxGeometryTotalOutputComponents, 4096);
+  return limits;
+}
+
+const TBuiltInResource& limits() {
+  static const TBuiltInResource kLimits = desktopLimits();
+  return kLimits;
+}
+
+// glslang knows fewer extensions than drivers do, and only the driver's word counts.
+bool isUnknownExtension(const LogEntry& entry) {
+  return entry.message.find("extension not supported") != std::string::npos;
+}
+
+// Its linker takes redeclared built-in varyings (gl_FogFragCoord, gl_TexCoord) for a clash of names.
+bool isFalseLinkAlarm(const LogEntry& entry) {
+  return entry.message.find("Anonymous member name used for global variable") != std::string::npos;
+}
+
+bool compile(glslang::TShader& shader, const StageText& stage, const SourceLines& lines,
+             Diagnostics& diagnostics) {
+  const char* text = stage.text.text.c_str();
+  const int length = static_cast<int>(stage.text.text.size());
+  shader.setStringsWithLengths(&text, &length, 1);
+  constexpr int kDefaultVersion = 110;
+  bool ok = shader.parse(&limits(), kDefaultVersion, false, EShMsgDefault);
+  for (LogEntry& entry : parseCompilerLog(shader.getInfoLog(), Severity::Error)) {
+    if (isUnknownExtension(entry)) entry.severity = Severity::Warning;
+    diagnostics.push_back(locateLogEntry(entry, "glsl-compile", stage, lines));
+  }
+  return ok;
+}
+
+// Messages of the linker have no place: "Linking fragment stage: ...".
+void reportLink(const glslang::TProgram& program, const std::vector<StageText>& stages,
+                const SourceLines& lines, Diagnostics& diagnostics) {
+  for (LogEntry& entry :
+       parseCompilerLog(const_cast<glslang::TProgram&>(program).getInfoLog(), Severity::Error)) {
+    if (isFalseLinkAlarm(entry)) continue;
+    const auto named = std::find_if(stages.begin(), stages.end(), [&entry](const StageText& stage) {
+      return entry.message.find(fmt::format("{} stage", stageName(stage.stage))) !=
+             std::string::npos;
+    });
+    diagnostics.push_back(
+        locateLogEntry(entry, "glsl-link", named == stages.end() ? stages.front() : *named, lines));
+  }
+}
+
+}  // namespace
+
+void validateWithGlslang(const std::vector<StageText>& stages, const SourceLines& lines,
+                         Diagnostics& diagnostics) {
+  static const GlslangProcess kProcess;
+  if (stages.empty()) return;
+  // The program refers to the shaders, so it is declared after and dies before them.
+  std::vector<std::unique_ptr<glslang::TShader>> shaders;
+  glslang::TProgram program;
+  bool compiled = true;
+  for (const StageText& stage : stages) {
+    shaders.push_back(std::make_unique<glslang::TShader>(languageOf(stage.stage)));
+    compiled = compile(*shaders.back(), stage, lines, diagnostics) && compiled;
+    program.addShader(shaders.back().get());
+  }
+  if (!compiled) return;
+  program.link(EShMsgDefault);
+  reportLink(program, stages, lines, diagnostics);
+}
+
+}  // namespace orris
