@@ -2,6 +2,7 @@
 // file, loader/world/blocks.json, compiled into the library.
 #pragma once
 
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <memory>
 #include <set>
@@ -20,20 +21,24 @@ glm::ivec3 normalOf(FaceDirection direction);
 /// A box in 1/16 block inside the unit cube; faces carry texture names.
 struct ShapeBox {
   glm::vec3 from{0}, to{16};
-  std::string textures[6];  ///< by FaceDirection; "" = no face
+  std::string textures[6];       ///< by FaceDirection; "" = no face
+  std::uint8_t tintedFaces = 0;  ///< bit 1 << FaceDirection: the face takes the block's tint
 };
 
 /// Everything the mesher and the light engine need of one block state.
 struct BlockFacts {
   bool air = false;
-  bool known = true;              ///< false: drawn with the visible fallback
+  bool known = true;  ///< false: drawn with the visible fallback
   bool fluid = false;
-  bool cross = false;             ///< two crossed planes with textures[0] of boxes[0]
-  bool fullOpaqueCube = false;    ///< hides neighbours' faces, stops light
-  bool cullsSame = false;         ///< faces between two of the same block are not drawn (glass, water)
+  bool cross = false;           ///< two crossed planes with textures[0] of boxes[0]
+  bool fullOpaqueCube = false;  ///< hides neighbours' faces, stops light
+  bool cullsSame = false;  ///< faces between two of the same block are not drawn (glass, water)
   bool waterlogged = false;
-  int emission = 0;               ///< 0..15
-  int opacity = 0;                ///< light lost per block, 0..15; 15 stops it
+  /// Bit 1 << FaceDirection: the boxes cover that side of the cube wholly and opaquely, so it hides
+  /// the neighbour's face and lets no light through (the back of stairs, the bottom of a slab).
+  std::uint8_t coveredFaces = 0;
+  int emission = 0;  ///< 0..15
+  int opacity = 0;   ///< light lost per block, 0..15; 15 stops it
   RenderLayer layer = RenderLayer::Solid;
   Tint tint = Tint::None;
   std::vector<ShapeBox> boxes;
