@@ -24,7 +24,7 @@ vec3 lamp_color(int id) {
         vec3(0.0),               // 0 own texture
         vec3(1.0, 0.56, 0.22),   // 1 fire: torch, lantern, campfire
         vec3(1.0, 0.70, 0.38),   // 2 glowstone, shroomlight, redstone lamp
-        vec3(0.62, 0.90, 1.0),   // 3 sea lantern, conduit, beacon
+        vec3(0.78, 0.93, 1.0),   // 3 sea lantern, conduit, beacon
         vec3(1.0, 0.10, 0.04),   // 4 redstone
         vec3(0.16, 0.80, 1.0),   // 5 soul fire
         vec3(1.0, 0.92, 0.84),   // 6 end rod, white

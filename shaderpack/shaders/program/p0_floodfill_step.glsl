@@ -19,8 +19,17 @@ void main() { gl_Position = ftransform(); }
 /* RENDERTARGETS: 4 */
 layout(location = 0) out vec4 out_light;
 
-// pow is undefined at 0; this is 0 again in a half float.
-vec3 raise(vec3 x, float exponent) { return pow(max(x, vec3(1e-12)), vec3(exponent)); }
+// pow is undefined at 0. A darkness of 1e-14 keeps the sum a normal float for every gamma and is 0
+// again in a half float.
+vec3 to_power(vec3 light) { return pow(max(light, vec3(1e-14)), vec3(FLOODFILL_GAMMA)); }
+
+vec3 from_power(vec3 sum) { return pow(sum, vec3(1.0 / FLOODFILL_GAMMA)); }
+
+// Drivers may cut a half float off instead of rounding it, and the loop amplifies that loss
+// twelvefold: round to its 10 bits here.
+vec3 round_to_half(vec3 x) {
+    return uintBitsToFloat((floatBitsToUint(x) + 0x1000u) & 0xFFFFE000u);
+}
 
 /// Light a neighbour sends: selected by what it is, never multiplied, as infinity times 0 is not 0.
 vec3 light_from(ivec3 cell, ivec3 scroll) {
@@ -34,10 +43,10 @@ vec3 propagate(ivec3 cell, ivec3 scroll) {
     vec3 sum = vec3(0.0);
     for (int axis = 0; axis < 3; ++axis) {
         ivec3 offset = ivec3(axis == 0, axis == 1, axis == 2);
-        sum += raise(light_from(cell + offset, scroll), FLOODFILL_GAMMA);
-        sum += raise(light_from(cell - offset, scroll), FLOODFILL_GAMMA);
+        sum += to_power(light_from(cell + offset, scroll));
+        sum += to_power(light_from(cell - offset, scroll));
     }
-    return raise(sum, 1.0 / FLOODFILL_GAMMA) * (FLOODFILL_ALPHA / 6.0);
+    return from_power(sum) * (FLOODFILL_ALPHA / 6.0);
 }
 
 void main() {
@@ -52,7 +61,7 @@ void main() {
     if (is_opaque_voxel(own.code)) light = vec3(0.0);
     if (is_lamp_voxel(own.code)) light = lamp_radiance(own);
     if (!in_volume(cell)) light = vec3(0.0);
-    out_light = vec4(clamp(light, 0.0, light_max), 1.0);
+    out_light = vec4(round_to_half(clamp(light, 0.0, light_max)), 1.0);
 }
 
 #endif
