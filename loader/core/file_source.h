@@ -1,6 +1,7 @@
 // Bytes by pack path, wherever they come from: a folder, a zip, or memory (tests, fuzzers).
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <memory>
 #include <optional>
@@ -13,7 +14,8 @@
 namespace orris {
 
 /// Read-only files by normalised path ("/lib/a.glsl"); the root is the pack's `shaders` folder.
-/// Case-sensitive. A symbolic link that leaves the root is not followed.
+/// Case-sensitive. A symbolic link that leaves the root is not followed. Safe to read from several
+/// threads.
 class FileSource {
  public:
   virtual ~FileSource() = default;
@@ -23,12 +25,21 @@ class FileSource {
   bool contains(std::string_view path) const;
 };
 
-/// Files held in memory.
+/// What openPack() accepts at most.
+struct PackLimits {
+  std::size_t fileBytes = std::size_t{64} << 20;
+  std::size_t totalBytes = std::size_t{1} << 30;
+  std::size_t files = 65536;
+  int folderDepth = 32;
+};
+
+/// Files held in memory. Paths that leave the root are left out.
 std::unique_ptr<FileSource> memorySource(std::map<std::string, std::string> files);
 
 /// Opens a pack: a folder with `shaders/` inside (or that is itself named `shaders`), or a zip whose
 /// first directory named `shaders` is the root. Limits: 64 MiB a file, 1 GiB in all, 65536 files.
 /// nullptr and a diagnostic when it cannot be opened.
-std::unique_ptr<FileSource> openPack(const std::string& path, Diagnostics& diagnostics);
+std::unique_ptr<FileSource> openPack(const std::string& path, Diagnostics& diagnostics,
+                                     const PackLimits& limits = {});
 
 }  // namespace orris

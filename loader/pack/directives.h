@@ -11,8 +11,12 @@
 
 #include "core/diagnostic.h"
 #include "glsl/token.h"
+#include "pack/const_line.h"
 
 namespace orris {
+
+inline constexpr int kColorTargets = 16;
+inline constexpr int kShadowColorTargets = 8;
 
 /// Settings of one colortex or shadowcolor.
 struct TargetSettings {
@@ -38,6 +42,7 @@ struct PackDirectives {
   int shadowMapResolution = 1024;
   float shadowDistance = 160;
   float shadowDistanceRenderMul = -1;
+  float entityShadowDistanceMul = 1;
   float shadowIntervalSize = 2;
   std::optional<float> shadowMapFov;
   float shadowNearPlane = 0.05f;
@@ -54,15 +59,18 @@ struct PackDirectives {
 struct ProgramDirectives {
   std::optional<std::vector<int>> drawBuffers;  ///< nullopt: no directive
   SourceLocation drawBuffersAt;
-  std::set<int> mipmaps;                        ///< colortex (or shadowcolor) read with mipmaps
+  std::set<int> mipmaps;  ///< colortex (or shadowcolor) read with mipmaps
   std::optional<std::array<int, 3>> workGroups;
   std::optional<std::array<float, 2>> workGroupsRender;
 };
 
-/// Reads the directives of one preprocessed fsh or csh; the last one of a kind wins.
-ProgramDirectives readProgramDirectives(const TokenStream& stream, Diagnostics& diagnostics);
-/// Adds what one preprocessed fsh says to `directives` (call in the contract's scan order).
-void readPackDirectives(const TokenStream& stream, PackDirectives& directives,
-                        Diagnostics& diagnostics);
+/// Reads the directives of one preprocessed fsh or csh; the last one of a kind wins. `targets` is the
+/// number of buffers that the program can draw to; a higher index is an error.
+ProgramDirectives readProgramDirectives(const TokenStream& stream, int targets,
+                                        Diagnostics& diagnostics);
+/// Adds what the const lines of one preprocessed fsh say to `directives` (call in the contract's scan
+/// order). `sites` are those of its token stream.
+void readPackDirectives(const std::vector<ConstLine>& lines, const std::vector<IncludeSite>& sites,
+                        PackDirectives& directives, Diagnostics& diagnostics);
 
 }  // namespace orris

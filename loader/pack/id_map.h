@@ -13,13 +13,14 @@ namespace orris {
 /// One name on a block.<id> line: "minecraft:oak_stairs" with required properties.
 struct BlockFilter {
   std::string name;  ///< with namespace
-  std::vector<std::pair<std::string, std::vector<std::string>>> properties;  ///< name, any of values
+  std::vector<std::pair<std::string, std::vector<std::string>>>
+      properties;  ///< name, any of values
   bool isTag = false;
   int id = -1;
 };
 
 struct BlockIdMap {
-  bool present = false;  ///< false: no file, legacy numeric ids apply
+  bool present = false;                             ///< false: no file, legacy numeric ids apply
   std::vector<BlockFilter> filters;                 ///< in file order
   std::map<std::string, std::string> renderLayers;  ///< block name -> "solid", "cutout", ...
 

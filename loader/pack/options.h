@@ -15,9 +15,9 @@ struct Option {
   std::string name;
   bool isBoolean = false;
   std::string defaultValue;
-  std::vector<std::string> values;      ///< allowed, in the author's order
-  std::string comment;                  ///< tooltip text around the value list
-  std::vector<SourceLocation> at;       ///< every line that defines it
+  std::vector<std::string> values;  ///< allowed, in the author's order
+  std::string comment;              ///< tooltip text around the value list
+  std::vector<SourceLocation> at;   ///< every line that defines it
 };
 
 /// Chosen values by option name; what is absent keeps its default.

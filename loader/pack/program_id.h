@@ -11,7 +11,16 @@
 namespace orris {
 
 enum class ProgramGroup {
-  Setup, Begin, Shadow, ShadowComp, Prepare, Gbuffers, Deferred, Composite, Final, DistantHorizons
+  Setup,
+  Begin,
+  Shadow,
+  ShadowComp,
+  Prepare,
+  Gbuffers,
+  Deferred,
+  Composite,
+  Final,
+  DistantHorizons
 };
 
 /// What a file name says: "/world0/composite3_a.csh" is {folder "/world0", program "composite3",

@@ -33,45 +33,49 @@ struct ProgramSource {
   std::string folder;  ///< "/world0" or "/"
   ProgramGroup group = ProgramGroup::Gbuffers;
   int index = 0;
-  std::vector<StageText> stages;       ///< vertex, [tess, geometry,] fragment; empty if only computes
-  std::vector<ComputeSource> computes; ///< in dispatch order
+  std::vector<StageText> stages;  ///< vertex, [tess, geometry,] fragment; empty if only computes
+  std::vector<ComputeSource> computes;  ///< in dispatch order
   ProgramDirectives directives;
   std::vector<int> drawBuffers;        ///< directive, or the group's default
   std::optional<AlphaTest> alphaTest;  ///< from shaders.properties
   std::optional<BlendMode> blend;
   std::map<std::string, BlendMode> bufferBlend;
   std::array<float, 3> scale{1, 0, 0};
-  bool writesFragData = false;         ///< fixed-function alpha test applies (glsl/rewrite.h)
-  std::map<std::string, bool> flips;   ///< explicit flip.* of this program, canonical buffer names
+  bool writesFragData = false;        ///< fixed-function alpha test applies (glsl/rewrite.h)
+  std::map<std::string, bool> flips;  ///< explicit flip.* of this program, canonical buffer names
   std::vector<AppliedRule> rules;
-  std::vector<std::string> options;    ///< names of options whose lines occur in its files
+  std::vector<std::string> options;  ///< names of options whose lines occur in its files
   /// Hash of all final texts: equal hash, equal GL program.
   std::uint64_t hash = 0;
 };
 
 /// What to load: a value for each chosen option and the host's environment.
 struct LoadRequest {
-  OptionValues values;
-  std::string profile;              ///< "" for none; applied before `values`
-  std::string dimension = "minecraft:overworld";  ///< or a folder name: "world0", "world-1", "world1"
-  MacroDefinitions environment;     ///< see standardMacros()
-  bool buildSources = true;         ///< false: options, properties and screens only
+  std::string name;         ///< of the pack, for people
+  OptionValues values;      ///< must name options and lie in their lists
+  std::string profile;      ///< "" for none; applied before `values`
+  OptionValues fileValues;  ///< of an option file, applied first; need not lie in the lists
+  std::string dimension =
+      "minecraft:overworld";     ///< or a folder name: "world0", "world-1", "world1"
+  MacroDefinitions environment;  ///< see standardMacros()
+  bool buildSources = true;      ///< false: options, properties and screens only
 };
 
 struct ShaderPack {
   std::string name;
   OptionSet options;
-  OptionValues values;              ///< every non-default value in force
+  OptionValues values;  ///< every non-default value in force
   ShaderProperties properties;
   PackDirectives directives;
   BlockIdMap blockIds;
   std::map<std::string, int> itemIds, entityIds;
   std::map<std::string, std::map<std::string, std::string>> languages;  ///< "en_us" -> key -> text
-  std::string folder;               ///< program folder in use: "/" or "/world0"
+  std::string folder;                   ///< program folder in use: "/" or "/world0"
   std::vector<std::string> dimensions;  ///< all program folders: "/", "/world0", ...
-  std::vector<ProgramSource> programs;  ///< of `folder`, in frame order then name; enabled ones only
+  std::vector<ProgramSource>
+      programs;  ///< of `folder`, in frame order then name; enabled ones only
   std::vector<std::string> disabledPrograms;
-  std::map<std::string, FileLines> files;  ///< every file of the include graph, options applied
+  std::map<std::string, FileLines> files;    ///< every file of the include graph, options applied
   std::shared_ptr<const FileSource> source;  ///< for textures and buffer contents
 
   /// A program by exact name, or through the fallback tree; nullptr when there is none.
@@ -90,6 +94,7 @@ struct HostDescription {
   std::vector<std::string> glExtensions;
   int glVersion = 450, glslVersion = 450;
   int minecraftVersion = 12101, irisVersion = 10800;
+  bool labPbr = false;  ///< the specular maps follow labPBR
 };
 MacroDefinitions standardMacros(const HostDescription& host);
 

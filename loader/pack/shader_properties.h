@@ -83,9 +83,9 @@ struct Screen {
 };
 
 struct ShaderProperties {
-  std::map<std::string, bool> programEnabled;               ///< key as written: "world0/composite2"
-  std::map<std::string, AlphaTest> alphaTest;               ///< by program
-  std::map<std::string, BlendMode> blend;                   ///< by program
+  std::map<std::string, bool> programEnabled;  ///< key as written: "world0/composite2"
+  std::map<std::string, AlphaTest> alphaTest;  ///< by program
+  std::map<std::string, BlendMode> blend;      ///< by program
   std::map<std::string, std::map<std::string, BlendMode>> bufferBlend;  ///< program -> buffer
   std::map<std::string, std::map<std::string, bool>> flip;  ///< program -> buffer (canonical name)
   std::map<std::string, std::array<float, 3>> scale;        ///< scale, x, y
@@ -104,6 +104,8 @@ struct ShaderProperties {
 
   /// A boolean setting, `fallback` when unset.
   bool flag(const std::string& key, bool fallback) const;
+  /// Does the pack list `name` ("SSBO") as a required or optional feature?
+  bool feature(const std::string& name) const;
 };
 
 /// "gcolor" -> "colortex0", "gaux1" -> "colortex4"; other names unchanged.

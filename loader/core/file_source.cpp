@@ -1,0 +1,185 @@
+#include "core/file_source.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "core/pack_path.h"
+#include "core/zip_source.h"
+
+namespace orris {
+namespace {
+
+namespace fs = std::filesystem;
+
+class MemorySource : public FileSource {
+ public:
+  explicit MemorySource(std::map<std::string, std::string> files) {
+    for (auto& [path, bytes] : files) {
+      if (const auto normal = resolvePackPath("/", path)) {
+        files_.insert_or_assign(*normal, std::move(bytes));
+      }
+    }
+    for (const auto& entry : files_) paths_.push_back(entry.first);
+  }
+  std::optional<std::string> read(std::string_view path) const override {
+    const auto found = files_.find(path);
+    return found == files_.end() ? std::nullopt : std::optional(found->second);
+  }
+  const std::vector<std::string>& files() const override { return paths_; }
+
+ private:
+  std::map<std::string, std::string, std::less<>> files_;
+  std::vector<std::string> paths_;
+};
+
+class FolderSource : public FileSource {
+ public:
+  FolderSource(fs::path root, const PackLimits& limits)
+      : root_(fs::canonical(root)), limits_(limits) {}
+
+  /// Lists all files; false and a diagnostic when a limit is passed.
+  bool scan(Diagnostics& diagnostics) {
+    const bool ok = scanFolder("", 0, diagnostics);
+    std::sort(paths_.begin(), paths_.end());
+    return ok;
+  }
+
+  std::optional<std::string> read(std::string_view path) const override {
+    if (!contains(path)) return std::nullopt;
+    std::ifstream file(root_ / path.substr(1), std::ios::binary);
+    if (!file) return std::nullopt;
+    std::string bytes;
+    char block[1 << 16];
+    while (file.read(block, sizeof block), file.gcount() > 0) {
+      bytes.append(block, static_cast<size_t>(file.gcount()));
+      // The file may have grown since it was listed.
+      if (bytes.size() > limits_.fileBytes) return std::nullopt;
+    }
+    return bytes;
+  }
+
+  const std::vector<std::string>& files() const override { return paths_; }
+
+ private:
+  bool scanFolder(const std::string& folder, int depth, Diagnostics& diagnostics) {
+    if (depth > limits_.folderDepth)
+      return tooLarge(folder, "folders nested deeper than {}", limits_.folderDepth, diagnostics);
+    std::error_code error;
+    for (fs::directory_iterator
+             it(root_ / folder.substr(std::min<size_t>(1, folder.size())), error),
+         end;
+         !error && it != end; it.increment(error)) {
+      if (!scanEntry(folder + "/" + it->path().filename().string(), *it, depth, diagnostics))
+        return false;
+    }
+    if (error) {
+      diagnostics.push_back(
+          {.severity = Severity::Error,
+           .id = "pack-unreadable",
+           .at = {.file = folder.empty() ? "/" : folder},
+           .message = fmt::format("cannot list the folder: {}", error.message())});
+    }
+    return !error;
+  }
+
+  bool scanEntry(const std::string& path, const fs::directory_entry& entry, int depth,
+                 Diagnostics& diagnostics) {
+    std::error_code error;
+    if (entry.is_symlink(error) && !staysInside(entry.path())) {
+      diagnostics.push_back(
+          {.severity = Severity::Warning,
+           .id = "symlink-outside",
+           .at = {.file = path},
+           .message = "this symbolic link leads nowhere or out of the pack; it is ignored",
+           .hint = "put the file itself into the pack"});
+      return true;
+    }
+    if (entry.is_directory(error)) return scanFolder(path, depth + 1, diagnostics);
+    if (!entry.is_regular_file(error)) return true;
+    const size_t size = static_cast<size_t>(entry.file_size(error));
+    if (size > limits_.fileBytes)
+      return tooLarge(path, "a file larger than {} bytes", limits_.fileBytes, diagnostics);
+    total_ += size;
+    if (total_ > limits_.totalBytes)
+      return tooLarge(path, "more than {} bytes of files", limits_.totalBytes, diagnostics);
+    paths_.push_back(path);
+    return paths_.size() <= limits_.files ||
+           tooLarge(path, "more than {} files", limits_.files, diagnostics);
+  }
+
+  bool staysInside(const fs::path& link) const {
+    std::error_code error;
+    const fs::path target = fs::canonical(link, error);
+    if (error) return false;
+    const auto mismatch = std::mismatch(root_.begin(), root_.end(), target.begin(), target.end());
+    return mismatch.first == root_.end();
+  }
+
+  template <typename Limit>
+  static bool tooLarge(const std::string& path, std::string_view what, Limit limit,
+                       Diagnostics& diagnostics) {
+    diagnostics.push_back({.severity = Severity::Error,
+                           .id = "pack-too-large",
+                           .at = {.file = path.empty() ? "/" : path},
+                           .message = "the pack has " + fmt::format(fmt::runtime(what), limit)});
+    return false;
+  }
+
+  fs::path root_;
+  PackLimits limits_;
+  std::vector<std::string> paths_;
+  size_t total_ = 0;
+};
+
+std::unique_ptr<FileSource> refuse(const std::string& path, std::string message, std::string hint,
+                                   Diagnostics& diagnostics) {
+  diagnostics.push_back({.severity = Severity::Error,
+                         .id = "pack-unreadable",
+                         .at = {.file = path},
+                         .message = std::move(message),
+                         .hint = std::move(hint)});
+  return nullptr;
+}
+
+/// Absent when the folder is no pack.
+std::optional<fs::path> rootInside(const fs::path& folder) {
+  std::error_code error;
+  if (fs::is_directory(folder / "shaders", error)) return folder / "shaders";
+  fs::path named = folder.has_filename() ? folder : folder.parent_path();
+  if (named == "." || named == "..") named = fs::canonical(named, error);
+  return named.filename() == "shaders" ? std::optional(folder) : std::nullopt;
+}
+
+}  // namespace
+
+bool FileSource::contains(std::string_view path) const {
+  return std::binary_search(files().begin(), files().end(), path);
+}
+
+std::unique_ptr<FileSource> memorySource(std::map<std::string, std::string> files) {
+  return std::make_unique<MemorySource>(std::move(files));
+}
+
+std::unique_ptr<FileSource> openPack(const std::string& path, Diagnostics& diagnostics,
+                                     const PackLimits& limits) {
+  std::error_code error;
+  if (!fs::exists(path, error)) {
+    return refuse(path, "no such shader pack", "give a folder or a .zip", diagnostics);
+  }
+  if (!fs::is_directory(path, error)) {
+    auto files = readZip(path, limits, diagnostics);
+    return files ? memorySource(std::move(*files)) : nullptr;
+  }
+  const auto root = rootInside(path);
+  if (!root) {
+    return refuse(path, "no shader pack: the folder has no folder named shaders",
+                  "give the folder that holds shaders/", diagnostics);
+  }
+  auto source = std::make_unique<FolderSource>(*root, limits);
+  return source->scan(diagnostics) ? std::move(source) : nullptr;
+}
+
+}  // namespace orris

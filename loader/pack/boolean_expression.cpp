@@ -1,0 +1,71 @@
+#include "pack/boolean_expression.h"
+
+#include "pack/text.h"
+
+namespace orris {
+namespace {
+
+constexpr int kDeepest = 64;
+
+class Parser {
+ public:
+  Parser(std::string_view text, const std::function<bool(std::string_view)>& valueOf)
+      : rest_(text), valueOf_(valueOf) {}
+
+  std::optional<bool> whole() {
+    const bool value = either(0);
+    return failed_ || !trim(rest_).empty() ? std::nullopt : std::optional(value);
+  }
+
+ private:
+  bool take(std::string_view token) {
+    rest_ = trim(rest_);
+    if (!rest_.starts_with(token)) return false;
+    rest_.remove_prefix(token.size());
+    return true;
+  }
+
+  bool either(int depth) {
+    bool value = both(depth);
+    while (!failed_ && take("||")) value = both(depth) || value;
+    return value;
+  }
+
+  bool both(int depth) {
+    bool value = single(depth);
+    while (!failed_ && take("&&")) value = single(depth) && value;
+    return value;
+  }
+
+  bool single(int depth) {
+    if (depth > kDeepest) return fail();
+    if (take("!")) return !single(depth + 1);
+    if (take("(")) {
+      const bool value = either(depth + 1);
+      return take(")") ? value : fail();
+    }
+    const std::string_view name = leadingWord(rest_);
+    rest_.remove_prefix(name.size());
+    if (name.empty()) return fail();
+    if (const auto literal = parseBoolean(name)) return *literal;
+    return valueOf_(name);
+  }
+
+  bool fail() {
+    failed_ = true;
+    return true;
+  }
+
+  std::string_view rest_;
+  const std::function<bool(std::string_view)>& valueOf_;
+  bool failed_ = false;
+};
+
+}  // namespace
+
+std::optional<bool> evaluateCondition(std::string_view text,
+                                      const std::function<bool(std::string_view)>& valueOf) {
+  return Parser(text, valueOf).whole();
+}
+
+}  // namespace orris

@@ -1,0 +1,113 @@
+#include "pack/features.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "pack/text.h"
+
+namespace orris {
+namespace {
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+void requireSupported(const std::vector<std::string>& required,
+                      const std::vector<std::string>& supported, const std::string& key,
+                      const std::string& file, Diagnostics& diagnostics) {
+  for (const std::string& flag : required) {
+    if (contains(supported, flag)) continue;
+    const std::string hint = suggest(flag, supported);
+    diagnostics.push_back(
+        {.severity = Severity::Error,
+         .id = "feature-unsupported",
+         .at = {.file = file},
+         .message = fmt::format("{} names {}, which this host does not offer", key, flag),
+         .hint = hint.empty() ? fmt::format("offered are {}",
+                                            supported.empty() ? "none" : joinNames(supported))
+                              : hint});
+  }
+}
+
+void requireFlag(const ShaderProperties& properties, const std::string& flag, std::string_view what,
+                 const SourceLocation& at, Diagnostics& diagnostics) {
+  if (properties.feature(flag)) return;
+  diagnostics.push_back(
+      {.severity = Severity::Error,
+       .id = "feature-undeclared",
+       .at = at,
+       .message = fmt::format("{} without the feature flag {} are refused", what, flag),
+       .hint = fmt::format("add iris.features.required={}", flag)});
+}
+
+}  // namespace
+
+const std::vector<std::string>& supportedFeatures() {
+  static const std::vector<std::string> kNames{"SEPARATE_HARDWARE_SAMPLERS",
+                                               "HIGHER_SHADOWCOLOR",
+                                               "CUSTOM_IMAGES",
+                                               "PER_BUFFER_BLENDING",
+                                               "COMPUTE_SHADERS",
+                                               "TESSELLATION_SHADERS",
+                                               "TESSELATION_SHADERS",
+                                               "ENTITY_TRANSLUCENT",
+                                               "REVERSED_CULLING",
+                                               "BLOCK_EMISSION_ATTRIBUTE",
+                                               "SSBO",
+                                               "CAN_DISABLE_WEATHER"};
+  return kNames;
+}
+
+const std::vector<std::string>& supportedOrrisFeatures() {
+  static const std::vector<std::string> kNames;
+  return kNames;
+}
+
+void checkFeatures(const ShaderProperties& properties, const std::string& file,
+                   Diagnostics& diagnostics) {
+  requireSupported(properties.requiredFeatures, supportedFeatures(), "iris.features.required", file,
+                   diagnostics);
+  requireSupported(properties.orrisRequiredFeatures, supportedOrrisFeatures(),
+                   "orris.features.required", file, diagnostics);
+  if (!properties.bufferObjects.empty()) {
+    requireFlag(properties, "SSBO", "buffer objects", properties.bufferObjects.front().at,
+                diagnostics);
+  }
+  if (!properties.images.empty()) {
+    requireFlag(properties, "CUSTOM_IMAGES", "custom images", properties.images.front().at,
+                diagnostics);
+  }
+}
+
+MacroDefinitions propertyFeatureMacros() {
+  MacroDefinitions macros;
+  for (const std::string& flag : supportedFeatures())
+    macros.emplace_back("IRIS_FEATURE_" + flag, "");
+  for (const std::string& flag : supportedOrrisFeatures())
+    macros.emplace_back("ORRIS_FEATURE_" + flag, "");
+  return macros;
+}
+
+MacroDefinitions shaderFeatureMacros(const ShaderProperties& properties) {
+  MacroDefinitions macros;
+  for (const std::string& flag : properties.optionalFeatures) {
+    if (contains(supportedFeatures(), flag)) macros.emplace_back("IRIS_FEATURE_" + flag, "");
+  }
+  // Our own extension has one rule for both lists: what is there has its macro.
+  for (const auto* list : {&properties.orrisRequiredFeatures, &properties.orrisOptionalFeatures}) {
+    for (const std::string& flag : *list) {
+      if (contains(supportedOrrisFeatures(), flag))
+        macros.emplace_back("ORRIS_FEATURE_" + flag, "");
+    }
+  }
+  constexpr const char* kColorSpaces[] = {"SRGB", "DCI_P3", "DISPLAY_P3", "REC2020", "ADOBE_RGB"};
+  if (properties.flag("supportsColorCorrection", false)) {
+    for (int i = 0; i < 5; ++i) {
+      macros.emplace_back(std::string("COLOR_SPACE_") + kColorSpaces[i], std::to_string(i));
+    }
+  }
+  return macros;
+}
+
+}  // namespace orris

@@ -1,0 +1,143 @@
+#include "pack/id_map.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "pack/block_tags.h"
+#include "pack/properties_text.h"
+#include "pack/text.h"
+
+namespace orris {
+namespace {
+
+constexpr long long kHighestId = 2147483646;
+
+std::string withNamespace(std::string_view name) {
+  return (name.find(':') == std::string_view::npos ? "minecraft:" : "") + std::string(name);
+}
+
+/// Entries of a file in order of their keys; a line without a key that was meant to be a continued
+/// one is reported.
+std::vector<PropertyEntry> idEntries(const std::string& file, const std::string& text,
+                                     const std::vector<std::string_view>& prefixes,
+                                     Diagnostics& diagnostics) {
+  auto entries = lastValues(parseProperties(file, text, Continuation::Preprocessed));
+  std::erase_if(entries, [&](const PropertyEntry& entry) {
+    const bool known = std::any_of(prefixes.begin(), prefixes.end(),
+                                   [&](auto& prefix) { return entry.key.starts_with(prefix); });
+    if (!known && entry.sourceLine.find('=') == std::string::npos) {
+      diagnostics.push_back(propertyDiagnostic(
+          Severity::Warning, "id-stray-line", entry, "this line belongs to no key and is ignored",
+          fmt::format("end the line before it with a backslash, or start it with {}",
+                      prefixes.front())));
+    }
+    return !known;
+  });
+  return entries;
+}
+
+/// The number after the prefix; nullopt and a warning when it is none.
+std::optional<int> parseId(const PropertyEntry& entry, size_t prefix, Diagnostics& diagnostics) {
+  const auto id = parseInteger(std::string_view(entry.key).substr(prefix));
+  if (id && *id >= 0 && *id <= kHighestId) return static_cast<int>(*id);
+  diagnostics.push_back(propertyDiagnostic(
+      Severity::Warning, "id-number", entry,
+      fmt::format("{} has no id; the line is ignored", entry.key), "ids are whole numbers from 0"));
+  return std::nullopt;
+}
+
+/// "[%][ns:]name[:property=value...]". Iris: BlockEntry, TagEntry.
+BlockFilter parseFilter(const PropertyEntry& entry, std::string_view word, int id,
+                        Diagnostics& diagnostics) {
+  BlockFilter filter{.isTag = word.starts_with('%'), .id = id};
+  if (filter.isTag) word.remove_prefix(1);
+  const auto parts = splitAt(word, ':');
+  const bool hasNamespace = parts.size() > 1 && parts[1].find('=') == std::string_view::npos;
+  filter.name = withNamespace(parts[0]);
+  if (hasNamespace) filter.name = std::string(parts[0]) + ":" + std::string(parts[1]);
+  for (size_t i = hasNamespace ? 2 : 1; i < parts.size(); ++i) {
+    const size_t equals = parts[i].find('=');
+    if (equals == std::string_view::npos) {
+      diagnostics.push_back(
+          propertyDiagnostic(Severity::Warning, "id-state", entry,
+                             fmt::format("\"{}\" in {} is no property=value", parts[i], word)));
+      continue;
+    }
+    std::vector<std::string> values;
+    for (const auto value : splitAt(parts[i].substr(equals + 1), ',')) values.emplace_back(value);
+    filter.properties.emplace_back(parts[i].substr(0, equals), std::move(values));
+  }
+  return filter;
+}
+
+bool matches(const BlockFilter& filter, const std::string& name,
+             const std::map<std::string, std::string>& properties) {
+  if (filter.isTag ? !hasBlockTag(name, filter.name) : filter.name != name) return false;
+  return std::all_of(filter.properties.begin(), filter.properties.end(), [&](const auto& wanted) {
+    const auto found = properties.find(wanted.first);
+    return found != properties.end() && std::find(wanted.second.begin(), wanted.second.end(),
+                                                  found->second) != wanted.second.end();
+  });
+}
+
+void addLayer(const PropertyEntry& entry, std::string_view layer, BlockIdMap& map,
+              Diagnostics& diagnostics) {
+  static const std::vector<std::string> kLayers{"solid", "cutout", "cutout_mipped", "translucent"};
+  if (std::find(kLayers.begin(), kLayers.end(), layer) == kLayers.end()) {
+    diagnostics.push_back(propertyDiagnostic(Severity::Warning, "id-layer", entry,
+                                             fmt::format("there is no render layer {}", layer),
+                                             "layers are " + joinNames(kLayers)));
+    return;
+  }
+  for (const std::string& block : splitBlanks(entry.value)) {
+    map.renderLayers[withNamespace(block)] =
+        layer == "cutout_mipped" ? "cutout" : std::string(layer);
+  }
+}
+
+}  // namespace
+
+int BlockIdMap::idOf(const std::string& name,
+                     const std::map<std::string, std::string>& properties) const {
+  // A block that is named always wins over its tags.
+  for (const bool tags : {false, true}) {
+    for (const BlockFilter& filter : filters) {
+      if (filter.isTag == tags && matches(filter, name, properties)) return filter.id;
+    }
+  }
+  return -1;
+}
+
+BlockIdMap parseBlockProperties(const std::string& file, const std::string& text,
+                                Diagnostics& diagnostics) {
+  constexpr std::string_view kBlock = "block.", kLayer = "layer.";
+  BlockIdMap map;
+  map.present = true;
+  for (const PropertyEntry& entry : idEntries(file, text, {kBlock, kLayer}, diagnostics)) {
+    if (entry.key.starts_with(kLayer)) {
+      addLayer(entry, std::string_view(entry.key).substr(kLayer.size()), map, diagnostics);
+    } else if (const auto id = parseId(entry, kBlock.size(), diagnostics)) {
+      for (const std::string& word : splitBlanks(entry.value)) {
+        map.filters.push_back(parseFilter(entry, word, *id, diagnostics));
+      }
+    }
+  }
+  return map;
+}
+
+std::map<std::string, int> parseIdProperties(const std::string& file, const std::string& text,
+                                             const std::string& prefix, Diagnostics& diagnostics) {
+  std::map<std::string, int> ids;
+  for (const PropertyEntry& entry : idEntries(file, text, {prefix}, diagnostics)) {
+    const auto id = parseId(entry, prefix.size(), diagnostics);
+    if (!id) continue;
+    for (const std::string& word : splitBlanks(entry.value)) {
+      if (word.find('=') == std::string::npos) ids[withNamespace(word)] = *id;
+    }
+  }
+  return ids;
+}
+
+}  // namespace orris

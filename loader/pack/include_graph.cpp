@@ -1,0 +1,190 @@
+#include "pack/include_graph.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "core/pack_path.h"
+#include "pack/text.h"
+
+namespace orris {
+namespace {
+
+constexpr int kDeepestInclude = 256;
+constexpr size_t kMostLines = 2'000'000;
+constexpr std::string_view kInclude = "#include";
+
+/// Walks depth first, so that the open files are the chain of includes.
+class Reader {
+ public:
+  Reader(const FileSource& source, Diagnostics& diagnostics, IncludeGraph& graph)
+      : source_(source), diagnostics_(diagnostics), graph_(graph) {}
+
+  /// `path` is known to exist.
+  void visit(const std::string& path) {
+    const FileLines& lines = graph_.files[path] = splitLines(source_.read(path).value_or(""));
+    for (size_t i = 0; i < lines.size(); ++i) {
+      const std::string_view line = trim(lines[i]);
+      if (line.starts_with(kInclude)) include(path, static_cast<int>(i) + 1, lines[i]);
+    }
+  }
+
+ private:
+  struct Open {
+    std::string file;
+    int line;
+  };
+
+  void include(const std::string& from, int line, const std::string& text) {
+    open_.push_back({from, line});
+    if (const auto target = resolve(from, line, text)) {
+      graph_.includes[from][line] = *target;
+      const bool isOpen =
+          std::any_of(open_.begin(), open_.end(), [&](const Open& o) { return o.file == *target; });
+      if (isOpen) {
+        reportCycle(*target, text);
+      } else if (!graph_.files.contains(*target)) {
+        if (open_.size() > kDeepestInclude) {
+          report("include-too-deep", text,
+                 fmt::format("includes are nested deeper than {} files", kDeepestInclude), "");
+        } else {
+          visit(*target);
+        }
+      }
+    }
+    open_.pop_back();
+  }
+
+  /// The file that the line names; nullopt when reported as an error.
+  std::optional<std::string> resolve(const std::string& from, int, const std::string& text) {
+    std::string_view written = trim(trim(text).substr(kInclude.size()));
+    if (written.starts_with('"')) written.remove_prefix(1);
+    const size_t quote = written.find('"');
+    if (written.empty() || (quote != std::string_view::npos && quote + 1 != written.size())) {
+      report("include-syntax", text, "expected one path in quotes and nothing after it",
+             "write #include \"/lib/name.glsl\", the comment on its own line");
+      return std::nullopt;
+    }
+    written = written.substr(0, quote);
+    const auto target = resolvePackPath(from, written);
+    if (!target) {
+      report("include-escape", text, fmt::format("\"{}\" leads out of the shaders folder", written),
+             "paths start at shaders/ with / or at the folder of this file");
+    } else if (!source_.contains(*target)) {
+      report("include-missing", text, fmt::format("no such file: {}", *target),
+             nearestFile(*target));
+    } else {
+      return target;
+    }
+    return std::nullopt;
+  }
+
+  std::string nearestFile(const std::string& path) const {
+    const std::string hint = suggest(path, source_.files());
+    return hint.empty() ? "a missing #include refuses the whole pack, even in an inactive branch"
+                        : hint;
+  }
+
+  void reportCycle(const std::string& target, const std::string& text) {
+    std::string cycle;
+    const auto first =
+        std::find_if(open_.begin(), open_.end(), [&](const Open& o) { return o.file == target; });
+    for (auto it = first; it != open_.end(); ++it) cycle += it->file + " -> ";
+    report("include-cycle", text, "include cycle: " + cycle + target,
+           "include guards do not help: includes are expanded before any #ifdef");
+  }
+
+  void report(std::string id, const std::string& text, std::string message, std::string hint) {
+    const Open& here = open_.back();
+    Diagnostic diagnostic{.severity = Severity::Error,
+                          .id = std::move(id),
+                          .at = {here.file, here.line, static_cast<int>(text.find('#')) + 1},
+                          .message = std::move(message),
+                          .sourceLine = text,
+                          .hint = std::move(hint)};
+    for (size_t i = open_.size() - 1; i-- > 0;) {
+      diagnostic.includedFrom.push_back({.file = open_[i].file, .line = open_[i].line});
+    }
+    diagnostics_.push_back(std::move(diagnostic));
+  }
+
+  const FileSource& source_;
+  Diagnostics& diagnostics_;
+  IncludeGraph& graph_;
+  std::vector<Open> open_;
+};
+
+class Flattener {
+ public:
+  Flattener(const IncludeGraph& graph, const std::map<std::string, FileLines>& files,
+            FlatSource& flat)
+      : graph_(graph), files_(files), flat_(flat) {}
+
+  /// False when the result is too large.
+  bool expand(const std::string& path, int parent, int parentLine) {
+    const int site = static_cast<int>(flat_.sites.size());
+    flat_.sites.push_back({path, parent, parentLine});
+    const auto found = files_.find(path);
+    if (found == files_.end()) return true;
+    const auto includes = graph_.includes.find(path);
+    for (size_t i = 0; i < found->second.size(); ++i) {
+      const int line = static_cast<int>(i) + 1;
+      if (includes != graph_.includes.end()) {
+        if (const auto target = includes->second.find(line); target != includes->second.end()) {
+          if (!expand(target->second, site, line)) return false;
+          continue;
+        }
+      }
+      if (flat_.lines.size() >= kMostLines) return false;
+      flat_.lines.push_back({found->second[i], site, line});
+    }
+    // Empty files can still be included without end.
+    return flat_.sites.size() < kMostLines;
+  }
+
+ private:
+  const IncludeGraph& graph_;
+  const std::map<std::string, FileLines>& files_;
+  FlatSource& flat_;
+};
+
+}  // namespace
+
+IncludeGraph readIncludeGraph(const FileSource& source, const std::vector<std::string>& entries,
+                              Diagnostics& diagnostics) {
+  IncludeGraph graph;
+  for (const std::string& entry : entries) {
+    if (!graph.files.contains(entry)) Reader(source, diagnostics, graph).visit(entry);
+  }
+  return graph;
+}
+
+FlatSource flatten(const IncludeGraph& graph, const std::map<std::string, FileLines>& files,
+                   const std::string& entry, Diagnostics& diagnostics) {
+  FlatSource flat;
+  if (!Flattener(graph, files, flat).expand(entry, -1, 0)) {
+    diagnostics.push_back(
+        {.severity = Severity::Error,
+         .id = "source-too-large",
+         .at = {.file = entry},
+         .message = fmt::format("more than {} lines with all includes", kMostLines)});
+  }
+  return flat;
+}
+
+std::vector<std::string> reachableFiles(const IncludeGraph& graph, const std::string& entry) {
+  std::set<std::string> seen{entry};
+  std::vector<std::string> open{entry};
+  while (!open.empty()) {
+    const auto includes = graph.includes.find(open.back());
+    open.pop_back();
+    if (includes == graph.includes.end()) continue;
+    for (const auto& [line, target] : includes->second) {
+      if (seen.insert(target).second) open.push_back(target);
+    }
+  }
+  return {seen.begin(), seen.end()};
+}
+
+}  // namespace orris

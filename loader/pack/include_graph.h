@@ -1,0 +1,35 @@
+// All files a pack's programs reach through #include, each read once.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/file_source.h"
+#include "glsl/source_map.h"
+#include "pack/options.h"
+
+namespace orris {
+
+/// The #include edges between files; they do not depend on options or conditionals.
+struct IncludeGraph {
+  std::map<std::string, FileLines> files;                      ///< every reachable file
+  std::map<std::string, std::map<int, std::string>> includes;  ///< file -> line (from 1) -> target
+};
+
+/// Reads `entries` and all that they include. Missing files, cycles, paths that leave the root and
+/// malformed lines are located errors with the chain of includes.
+/// Contract: options.csv inc.syntax, inc.always, inc.cycle.
+IncludeGraph readIncludeGraph(const FileSource& source, const std::vector<std::string>& entries,
+                              Diagnostics& diagnostics);
+
+/// The entry with its includes in place. `files` are those of the graph with options applied; the
+/// graph must be free of errors. Stops with an error when the result would exceed two million lines.
+FlatSource flatten(const IncludeGraph& graph, const std::map<std::string, FileLines>& files,
+                   const std::string& entry, Diagnostics& diagnostics);
+
+/// `entry` and all files that it reaches, sorted.
+std::vector<std::string> reachableFiles(const IncludeGraph& graph, const std::string& entry);
+
+}  // namespace orris

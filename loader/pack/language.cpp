@@ -1,0 +1,24 @@
+#include "pack/language.h"
+
+#include "pack/properties_text.h"
+#include "pack/text.h"
+
+namespace orris {
+
+std::map<std::string, std::map<std::string, std::string>> readLanguages(const FileSource& source) {
+  constexpr std::string_view kFolder = "/lang/", kSuffix = ".lang";
+  std::map<std::string, std::map<std::string, std::string>> languages;
+  for (const std::string& path : source.files()) {
+    if (!path.starts_with(kFolder)) continue;
+    const std::string name = lowerCase(path.substr(kFolder.size()));
+    if (!name.ends_with(kSuffix) || name.find('/') != std::string::npos) continue;
+    auto& texts = languages[name.substr(0, name.size() - kSuffix.size())];
+    for (PropertyEntry& entry :
+         parseProperties(path, source.read(path).value_or(""), Continuation::Java)) {
+      texts[entry.key] = std::move(entry.value);
+    }
+  }
+  return languages;
+}
+
+}  // namespace orris

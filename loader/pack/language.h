@@ -1,0 +1,14 @@
+// Texts of option screens. Contract: options.csv lang.files, lang.keys.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "core/file_source.h"
+
+namespace orris {
+
+/// Every lang/<code>.lang, by lower-case code: key -> text.
+std::map<std::string, std::map<std::string, std::string>> readLanguages(const FileSource& source);
+
+}  // namespace orris

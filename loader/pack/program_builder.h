@@ -1,0 +1,54 @@
+// From the files of one program to texts that compile: flatten, preprocess, read directives, rewrite.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "glsl/preprocessor.h"
+#include "pack/include_graph.h"
+#include "pack/shader_pack.h"
+
+namespace orris {
+
+/// The entry files of one program of one folder.
+struct ProgramEntry {
+  ProgramFile name;                                           ///< of any of its files
+  std::vector<std::pair<Stage, std::string>> stages;          ///< drawing stages, vertex first
+  std::vector<std::pair<std::string, std::string>> computes;  ///< name, file; in dispatch order
+};
+
+/// The programs of `folder` among `paths`, in frame order then name, dh_* left out. `isEnabled` is
+/// asked per file with its name without extension ("world0/composite_a"). Contract:
+/// programs.csv, contract/README "Loading order" 6.
+std::vector<ProgramEntry> listPrograms(const std::vector<std::string>& paths,
+                                       const std::string& folder, bool tessellation,
+                                       const std::function<bool(const std::string&)>& isEnabled);
+
+/// What building one program yields besides the program.
+struct BuiltProgram {
+  ProgramSource source;
+  std::vector<ConstLine> constLines;  ///< of the fragment stage
+  std::vector<IncludeSite> sites;     ///< of the fragment stage
+  Diagnostics diagnostics;
+};
+
+/// What all programs of a pack share while they are built.
+struct BuildContext {
+  const IncludeGraph& graph;
+  const std::map<std::string, FileLines>& files;
+  const ShaderProperties& properties;
+  const MacroDefinitions& macros;
+  /// Of each file, the names of options it mentions.
+  const std::map<std::string, std::vector<std::string>>& mentions;
+};
+
+/// All programs, on two threads; the result does not depend on which thread did what.
+std::vector<BuiltProgram> buildPrograms(const std::vector<ProgramEntry>& entries,
+                                        const BuildContext& context);
+
+/// Of each file, the sorted names of options whose words occur in it.
+std::map<std::string, std::vector<std::string>> findMentions(
+    const std::map<std::string, FileLines>& files, const OptionSet& options);
+
+}  // namespace orris

@@ -1,0 +1,139 @@
+#include "pack/properties_text.h"
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+
+#include "pack/text.h"
+
+namespace orris {
+namespace {
+
+bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\f'; }
+
+std::string_view skipBlanks(std::string_view text) {
+  const auto begin = std::find_if_not(text.begin(), text.end(), isBlank);
+  return text.substr(static_cast<size_t>(begin - text.begin()));
+}
+
+bool endsInBackslash(std::string_view line) {
+  const size_t last = line.find_last_not_of('\\');
+  return (line.size() - (last == std::string_view::npos ? 0 : last + 1)) % 2 == 1;
+}
+
+/// Joins the lines of one entry, starting at `index`, which is left on its last line.
+std::string joinContinued(const std::vector<std::string>& lines, size_t& index,
+                          Continuation continuation) {
+  const bool lenient = continuation == Continuation::Preprocessed;
+  std::string joined(skipBlanks(lines[index]));
+  if (lenient) joined = trim(joined);
+  while (endsInBackslash(joined)) {
+    joined.pop_back();
+    if (index + 1 == lines.size()) break;
+    ++index;
+    std::string_view next = skipBlanks(lines[index]);
+    if (lenient) {
+      while ((next = trim(next)).empty() && index + 1 < lines.size()) next = lines[++index];
+    }
+    joined += next;
+  }
+  return joined;
+}
+
+void appendUtf8(std::string& out, unsigned code) {
+  if (code < 0x80) {
+    out += static_cast<char>(code);
+  } else if (code < 0x800) {
+    out += static_cast<char>(0xC0 | code >> 6);
+    out += static_cast<char>(0x80 | (code & 0x3F));
+  } else {
+    out += static_cast<char>(0xE0 | code >> 12);
+    out += static_cast<char>(0x80 | (code >> 6 & 0x3F));
+    out += static_cast<char>(0x80 | (code & 0x3F));
+  }
+}
+
+std::string unescape(std::string_view text) {
+  std::string result;
+  for (size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '\\' || i + 1 == text.size()) {
+      result += text[i];
+      continue;
+    }
+    const char c = text[++i];
+    unsigned code = 0;
+    const std::string_view digits = text.substr(i + 1, 4);
+    if (c == 'u' && digits.size() == 4 &&
+        std::from_chars(digits.data(), digits.data() + 4, code, 16).ptr == digits.data() + 4) {
+      appendUtf8(result, code);
+      i += 4;
+    } else {
+      constexpr std::string_view kLetters = "tnrf", kMeanings = "\t\n\r\f";
+      const size_t known = kLetters.find(c);
+      result += known == std::string_view::npos ? c : kMeanings[known];
+    }
+  }
+  return result;
+}
+
+/// Length of the key: up to an unescaped '=', ':' or blank.
+size_t keyLength(std::string_view line) {
+  for (size_t i = 0; i < line.size(); ++i) {
+    if (line[i] == '\\') {
+      ++i;
+    } else if (line[i] == '=' || line[i] == ':' || isBlank(line[i])) {
+      return i;
+    }
+  }
+  return line.size();
+}
+
+}  // namespace
+
+std::vector<PropertyEntry> parseProperties(const std::string& file, std::string_view text,
+                                           Continuation continuation) {
+  const std::vector<std::string> lines = splitLines(text);
+  std::vector<PropertyEntry> entries;
+  for (size_t i = 0; i < lines.size(); ++i) {
+    const std::string_view start = skipBlanks(lines[i]);
+    if (start.empty() || start.front() == '#' || start.front() == '!') continue;
+    PropertyEntry entry;
+    entry.at = {file, static_cast<int>(i) + 1,
+                static_cast<int>(lines[i].size() - start.size()) + 1};
+    entry.sourceLine = lines[i];
+    const std::string joined = joinContinued(lines, i, continuation);
+    const size_t length = keyLength(joined);
+    std::string_view value = skipBlanks(std::string_view(joined).substr(length));
+    if (!value.empty() && (value.front() == '=' || value.front() == ':')) value.remove_prefix(1);
+    entry.key = unescape(std::string_view(joined).substr(0, length));
+    entry.value = unescape(skipBlanks(value));
+    entries.push_back(std::move(entry));
+  }
+  return entries;
+}
+
+std::vector<PropertyEntry> lastValues(const std::vector<PropertyEntry>& entries) {
+  std::vector<PropertyEntry> result;
+  std::map<std::string_view, size_t> index;
+  for (const PropertyEntry& entry : entries) {
+    const auto [found, isNew] = index.try_emplace(entry.key, result.size());
+    if (isNew) {
+      result.push_back(entry);
+    } else {
+      result[found->second] = entry;
+    }
+  }
+  return result;
+}
+
+Diagnostic propertyDiagnostic(Severity severity, std::string id, const PropertyEntry& entry,
+                              std::string message, std::string hint) {
+  return {.severity = severity,
+          .id = std::move(id),
+          .at = entry.at,
+          .message = std::move(message),
+          .sourceLine = entry.sourceLine,
+          .hint = std::move(hint)};
+}
+
+}  // namespace orris

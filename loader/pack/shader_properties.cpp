@@ -1,0 +1,212 @@
+#include "pack/shader_properties.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+#include "pack/property_keys.h"
+#include "pack/text.h"
+
+namespace orris {
+namespace {
+
+constexpr std::array<std::string_view, 8> kLegacyBuffers{"gcolor", "gdepth", "gnormal", "composite",
+                                                         "gaux1",  "gaux2",  "gaux3",   "gaux4"};
+
+struct PrefixReader {
+  std::string_view prefix;
+  PropertyReader read;
+};
+// A longer prefix stands before one that it starts with.
+constexpr std::array<PrefixReader, 13> kReaders{{{"program.", readProgramEnabled},
+                                                 {"alphaTest.", readAlphaTest},
+                                                 {"blend.", readBlend},
+                                                 {"flip.", readFlip},
+                                                 {"scale.", readScale},
+                                                 {"size.buffer.", readBufferSize},
+                                                 {"indirect.", readIndirect},
+                                                 {"texture.", readTexture},
+                                                 {"customTexture.", readCustomTexture},
+                                                 {"image.", readImage},
+                                                 {"bufferObject.", readBufferObject},
+                                                 {"uniform.", readUniform},
+                                                 {"variable.", readVariable}}};
+
+/// A key with one word as value. No words: a boolean.
+struct Setting {
+  std::string_view key;
+  std::vector<std::string_view> words;
+};
+const std::vector<Setting>& settings() {
+  static const std::vector<Setting> kSettings = [] {
+    std::vector<Setting> all{{"clouds", {"off", "fast", "fancy"}},
+                             {"dhClouds", {"off", "on", "fancy"}},
+                             {"shadow.culling", {"true", "false", "reversed"}},
+                             {"particles.ordering", {"mixed", "after", "before"}}};
+    for (const std::string_view key : {"shadow.enabled",
+                                       "shadowTerrain",
+                                       "shadowTranslucent",
+                                       "shadowEntities",
+                                       "shadowPlayer",
+                                       "shadowBlockEntities",
+                                       "shadowLightBlockEntities",
+                                       "dhShadow.enabled",
+                                       "particles.before.deferred",
+                                       "separateEntityDraws",
+                                       "skipAllRendering",
+                                       "voxelizeLightBlocks",
+                                       "allowConcurrentCompute",
+                                       "prepareBeforeShadow",
+                                       "sun",
+                                       "moon",
+                                       "sky",
+                                       "stars",
+                                       "underwaterOverlay",
+                                       "vignette",
+                                       "endFlashShadows",
+                                       "oldLighting",
+                                       "oldHandLight",
+                                       "dynamicHandLight",
+                                       "separateAo",
+                                       "supportsColorCorrection",
+                                       "backFace.solid",
+                                       "backFace.cutout",
+                                       "backFace.cutoutMipped",
+                                       "backFace.translucent",
+                                       "frustum.culling",
+                                       "occlusion.culling",
+                                       "rain.depth",
+                                       "beacon.beam.depth"}) {
+      all.push_back({key, {}});
+    }
+    return all;
+  }();
+  return kSettings;
+}
+
+std::vector<std::string> settingNames() {
+  std::vector<std::string> names{"weather", "sliders", "screen"};
+  for (const Setting& setting : settings()) names.emplace_back(setting.key);
+  return names;
+}
+
+void readSetting(const PropertyContext& context, const Setting& setting) {
+  const auto& [key, value] = std::tie(context.entry.key, context.entry.value);
+  if (setting.words.empty()) {
+    if (const auto on = parseBoolean(value)) {
+      context.out.settings[key] = *on ? "true" : "false";
+    } else {
+      context.warn("property-value",
+                   fmt::format("{} is \"{}\", expected true or false", key, value));
+    }
+    return;
+  }
+  const std::string lower = lowerCase(value);
+  if (std::find(setting.words.begin(), setting.words.end(), lower) != setting.words.end()) {
+    context.out.settings[key] = lower;
+    return;
+  }
+  context.warn("property-value", fmt::format("{} is \"{}\", expected one of {}", key, value,
+                                             fmt::join(setting.words, ", ")));
+}
+
+void readWeather(const PropertyContext& context) {
+  const auto words = splitBlanks(context.entry.value);
+  const bool ok = !words.empty() && words.size() <= 2 &&
+                  std::all_of(words.begin(), words.end(), [](auto& w) { return parseBoolean(w); });
+  if (ok) {
+    context.out.settings["weather"] = context.entry.value;
+  } else {
+    context.warn("property-value", "weather expects one or two of true and false");
+  }
+}
+
+void readEntry(const PropertyContext& context) {
+  const std::string& key = context.entry.key;
+  if (key == "weather") return readWeather(context);
+  for (const Setting& setting : settings()) {
+    if (key == setting.key) return readSetting(context, setting);
+  }
+  for (const PrefixReader& reader : kReaders) {
+    if (key.starts_with(reader.prefix)) {
+      return reader.read(context, std::string_view(key).substr(reader.prefix.size()));
+    }
+  }
+  // Keys of other hosts and mods are common, so only what looks misspelt is worth a word.
+  static const std::vector<std::string> kNames = settingNames();
+  const std::string nearest = key.size() > 4 ? nearestName(key, kNames) : "";
+  if (!nearest.empty() && nearest != key) {
+    context.warn("property-unknown", fmt::format("unknown key {}", key),
+                 fmt::format("did you mean {}?", nearest));
+  }
+}
+
+/// The entries of the preprocessed text, showing the lines that the author wrote.
+std::vector<PropertyEntry> preprocessedEntries(const std::string& file, const std::string& text,
+                                               const MacroDefinitions& macros,
+                                               Diagnostics& diagnostics) {
+  const std::string preprocessed = preprocessProperties(file, text, macros, diagnostics);
+  auto entries = lastValues(parseProperties(file, preprocessed, Continuation::Preprocessed));
+  const std::vector<std::string> lines = splitLines(text);
+  for (PropertyEntry& entry : entries) {
+    const size_t index = static_cast<size_t>(entry.at.line) - 1;
+    if (index < lines.size()) entry.sourceLine = lines[index];
+  }
+  return entries;
+}
+
+}  // namespace
+
+void PropertyContext::warn(std::string id, std::string message, std::string hint) const {
+  diagnostics.push_back(propertyDiagnostic(Severity::Warning, std::move(id), entry,
+                                           std::move(message), std::move(hint)));
+}
+
+void PropertyContext::fail(std::string id, std::string message, std::string hint) const {
+  diagnostics.push_back(propertyDiagnostic(Severity::Error, std::move(id), entry,
+                                           std::move(message), std::move(hint)));
+}
+
+bool ShaderProperties::flag(const std::string& key, bool fallback) const {
+  const auto found = settings.find(key);
+  return found == settings.end() ? fallback : found->second == "true";
+}
+
+bool ShaderProperties::feature(const std::string& name) const {
+  const auto lists = [&](const std::vector<std::string>& flags) {
+    return std::find(flags.begin(), flags.end(), name) != flags.end();
+  };
+  return lists(requiredFeatures) || lists(optionalFeatures);
+}
+
+std::string canonicalBuffer(std::string_view name) {
+  const auto legacy = std::find(kLegacyBuffers.begin(), kLegacyBuffers.end(), name);
+  if (legacy == kLegacyBuffers.end()) return std::string(name);
+  return fmt::format("colortex{}", legacy - kLegacyBuffers.begin());
+}
+
+std::string knownBuffer(std::string_view name) {
+  constexpr std::string_view kPrefix = "colortex";
+  std::string canonical = canonicalBuffer(name);
+  if (!canonical.starts_with(kPrefix)) return "";
+  const std::string digits = canonical.substr(kPrefix.size());
+  const auto index = parseInteger(digits);
+  return index && *index >= 0 && *index < 16 && std::to_string(*index) == digits ? canonical : "";
+}
+
+ShaderProperties parseShaderProperties(const std::string& file, const std::string& text,
+                                       const MacroDefinitions& macros, const OptionSet& options,
+                                       Diagnostics& diagnostics) {
+  ShaderProperties properties;
+  for (const PropertyEntry& entry : preprocessedEntries(file, text, macros, diagnostics)) {
+    readEntry({properties, entry, options, diagnostics});
+  }
+  const auto original = lastValues(parseProperties(file, text, Continuation::Java));
+  readProfiles(original, properties, options, diagnostics);
+  readScreens(original, properties, options, diagnostics);
+  return properties;
+}
+
+}  // namespace orris
