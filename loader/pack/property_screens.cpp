@@ -171,10 +171,10 @@ void checkScreens(const std::vector<PropertyEntry>& entries, const ShaderPropert
       if (word == "*" || word == "<profile>" || word == "<empty>" || options.find(word)) continue;
       const bool link = word.size() > 2 && word.front() == '[' && word.back() == ']';
       if (link && isScreen(word.substr(1, word.size() - 2))) continue;
-      diagnostics.push_back(propertyDiagnostic(
-          Severity::Warning, "screen-option", entry,
-          (link ? "there is no screen " : "the pack has no option ") + word,
-          link ? "" : suggest(word, optionNames(options))));
+      diagnostics.push_back(
+          propertyDiagnostic(Severity::Warning, "screen-option", entry,
+                             (link ? "there is no screen " : "the pack has no option ") + word,
+                             link ? "" : suggest(word, optionNames(options))));
     }
   }
 }

@@ -134,6 +134,7 @@ void readEntry(const PropertyContext& context) {
       return reader.read(context, std::string_view(key).substr(reader.prefix.size()));
     }
   }
+  if (key.starts_with("screen.") || key.starts_with("profile.")) return;
   // Keys of other hosts and mods are common, so only what looks misspelt is worth a word.
   static const std::vector<std::string> kNames = settingNames();
   const std::string nearest = key.size() > 4 ? nearestName(key, kNames) : "";
