@@ -26,7 +26,9 @@ constexpr std::array<StageNames, 6> kStages = {{
 // In this order: names are settled before the rules that read declarations, and the version is set
 // last because the others ask for the pack's.
 constexpr void (*kRules[])(RewriteContext&) = {
-    ruleExtensions, ruleAttributeVarying, ruleTextureFunctions, ruleTextureName, ruleVersion,
+    ruleExtensions,    ruleAttributeVarying, ruleTextureFunctions, ruleTextureName,
+    ruleReservedNames, ruleStraySemicolon,   ruleUnusedFunctions,  ruleGlobalConst,
+    ruleMixBool,       ruleOutColor,         ruleHostNames,        ruleVersion,
 };
 
 bool writesFragData(const TokenStream& stream, Stage stage) {

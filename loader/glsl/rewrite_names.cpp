@@ -6,6 +6,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "glsl/outline.h"
 #include "glsl/rewrite_rules.h"
 
 namespace orris {
@@ -101,11 +102,46 @@ const TextureFunction* textureFunction(std::string_view name) {
   return found == kByName.end() ? nullptr : found->second;
 }
 
+struct ReservedWord {
+  std::string_view word;
+  int since;  // first GLSL version that reserves it
+};
+
+constexpr ReservedWord kReservedWords[] = {
+    {"sample", 1000},  {"patch", 400},     {"subroutine", 400},    {"precise", 400},
+    {"buffer", 430},   {"shared", 430},    {"coherent", 420},      {"restrict", 420},
+    {"readonly", 420}, {"writeonly", 420}, {"resource", 420},      {"atomic_uint", 420},
+    {"smooth", 130},   {"flat", 130},      {"noperspective", 130}, {"layout", 140},
+    {"case", 130},     {"uint", 130},      {"common", 130},        {"partition", 130},
+    {"active", 130},   {"filter", 130},    {"superp", 130},
+};
+
+// 0 for a word that is not reserved.
+int reservedSince(std::string_view word) {
+  static const std::unordered_map<std::string_view, int> kByWord = [] {
+    std::unordered_map<std::string_view, int> map;
+    for (const ReservedWord& reserved : kReservedWords) map.emplace(reserved.word, reserved.since);
+    return map;
+  }();
+  const auto found = kByWord.find(word);
+  return found == kByWord.end() ? 0 : found->second;
+}
+
 // "vec4 texture2D(": a type before the name makes it a definition or prototype, not a call.
 bool isDeclaredHere(const std::vector<Token>& tokens, std::size_t name) {
   const std::size_t before = previousCode(tokens, name);
   if (before >= tokens.size() || tokens[before].kind != TokenKind::Identifier) return false;
   return tokens[before].text != "return" && tokens[before].text != "else";
+}
+
+// "float sample =": a type before the name and the rest of a declarator after it.
+bool isNameDeclaredHere(const std::vector<Token>& tokens, std::size_t name) {
+  const std::size_t before = previousCode(tokens, name);
+  if (!isDeclaredHere(tokens, name) || isQualifier(tokens[before].text)) return false;
+  constexpr std::array<std::string_view, 6> kAfterName = {";", ",", "=", ")", "[", "("};
+  return std::any_of(kAfterName.begin(), kAfterName.end(), [&tokens, name](std::string_view text) {
+    return followedBy(tokens, name, text);
+  });
 }
 
 void rename(RewriteContext& context, std::string_view rule, Token& token, std::string_view name) {
@@ -185,6 +221,26 @@ void ruleTextureName(RewriteContext& context) {
     if (!name.empty() && !followedBy(tokens, i, "(")) {
       rename(context, "texture-name", tokens[i], name);
     }
+  }
+}
+
+// A word that newer GLSL reserves, used as a name: "float sample = ...". Where it stands before
+// another word it is the qualifier and stays. Iris renames `sample` in every version.
+void ruleReservedNames(RewriteContext& context) {
+  auto& tokens = context.stream.tokens;
+  std::unordered_set<std::string> names;
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    if (tokens[i].kind != TokenKind::Identifier || names.contains(tokens[i].text)) continue;
+    if (context.packVersion < reservedSince(tokens[i].text) && isNameDeclaredHere(tokens, i)) {
+      names.insert(tokens[i].text);
+    }
+  }
+  if (names.empty()) return;
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    if (tokens[i].kind != TokenKind::Identifier || !names.contains(tokens[i].text)) continue;
+    const std::size_t next = nextCode(tokens, i);
+    if (next < tokens.size() && tokens[next].kind == TokenKind::Identifier) continue;
+    rename(context, "reserved-names", tokens[i], "orris_" + tokens[i].text);
   }
 }
 
