@@ -71,10 +71,15 @@ class ExpressionTypes {
   }
 
  private:
-  // "bool a, b = c < d;" or "bool f(": notes the names.
+  bool isIdentifierAt(std::size_t i) const {
+    return i < tokens_.size() && tokens_[i].kind == TokenKind::Identifier;
+  }
+
+  // "bool a, b = c < d;" or "bool f(": notes the names. In "bool a, float b" the list is one of
+  // parameters and ends with a.
   void addBoolNames(std::size_t type) {
     std::size_t i = nextCode(tokens_, type);
-    while (i < tokens_.size() && tokens_[i].kind == TokenKind::Identifier) {
+    while (isIdentifierAt(i) && !isIdentifierAt(nextCode(tokens_, i))) {
       boolNames_.insert(tokens_[i].text);
       i = nextCode(tokens_, i);
       while (i < tokens_.size() && !endsDeclarator(tokens_[i])) {
