@@ -146,8 +146,15 @@ void JsonReader::optional(const JsonNode& object, const std::string& key, Intege
 
 void JsonReader::optional(const JsonNode& object, const std::string& key, RealRange range,
                           float& target) {
+  double value = target;
+  optional(object, key, range, value);
+  target = float(value);
+}
+
+void JsonReader::optional(const JsonNode& object, const std::string& key, RealRange range,
+                          double& target) {
   const JsonNode* node = object.find(key);
-  if (node) target = float(number(*node, member(key), range).value_or(target));
+  if (node) target = number(*node, member(key), range).value_or(target);
 }
 
 void JsonReader::optional(const JsonNode& object, const std::string& key, RealRange range,

@@ -43,6 +43,7 @@ class JsonReader {
   // Members that may be absent: `target` keeps its value then.
   void optional(const JsonNode& object, const std::string& key, IntegerRange range, int& target);
   void optional(const JsonNode& object, const std::string& key, RealRange range, float& target);
+  void optional(const JsonNode& object, const std::string& key, RealRange range, double& target);
   void optional(const JsonNode& object, const std::string& key, RealRange range, glm::vec3& target);
   void optional(const JsonNode& object, const std::string& key, std::string& target);
 

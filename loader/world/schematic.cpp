@@ -181,18 +181,25 @@ struct SchematicReader {
 
 }  // namespace
 
-std::optional<BlockWorld> parseSchematic(std::string_view bytes, const std::string& name,
-                                         Diagnostics& diagnostics, std::int64_t maximumBlocks) {
+std::optional<BlockWorld> parseSchematicTags(std::string_view tags, const std::string& name,
+                                             Diagnostics& diagnostics, std::int64_t maximumBlocks) {
   SchematicReader reader{name, diagnostics, maximumBlocks};
-  std::string data;
-  if (!reader.decompress(bytes, data)) return std::nullopt;
   NbtError error;
-  const std::optional<NbtTag> root = parseNbt(data, error);
+  const std::optional<NbtTag> root = parseNbt(tags, error);
   if (!root) {
     reader.fail(fmt::format("{} (byte {} of the decompressed data)", error.message, error.offset));
     return std::nullopt;
   }
   return reader.read(*root);
+}
+
+std::optional<BlockWorld> parseSchematic(std::string_view bytes, const std::string& name,
+                                         Diagnostics& diagnostics, std::int64_t maximumBlocks) {
+  std::string tags;
+  if (!SchematicReader{name, diagnostics, maximumBlocks}.decompress(bytes, tags)) {
+    return std::nullopt;
+  }
+  return parseSchematicTags(tags, name, diagnostics, maximumBlocks);
 }
 
 }  // namespace orris

@@ -16,4 +16,9 @@ std::optional<BlockWorld> parseSchematic(std::string_view bytes, const std::stri
                                          Diagnostics& diagnostics,
                                          std::int64_t maximumBlocks = kMaxWorldBlocks);
 
+/// The same from the decompressed tags.
+std::optional<BlockWorld> parseSchematicTags(std::string_view tags, const std::string& name,
+                                             Diagnostics& diagnostics,
+                                             std::int64_t maximumBlocks = kMaxWorldBlocks);
+
 }  // namespace orris

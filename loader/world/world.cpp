@@ -2,10 +2,12 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
+#include "world/block_facts.h"
 #include "world/schematic.h"
 #include "world/world_json.h"
 
@@ -48,6 +50,21 @@ void addError(Diagnostics& diagnostics, const std::string& file, std::string mes
   diagnostics.push_back(std::move(diagnostic));
 }
 
+/// Adds what may appear later or along with the blocks: the states that events set and the water of
+/// waterlogged blocks. Facts and textures of the palette then serve every frame.
+void completePalette(World& world) {
+  for (const Event& event : world.events) {
+    if (const auto* set = std::get_if<SetBlock>(&event.action))
+      world.blocks.paletteIndex(set->state);
+  }
+  const BlockTable table;
+  const std::vector<BlockState>& palette = world.blocks.palette();
+  const bool waterlogged =
+      std::any_of(palette.begin(), palette.end(),
+                  [&](const BlockState& state) { return table.factsOf(state).waterlogged; });
+  if (waterlogged) world.blocks.paletteIndex({"minecraft:water", {}});
+}
+
 std::optional<World> loadSchematic(const fs::path& path, Diagnostics& diagnostics) {
   const std::optional<std::string> bytes = readWholeFile(path);
   if (!bytes) {
@@ -61,6 +78,7 @@ std::optional<World> loadSchematic(const fs::path& path, Diagnostics& diagnostic
   world.exercises = "a schematic";
   world.blocks = std::move(*blocks);
   world.cameras = defaultCameras(world.blocks);
+  completePalette(world);
   return world;
 }
 
@@ -79,7 +97,9 @@ std::optional<World> loadJson(const fs::path& path, unsigned seed, Diagnostics& 
   json.defaultName = fs::weakly_canonical(folder, problem).filename().string();
   json.seed = seed;
   json.readFile = [&](const std::string& name) { return readInside(folder, name); };
-  return parseWorldJson(json, diagnostics);
+  std::optional<World> world = parseWorldJson(json, diagnostics);
+  if (world) completePalette(*world);
+  return world;
 }
 
 }  // namespace

@@ -65,7 +65,8 @@ struct World {
 };
 
 /// Loads a folder with world.json, a world.json, or a Sponge .schem (v2). Numeric limits: 512 blocks
-/// an axis and 2^27 blocks in all. `seed` drives generated worlds.
+/// an axis and 2^27 blocks in all. `seed` drives generated worlds. The palette also holds the states
+/// that events set, so that facts and textures made from it serve every frame.
 std::optional<World> loadWorld(const std::string& path, unsigned seed, Diagnostics& diagnostics);
 
 /// Cameras for a world without any: "default" looks at the box from a corner outside, "inside" from

@@ -6,6 +6,7 @@
 
 #include "core/pack_path.h"
 #include "world/schematic.h"
+#include "world/terrain.h"
 
 namespace orris {
 namespace {
@@ -48,6 +49,7 @@ class BlockOperations {
         {"block", {"block", "at"}, &BlockOperations::applyBlock},
         {"layers", {"layers", "at"}, &BlockOperations::applyLayers},
         {"from", {"from", "at"}, &BlockOperations::applyFile},
+        {"generate", {"generate"}, &BlockOperations::applyGenerator},
     };
     return table;
   }
@@ -269,6 +271,26 @@ class BlockOperations {
     const auto at = position(node, world);
     const auto file = readFile(*node.find("from"));
     if (at && file) copy(*file, *at, world);
+  }
+
+  void applyGenerator(const JsonNode& node, BlockWorld& world) {
+    const JsonNode& generator = *node.find("generate");
+    if (!reader_.object(generator, "\"generate\"", {"terrain"})) return;
+    const JsonNode* terrain = reader_.required(generator, "terrain", "\"generate\"");
+    if (!terrain || !reader_.object(*terrain, "\"terrain\"",
+                                    {"seed", "seaLevel", "relief", "trees", "plants"})) {
+      return;
+    }
+    int seed = 0;
+    TerrainSettings settings;
+    const RealRange share{0, 1};
+    reader_.optional(*terrain, "seed", IntegerRange{0, 1 << 30}, seed);
+    reader_.optional(*terrain, "seaLevel", IntegerRange{0, kMaxWorldSize}, settings.seaLevel);
+    reader_.optional(*terrain, "relief", IntegerRange{0, kMaxWorldSize}, settings.relief);
+    reader_.optional(*terrain, "trees", share, settings.trees);
+    reader_.optional(*terrain, "plants", share, settings.plants);
+    settings.seed = unsigned(seed) + json_.seed;
+    generateTerrain(world, settings);
   }
 
   std::optional<BlockWorld> readFile(const JsonNode& node) {
