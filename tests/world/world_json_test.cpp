@@ -1,0 +1,158 @@
+#include "world/world_json.h"
+
+#include <gtest/gtest.h>
+
+#include "nbt_builder.h"
+#include "world_helpers.h"
+
+namespace orris {
+namespace {
+
+TEST(WorldJson, smallest_world_has_defaults) {
+  const ParsedWorld parsed = parseWorld(R"({"size": [3, 4, 5]})");
+  ASSERT_TRUE(parsed.world) << parsed.errors;
+  EXPECT_EQ(parsed.world->name, "unnamed");
+  EXPECT_EQ(parsed.world->blocks.size(), glm::ivec3(3, 4, 5));
+  EXPECT_EQ(parsed.world->environment.time, 6000);
+  ASSERT_FALSE(parsed.world->cameras.empty());
+  EXPECT_EQ(parsed.world->cameras[0].name, "default");
+}
+
+TEST(WorldJson, operations_apply_in_order) {
+  const ParsedWorld parsed = parseWorld(R"({"size": [5, 5, 5], "origin": [10, 0, -5], "blocks": [
+    {"box": "stone", "min": [10, 0, -5], "max": [14, 4, -1]},
+    {"box": "air", "min": [11, 1, -4], "max": [13, 3, -2]},
+    {"hollow": "glass", "min": [10, 0, -5], "max": [14, 4, -1]},
+    {"replace": "glass", "with": "dirt", "min": [10, 0, -5], "max": [14, 0, -1]},
+    {"block": "torch", "at": [12, 1, -3]},
+    {"block": "lantern[hanging=true]", "at": [[11, 3, -4], [13, 3, -2]]}]})");
+  ASSERT_TRUE(parsed.world) << parsed.errors;
+  const BlockWorld& blocks = parsed.world->blocks;
+  EXPECT_EQ(blocks.at({12, 0, -3}).name, "minecraft:dirt");
+  EXPECT_EQ(blocks.at({10, 1, -5}).name, "minecraft:glass");
+  EXPECT_EQ(blocks.at({12, 2, -3}).name, "minecraft:air");
+  EXPECT_EQ(blocks.at({12, 1, -3}).name, "minecraft:torch");
+  EXPECT_EQ(blocks.at({13, 3, -2}).toString(), "minecraft:lantern[hanging=true]");
+}
+
+TEST(WorldJson, replace_with_properties_matches_the_exact_state_only) {
+  const ParsedWorld parsed = parseWorld(R"({"size": [2, 1, 1], "blocks": [
+    {"block": "oak_log[axis=x]", "at": [0, 0, 0]}, {"block": "oak_log[axis=y]", "at": [1, 0, 0]},
+    {"replace": "oak_log[axis=x]", "with": "stone"}]})");
+  ASSERT_TRUE(parsed.world) << parsed.errors;
+  EXPECT_EQ(parsed.world->blocks.at({0, 0, 0}).name, "minecraft:stone");
+  EXPECT_EQ(parsed.world->blocks.at({1, 0, 0}).name, "minecraft:oak_log");
+}
+
+TEST(WorldJson, layers_run_east_south_up_and_spaces_keep_blocks) {
+  const ParsedWorld parsed =
+      parseWorld(R"({"size": [4, 3, 3], "palette": {"a": "stone", "b": "dirt"},
+    "blocks": [{"box": "glass", "min": [0, 0, 0], "max": [3, 2, 2]},
+               {"layers": [["a b", ".a"], ["b"]], "at": [1, 1, 1]}]})");
+  ASSERT_TRUE(parsed.world) << parsed.errors;
+  const BlockWorld& blocks = parsed.world->blocks;
+  EXPECT_EQ(blocks.at({1, 1, 1}).name, "minecraft:stone");
+  EXPECT_EQ(blocks.at({2, 1, 1}).name, "minecraft:glass");
+  EXPECT_EQ(blocks.at({3, 1, 1}).name, "minecraft:dirt");
+  EXPECT_EQ(blocks.at({1, 1, 2}).name, "minecraft:air");
+  EXPECT_EQ(blocks.at({2, 1, 2}).name, "minecraft:stone");
+  EXPECT_EQ(blocks.at({1, 2, 1}).name, "minecraft:dirt");
+  EXPECT_EQ(blocks.at({0, 1, 1}).name, "minecraft:glass");
+}
+
+TEST(WorldJson, schematic_gives_the_size_or_is_placed) {
+  const WorldFileReader files = [](const std::string& path) {
+    return path == "parts/a.schem" ? std::optional(SchematicParts().file()) : std::nullopt;
+  };
+  const ParsedWorld whole = parseWorld(R"({"from": "parts/a.schem", "origin": [5, 5, 5]})", files);
+  ASSERT_TRUE(whole.world) << whole.errors;
+  EXPECT_EQ(whole.world->blocks.size(), glm::ivec3(2, 1, 2));
+  EXPECT_EQ(whole.world->blocks.at({6, 5, 5}).name, "minecraft:stone");
+  const ParsedWorld placed = parseWorld(
+      R"({"size": [4, 1, 2], "blocks": [{"from": "./parts/a.schem", "at": [3, 0, 0]}]})", files);
+  ASSERT_TRUE(placed.world) << placed.errors;
+  EXPECT_EQ(placed.world->blocks.at({3, 0, 1}).name, "minecraft:stone");
+}
+
+TEST(WorldJson, cameras_look_at_their_target) {
+  const ParsedWorld parsed = parseWorld(R"({"size": [1, 1, 1], "cameras": [
+    {"name": "a", "position": [0, 0, 0], "yaw": 90, "pitch": 10, "fov": 50},
+    {"name": "north", "position": [1, 2, 3], "target": [1, 2, -5]},
+    {"name": "east", "position": [1, 2, 3], "target": [9, 2, 3]},
+    {"name": "down", "position": [1, 2, 3], "target": [1, 1, 4]}]})");
+  ASSERT_TRUE(parsed.world) << parsed.errors;
+  const World& world = *parsed.world;
+  EXPECT_EQ(world.camera("a")->yaw, 90);
+  EXPECT_EQ(world.camera("a")->fov, 50);
+  EXPECT_NEAR(std::abs(world.camera("north")->yaw), 180, 1e-4);
+  EXPECT_NEAR(world.camera("east")->yaw, -90, 1e-4);
+  EXPECT_NEAR(world.camera("down")->pitch, 45, 1e-4);
+  EXPECT_NEAR(world.camera("down")->yaw, 0, 1e-4);
+  EXPECT_EQ(world.camera("none"), nullptr);
+}
+
+TEST(WorldJson, environment_is_read) {
+  const ParsedWorld parsed = parseWorld(R"({"size": [1, 1, 1], "environment": {"time": 13000,
+    "day": 3, "rain": 0.5, "thunder": 1, "biome": "minecraft:desert", "dimension": "the_end",
+    "renderDistance": 64, "temperature": 2, "rainfall": 0, "fogColor": [0, 0.5, 1],
+    "skyColor": [1, 0, 0]}})");
+  ASSERT_TRUE(parsed.world) << parsed.errors;
+  const Environment& environment = parsed.world->environment;
+  EXPECT_EQ(environment.time, 13000);
+  EXPECT_EQ(environment.day, 3);
+  EXPECT_EQ(environment.rain, 0.5f);
+  EXPECT_EQ(environment.thunder, 1);
+  EXPECT_EQ(environment.biome, "minecraft:desert");
+  EXPECT_EQ(environment.dimension, "the_end");
+  EXPECT_EQ(environment.renderDistance, 64);
+  EXPECT_EQ(environment.fogColor, glm::vec3(0, 0.5f, 1));
+}
+
+TEST(WorldJson, events_are_sorted_by_frame_and_keep_their_order_within_one) {
+  const ParsedWorld parsed = parseWorld(R"({"size": [2, 2, 2],
+    "cameras": [{"name": "a", "position": [7, 7, 7]}], "events": [
+    {"frame": 9, "time": 100}, {"frame": 2, "camera": "a"},
+    {"frame": 9, "option": {"name": "GI_METHOD", "value": "NONE"}},
+    {"frame": 2, "set": {"block": "torch", "at": [1, 0, 1]}},
+    {"frame": 0, "camera": {"position": [1, 1, 1]}}]})");
+  ASSERT_TRUE(parsed.world) << parsed.errors;
+  const std::vector<Event>& events = parsed.world->events;
+  ASSERT_EQ(events.size(), 5u);
+  EXPECT_EQ(std::get<MoveCamera>(events[0].action).camera.position, glm::dvec3(1));
+  EXPECT_EQ(std::get<MoveCamera>(events[1].action).camera.position, glm::dvec3(7));
+  EXPECT_EQ(std::get<SetBlock>(events[2].action).state.name, "minecraft:torch");
+  EXPECT_EQ(std::get<SetTime>(events[3].action).time, 100);
+  EXPECT_EQ(std::get<SetOption>(events[4].action).value, "NONE");
+  EXPECT_EQ(events[4].frame, 9);
+}
+
+TEST(WorldJson, terrain_depends_on_both_seeds_only) {
+  const std::string text =
+      R"({"size": [32, 40, 32], "blocks": [{"generate": {"terrain": {"seed": 3}}}]})";
+  const auto heights = [](const ParsedWorld& parsed) {
+    std::string result;
+    for (int i = 0; i < 32 * 32 * 40; ++i) {
+      result += char('a' + parsed.world->blocks.indexAt({i % 32, i / 1024, i / 32 % 32}));
+    }
+    return result;
+  };
+  const std::string first = heights(parseWorld(text));
+  EXPECT_EQ(first, heights(parseWorld(text)));
+  EXPECT_NE(first, heights(parseWorld(text, nullptr, 1)));
+}
+
+TEST(WorldJson, nothing_of_a_bad_text_crashes) {
+  const std::string text = R"({"size": [2, 2, 2], "palette": {"a": "stone"}, "blocks": [
+    {"layers": [["aa", "a."]]}, {"block": "torch", "at": [0, 1, 0]}], "cameras": [
+    {"name": "x", "position": [0, 0.5, -1e1], "target": [1, 1, 1]}], "events": []})";
+  for (std::size_t length = 0; length < text.size(); ++length) {
+    EXPECT_FALSE(parseWorld(text.substr(0, length)).world) << length;
+    std::string changed = text;
+    changed[length] = '[';
+    parseWorld(changed);
+  }
+  EXPECT_TRUE(parseWorld(text).world);
+}
+
+}  // namespace
+}  // namespace orris
