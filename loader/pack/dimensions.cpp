@@ -69,7 +69,7 @@ std::string Dimensions::resolve(const std::string& dimension) const {
   const auto known = [&](const std::string& folder) {
     return std::find(folders.begin(), folders.end(), folder) != folders.end();
   };
-  const std::string folder = "/" + dimension;
+  const std::string folder = dimension.starts_with('/') ? dimension : "/" + dimension;
   if (known(folder)) return folder;
   std::string id = withNamespace(dimension);
   for (const LegacyFolder& legacy : kLegacy) {

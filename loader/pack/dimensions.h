@@ -17,7 +17,7 @@ struct Dimensions {
   std::string base = "/";                       ///< of every other dimension
 
   /// The folder for a dimension id ("minecraft:the_nether", "the_nether") or a folder name
-  /// ("world-1"); the base folder when nothing is mapped to it.
+  /// ("world-1", "/world-1", "/"); the base folder when nothing is mapped to it.
   std::string resolve(const std::string& dimension) const;
 };
 

@@ -59,7 +59,7 @@ class Merger {
               const std::string& text) {
     const SourceLocation& first = option.at.front();
     diagnostics_.push_back(
-        {.severity = Severity::Warning,
+        {.severity = Severity::Note,
          .id = "option-ambiguous",
          .at = at,
          .message = fmt::format("{} is {} here and {} in {}:{}, so it is no option", line.name,

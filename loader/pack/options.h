@@ -39,7 +39,7 @@ class OptionSet {
 /// Text of one file, split into lines (no line ends; a NUL byte is dropped).
 using FileLines = std::vector<std::string>;
 
-/// Scans all files (path -> lines) for options; ambiguous ones are dropped with a warning.
+/// Scans all files (path -> lines) for options; ambiguous ones are dropped with a note.
 OptionSet discoverOptions(const std::map<std::string, FileLines>& files, Diagnostics& diagnostics);
 
 /// The files with the lines of changed options edited.

@@ -55,10 +55,9 @@ struct LoadRequest {
   OptionValues values;      ///< must name options and lie in their lists
   std::string profile;      ///< "" for none; applied before `values`
   OptionValues fileValues;  ///< of an option file, applied first; need not lie in the lists
-  std::string dimension =
-      "minecraft:overworld";     ///< or a folder name: "world0", "world-1", "world1"
-  MacroDefinitions environment;  ///< see standardMacros()
-  bool buildSources = true;      ///< false: options, properties and screens only
+  std::string dimension = "minecraft:overworld";  ///< or a folder: "world0", "/world-1", "/"
+  MacroDefinitions environment;                   ///< see standardMacros()
+  bool buildSources = true;                       ///< false: options, properties and screens only
 };
 
 struct ShaderPack {
