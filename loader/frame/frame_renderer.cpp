@@ -365,7 +365,8 @@ float fromSrgb(float v) { return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.05
 Image8 FrameRenderer::screenshot() const {
   int channels = 0;
   const gl::Texture& screen = loaded_->targets->screen();
-  const ImageF image = flipped(gl::readPixels(screen, channels), screen.width, screen.height, channels);
+  const std::vector<float> pixels = gl::readPixels(screen, channels);
+  const ImageF image = flipped(pixels, screen.width, screen.height, channels);
   Image8 result(image.width, image.height, 3);
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x)
@@ -377,7 +378,8 @@ Image8 FrameRenderer::screenshot() const {
 ImageF FrameRenderer::screenshotLinear() const {
   int channels = 0;
   const gl::Texture& screen = loaded_->targets->screen();
-  const ImageF image = flipped(gl::readPixels(screen, channels), screen.width, screen.height, channels);
+  const std::vector<float> pixels = gl::readPixels(screen, channels);
+  const ImageF image = flipped(pixels, screen.width, screen.height, channels);
   ImageF result(image.width, image.height, 3);
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x)
