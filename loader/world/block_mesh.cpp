@@ -44,14 +44,17 @@ struct MeshState {
   std::vector<BlockFace> fluidSurface, fluidFull;  // below air, below the same fluid
   std::string fluid;                               // name, "" = none
   float height = 0;
-  std::uint16_t fluidState = 0;  // the palette index that fluid faces carry
-  bool opaque = false, cullsSame = false;
+  std::uint16_t fluidState = 0;   // the palette index that fluid faces carry
+  std::uint8_t coveredSides = 0;  // bit 1 << FaceDirection: wholly opaque
+  bool cullsSame = false;
+
+  bool hides(FaceDirection side) const { return coveredSides >> int(side) & 1; }
 };
 
 class MeshBuilder {
  public:
   explicit MeshBuilder(const MeshInput& input)
-      : input_(input), lighting_(input.blocks, input.light, occludingStates(input.facts)) {
+      : input_(input), lighting_(input.blocks, input.light, input.facts) {
     prepareStates();
   }
 
@@ -80,7 +83,7 @@ class MeshBuilder {
       const BlockFacts& facts = input_.facts[i];
       MeshState& state = states_.emplace_back();
       state.block = makeBlockFaces(facts, input_.atlas);
-      state.opaque = facts.fullOpaqueCube;
+      state.coveredSides = facts.coveredFaces;
       state.cullsSame = facts.cullsSame;
       if (facts.fluid) {
         addFluid(state, palette[i].name, i, fluidHeight(palette[i]));
@@ -131,13 +134,14 @@ class MeshBuilder {
     if (!face.flush) return false;
     const std::uint32_t other = input_.blocks.indexAt(cell + normalOf(face.direction));
     const MeshState& neighbour = states_[other];
-    if (neighbour.opaque) return true;
+    const FaceDirection side = opposite(face.direction);
+    if (neighbour.hides(side)) return true;
     const auto& palette = input_.blocks.palette();
     const bool same = states_[index].cullsSame && palette[index].name == palette[other].name;
     if (!same && !neighbour.block.hidesBehind) return false;
-    const auto& covered = neighbour.block.covered[std::size_t(opposite(face.direction))];
+    const auto& covered = neighbour.block.covered[std::size_t(side)];
     return std::any_of(covered.begin(), covered.end(),
-                       [&](const SideRectangle& side) { return side.covers(face.side); });
+                       [&](const SideRectangle& area) { return area.covers(face.side); });
   }
 
   void addFluidFaces(const MeshState& state, glm::ivec3 cell, glm::ivec3 origin) {
@@ -152,7 +156,7 @@ class MeshBuilder {
                      bool below) const {
     const glm::ivec3 beside = cell + normalOf(face.direction);
     const MeshState& neighbour = stateAt(beside);
-    if (neighbour.opaque) return true;
+    if (neighbour.hides(opposite(face.direction))) return true;
     if (neighbour.fluid != state.fluid) return false;
     if (face.direction == FaceDirection::Down || face.direction == FaceDirection::Up) return true;
     // A lower surface beside leaves a step to be seen.
@@ -190,7 +194,11 @@ class MeshBuilder {
     BlockMesh mesh;
     for (std::size_t i = 0; i < 3; ++i) {
       const std::uint32_t start = std::uint32_t(mesh.vertices.size());
-      mesh.vertices.insert(mesh.vertices.end(), vertices_[i].begin(), vertices_[i].end());
+      if (i == 0) {
+        mesh.vertices = std::move(vertices_[i]);
+      } else {
+        mesh.vertices.insert(mesh.vertices.end(), vertices_[i].begin(), vertices_[i].end());
+      }
       for (MeshSection section : sections_[i]) {
         section.first += start;
         mesh.sections.push_back(section);

@@ -21,24 +21,27 @@ bool isFullCube(const BlockFacts& facts) {
          facts.boxes[0].to == glm::vec3(16);
 }
 
+/// Cells without any light (inside solid blocks) count as lit like the middle one.
+CornerLight litLike(CornerLight light, const CornerLight& middle) {
+  if (light.block > 0 || light.sky > 0) return light;
+  return {light.occlusion, middle.block, middle.sky};
+}
+
+/// The mean of the four cells that touch a corner. Between two solid sides the diagonal cell cannot
+/// be seen: the first side's values stand for it.
+CornerLight meanOf(const CornerLight& middle, const CornerLight& side1, const CornerLight& side2,
+                   const CornerLight& diagonal) {
+  const bool shut = side1.occlusion < 1 && side2.occlusion < 1;
+  return (middle + litLike(side1, middle) + litLike(side2, middle) +
+          litLike(shut ? side1 : diagonal, middle)) *
+         0.25f;
+}
+
 }  // namespace
 
 CornerLight FaceLighting::cellLight(glm::ivec3 cell) const {
-  return {occludes(cell) ? kOccluded : 1, light_.block(cell) * kStep, light_.sky(cell) * kStep};
-}
-
-CornerLight FaceLighting::corner(glm::ivec3 base, glm::ivec3 side1, glm::ivec3 side2) const {
-  const CornerLight middle = cellLight(base);
-  CornerLight first = cellLight(base + side1), second = cellLight(base + side2);
-  const bool shut = occludes(base + side1) && occludes(base + side2);
-  CornerLight diagonal = shut ? first : cellLight(base + side1 + side2);
-  // Cells without any light (inside solid blocks) count as lit like the middle.
-  for (CornerLight* light : {&first, &second, &diagonal}) {
-    if (light->block > 0 || light->sky > 0) continue;
-    light->block = middle.block;
-    light->sky = middle.sky;
-  }
-  return (middle + first + second + diagonal) * 0.25f;
+  return {occluding_[blocks_.indexAt(cell)] ? kOccluded : 1, float(light_.block(cell)) * kStep,
+          float(light_.sky(cell)) * kStep};
 }
 
 std::array<CornerLight, 4> FaceLighting::corners(const BlockFace& face, glm::ivec3 cell) const {
@@ -50,13 +53,19 @@ std::array<CornerLight, 4> FaceLighting::corners(const BlockFace& face, glm::ive
     return result;
   }
   const glm::ivec2 axes = sideAxes(face.direction);
+  CornerLight around[3][3];
+  for (int a = 0; a < 3; ++a) {
+    for (int b = 0; b < 3; ++b) {
+      glm::ivec3 p = base;
+      p[axes.x] += a - 1;
+      p[axes.y] += b - 1;
+      around[a][b] = cellLight(p);
+    }
+  }
   CornerLight ends[2][2];
   for (int a = 0; a < 2; ++a) {
     for (int b = 0; b < 2; ++b) {
-      glm::ivec3 side1(0), side2(0);
-      side1[axes.x] = 2 * a - 1;
-      side2[axes.y] = 2 * b - 1;
-      ends[a][b] = corner(base, side1, side2);
+      ends[a][b] = meanOf(around[1][1], around[2 * a][1], around[1][2 * b], around[2 * a][2 * b]);
     }
   }
   for (std::size_t i = 0; i < 4; ++i) {
@@ -67,8 +76,8 @@ std::array<CornerLight, 4> FaceLighting::corners(const BlockFace& face, glm::ive
   return result;
 }
 
-std::vector<bool> occludingStates(const std::vector<BlockFacts>& facts) {
-  std::vector<bool> occluding;
+std::vector<std::uint8_t> occludingStates(const std::vector<BlockFacts>& facts) {
+  std::vector<std::uint8_t> occluding;
   for (const BlockFacts& fact : facts) {
     // Leaves darken as full blocks do; glass does not.
     const bool leaves = fact.layer == RenderLayer::Cutout && !fact.cullsSame && !fact.cross &&

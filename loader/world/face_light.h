@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <vector>
 
@@ -15,29 +16,26 @@ struct CornerLight {
   float occlusion = 1, block = 0, sky = 0;
 };
 
+/// Which states of a palette darken the corners beside them, by palette index.
+std::vector<std::uint8_t> occludingStates(const std::vector<BlockFacts>& facts);
+
 class FaceLighting {
  public:
-  /// `occluding` by palette index: blocks that darken the corners beside them.
-  FaceLighting(const BlockWorld& blocks, const LightLevels& light, std::vector<bool> occluding)
-      : blocks_(blocks), light_(light), occluding_(std::move(occluding)) {}
+  FaceLighting(const BlockWorld& blocks, const LightLevels& light,
+               const std::vector<BlockFacts>& facts)
+      : blocks_(blocks), light_(light), occluding_(occludingStates(facts)) {}
 
   /// For the face's four corners, of the block in `cell`. As in the game: the mean of the four cells
   /// that touch a corner of the side, in front of it when the face is flush; corners of smaller
   /// faces are interpolated.
   std::array<CornerLight, 4> corners(const BlockFace& face, glm::ivec3 cell) const;
 
-  CornerLight cellLight(glm::ivec3 cell) const;
-
  private:
-  CornerLight corner(glm::ivec3 base, glm::ivec3 side1, glm::ivec3 side2) const;
-  bool occludes(glm::ivec3 cell) const { return occluding_[blocks_.indexAt(cell)]; }
+  CornerLight cellLight(glm::ivec3 cell) const;
 
   const BlockWorld& blocks_;
   const LightLevels& light_;
-  std::vector<bool> occluding_;
+  std::vector<std::uint8_t> occluding_;
 };
-
-/// Which states of a palette darken their neighbours' corners.
-std::vector<bool> occludingStates(const std::vector<BlockFacts>& facts);
 
 }  // namespace orris
