@@ -85,7 +85,7 @@ Dimensions readDimensions(const FileSource& source, const MacroDefinitions& envi
   if (const auto text = source.read(kFile)) {
     const std::string preprocessed = preprocessProperties(kFile, *text, environment, diagnostics);
     for (const auto& entry :
-         lastValues(parseProperties(kFile, preprocessed, Continuation::Preprocessed))) {
+         lastValues(parseProperties(kFile, preprocessed, Continuation::Preprocessed, *text))) {
       addMapping(entry, dimensions, diagnostics);
     }
   }

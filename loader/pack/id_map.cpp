@@ -21,9 +21,10 @@ std::string withNamespace(std::string_view name) {
 /// Entries of a file in order of their keys; a line without a key that was meant to be a continued
 /// one is reported.
 std::vector<PropertyEntry> idEntries(const std::string& file, const std::string& text,
+                                     const std::string& original,
                                      const std::vector<std::string_view>& prefixes,
                                      Diagnostics& diagnostics) {
-  auto entries = lastValues(parseProperties(file, text, Continuation::Preprocessed));
+  auto entries = lastValues(parseProperties(file, text, Continuation::IdMap, original));
   std::erase_if(entries, [&](const PropertyEntry& entry) {
     const bool known = std::any_of(prefixes.begin(), prefixes.end(),
                                    [&](auto& prefix) { return entry.key.starts_with(prefix); });
@@ -111,11 +112,12 @@ int BlockIdMap::idOf(const std::string& name,
 }
 
 BlockIdMap parseBlockProperties(const std::string& file, const std::string& text,
-                                Diagnostics& diagnostics) {
+                                const std::string& original, Diagnostics& diagnostics) {
   constexpr std::string_view kBlock = "block.", kLayer = "layer.";
   BlockIdMap map;
   map.present = true;
-  for (const PropertyEntry& entry : idEntries(file, text, {kBlock, kLayer}, diagnostics)) {
+  for (const PropertyEntry& entry :
+       idEntries(file, text, original, {kBlock, kLayer}, diagnostics)) {
     if (entry.key.starts_with(kLayer)) {
       addLayer(entry, std::string_view(entry.key).substr(kLayer.size()), map, diagnostics);
     } else if (const auto id = parseId(entry, kBlock.size(), diagnostics)) {
@@ -128,9 +130,10 @@ BlockIdMap parseBlockProperties(const std::string& file, const std::string& text
 }
 
 std::map<std::string, int> parseIdProperties(const std::string& file, const std::string& text,
-                                             const std::string& prefix, Diagnostics& diagnostics) {
+                                             const std::string& original, const std::string& prefix,
+                                             Diagnostics& diagnostics) {
   std::map<std::string, int> ids;
-  for (const PropertyEntry& entry : idEntries(file, text, {prefix}, diagnostics)) {
+  for (const PropertyEntry& entry : idEntries(file, text, original, {prefix}, diagnostics)) {
     const auto id = parseId(entry, prefix.size(), diagnostics);
     if (!id) continue;
     for (const std::string& word : splitBlanks(entry.value)) {

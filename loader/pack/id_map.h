@@ -28,11 +28,12 @@ struct BlockIdMap {
   int idOf(const std::string& name, const std::map<std::string, std::string>& properties) const;
 };
 
-/// `text` is already preprocessed.
+/// `text` is already preprocessed, `original` is what the author wrote, line by line the same.
 BlockIdMap parseBlockProperties(const std::string& file, const std::string& text,
-                                Diagnostics& diagnostics);
-/// item.properties and entity.properties: name -> id.
+                                const std::string& original, Diagnostics& diagnostics);
+/// item.properties and entity.properties: name -> id; `prefix` is "item." or "entity.".
 std::map<std::string, int> parseIdProperties(const std::string& file, const std::string& text,
-                                             const std::string& prefix, Diagnostics& diagnostics);
+                                             const std::string& original, const std::string& prefix,
+                                             Diagnostics& diagnostics);
 
 }  // namespace orris

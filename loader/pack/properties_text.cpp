@@ -1,8 +1,10 @@
 #include "pack/properties_text.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <map>
+#include <optional>
 
 #include "pack/text.h"
 
@@ -21,21 +23,49 @@ bool endsInBackslash(std::string_view line) {
   return (line.size() - (last == std::string_view::npos ? 0 : last + 1)) % 2 == 1;
 }
 
+/// "block.12", "layer.solid": what starts an entry of an id map whatever stands before it.
+bool startsIdKey(std::string_view line) {
+  constexpr std::array<std::string_view, 5> kPrefixes{"block.", "layer.", "item.", "entity.",
+                                                      "dimension."};
+  return std::any_of(kPrefixes.begin(), kPrefixes.end(),
+                     [&](auto prefix) { return line.starts_with(prefix); });
+}
+
+/// The lines of a file before and after preprocessing.
+struct Lines {
+  std::vector<std::string> text, original;
+  bool leftBlank(size_t index) const {
+    return index >= original.size() || trim(original[index]).empty();
+  }
+};
+
+/// The index of the line that continues an entry after `index`; nullopt when none does.
+std::optional<size_t> nextLine(const Lines& lines, size_t index, Continuation continuation) {
+  for (size_t next = index + 1; next < lines.text.size(); ++next) {
+    if (continuation == Continuation::Java) return next;
+    const std::string_view line = trim(lines.text[next]);
+    if (!line.empty()) {
+      const bool ends = continuation == Continuation::IdMap && startsIdKey(line);
+      return ends ? std::nullopt : std::optional(next);
+    }
+    if (continuation == Continuation::Preprocessed && !lines.leftBlank(next)) return std::nullopt;
+  }
+  return std::nullopt;
+}
+
 /// Joins the lines of one entry, starting at `index`, which is left on its last line.
-std::string joinContinued(const std::vector<std::string>& lines, size_t& index,
-                          Continuation continuation) {
-  const bool lenient = continuation == Continuation::Preprocessed;
-  std::string joined(skipBlanks(lines[index]));
-  if (lenient) joined = trim(joined);
+std::string joinContinued(const Lines& lines, size_t& index, Continuation continuation) {
+  const bool lenient = continuation != Continuation::Java;
+  const auto lineAt = [&](size_t i) {
+    return lenient ? trim(lines.text[i]) : skipBlanks(lines.text[i]);
+  };
+  std::string joined(lineAt(index));
   while (endsInBackslash(joined)) {
     joined.pop_back();
-    if (index + 1 == lines.size()) break;
-    ++index;
-    std::string_view next = skipBlanks(lines[index]);
-    if (lenient) {
-      while ((next = trim(next)).empty() && index + 1 < lines.size()) next = lines[++index];
-    }
-    joined += next;
+    const auto next = nextLine(lines, index, continuation);
+    if (!next) break;
+    index = *next;
+    joined += lineAt(index);
   }
   return joined;
 }
@@ -91,16 +121,17 @@ size_t keyLength(std::string_view line) {
 }  // namespace
 
 std::vector<PropertyEntry> parseProperties(const std::string& file, std::string_view text,
-                                           Continuation continuation) {
-  const std::vector<std::string> lines = splitLines(text);
+                                           Continuation continuation, std::string_view original) {
+  const Lines lines{splitLines(text), splitLines(original.empty() ? text : original)};
   std::vector<PropertyEntry> entries;
-  for (size_t i = 0; i < lines.size(); ++i) {
-    const std::string_view start = skipBlanks(lines[i]);
+  for (size_t i = 0; i < lines.text.size(); ++i) {
+    const std::string_view start = skipBlanks(lines.text[i]);
     if (start.empty() || start.front() == '#' || start.front() == '!') continue;
     PropertyEntry entry;
-    entry.at = {file, static_cast<int>(i) + 1,
-                static_cast<int>(lines[i].size() - start.size()) + 1};
-    entry.sourceLine = lines[i];
+    entry.sourceLine = i < lines.original.size() ? lines.original[i] : lines.text[i];
+    entry.at = {
+        file, static_cast<int>(i) + 1,
+        static_cast<int>(entry.sourceLine.size() - skipBlanks(entry.sourceLine).size()) + 1};
     const std::string joined = joinContinued(lines, i, continuation);
     const size_t length = keyLength(joined);
     std::string_view value = skipBlanks(std::string_view(joined).substr(length));

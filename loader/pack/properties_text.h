@@ -17,15 +17,19 @@ struct PropertyEntry {
   std::string sourceLine;  ///< the first line, as written
 };
 
-/// How a line that ends in a backslash goes on.
+/// How an entry goes on after a line that ends in a backslash.
 enum class Continuation {
   Java,          ///< with the next line, whatever it is
-  Preprocessed,  ///< blanks may follow the backslash and blank lines are skipped
+  Preprocessed,  ///< blanks may follow the backslash; lines that the author left blank are skipped,
+                 ///< directives, comments and inactive lines end the entry
+  IdMap,         ///< as Preprocessed, but only a line with a key of its own ends the entry
 };
 
-/// All entries in order of appearance, duplicates included.
+/// All entries in order of appearance, duplicates included. `original` is the text before
+/// preprocessing, line by line the same; it defaults to `text`.
 std::vector<PropertyEntry> parseProperties(const std::string& file, std::string_view text,
-                                           Continuation continuation);
+                                           Continuation continuation,
+                                           std::string_view original = {});
 
 /// Of each key the last value, at the place in the order where the key first appeared.
 std::vector<PropertyEntry> lastValues(const std::vector<PropertyEntry>& entries);

@@ -115,20 +115,19 @@ class Loader {
 
   void readIds() {
     const MacroDefinitions macros = propertyMacros();
-    const auto preprocessed = [&](const std::string& file) -> std::optional<std::string> {
+    const auto read = [&](const std::string& file, auto parse) {
       const auto text = pack_.source->read(file);
-      if (!text) return std::nullopt;
-      return preprocessProperties(file, *text, macros, diagnostics_);
+      if (text) parse(file, preprocessProperties(file, *text, macros, diagnostics_), *text);
     };
-    if (const auto text = preprocessed("/block.properties")) {
-      pack_.blockIds = parseBlockProperties("/block.properties", *text, diagnostics_);
-    }
-    if (const auto text = preprocessed("/item.properties")) {
-      pack_.itemIds = parseIdProperties("/item.properties", *text, "item.", diagnostics_);
-    }
-    if (const auto text = preprocessed("/entity.properties")) {
-      pack_.entityIds = parseIdProperties("/entity.properties", *text, "entity.", diagnostics_);
-    }
+    read("/block.properties", [&](auto& file, const auto& text, auto& original) {
+      pack_.blockIds = parseBlockProperties(file, text, original, diagnostics_);
+    });
+    read("/item.properties", [&](auto& file, const auto& text, auto& original) {
+      pack_.itemIds = parseIdProperties(file, text, original, "item.", diagnostics_);
+    });
+    read("/entity.properties", [&](auto& file, const auto& text, auto& original) {
+      pack_.entityIds = parseIdProperties(file, text, original, "entity.", diagnostics_);
+    });
   }
 
   bool isEnabled(const std::string& program) {

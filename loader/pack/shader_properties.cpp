@@ -144,20 +144,6 @@ void readEntry(const PropertyContext& context) {
   }
 }
 
-/// The entries of the preprocessed text, showing the lines that the author wrote.
-std::vector<PropertyEntry> preprocessedEntries(const std::string& file, const std::string& text,
-                                               const MacroDefinitions& macros,
-                                               Diagnostics& diagnostics) {
-  const std::string preprocessed = preprocessProperties(file, text, macros, diagnostics);
-  auto entries = lastValues(parseProperties(file, preprocessed, Continuation::Preprocessed));
-  const std::vector<std::string> lines = splitLines(text);
-  for (PropertyEntry& entry : entries) {
-    const size_t index = static_cast<size_t>(entry.at.line) - 1;
-    if (index < lines.size()) entry.sourceLine = lines[index];
-  }
-  return entries;
-}
-
 }  // namespace
 
 void PropertyContext::warn(std::string id, std::string message, std::string hint) const {
@@ -201,7 +187,9 @@ ShaderProperties parseShaderProperties(const std::string& file, const std::strin
                                        const MacroDefinitions& macros, const OptionSet& options,
                                        Diagnostics& diagnostics) {
   ShaderProperties properties;
-  for (const PropertyEntry& entry : preprocessedEntries(file, text, macros, diagnostics)) {
+  const std::string preprocessed = preprocessProperties(file, text, macros, diagnostics);
+  for (const PropertyEntry& entry :
+       lastValues(parseProperties(file, preprocessed, Continuation::Preprocessed, text))) {
     readEntry({properties, entry, options, diagnostics});
   }
   const auto original = lastValues(parseProperties(file, text, Continuation::Java));
