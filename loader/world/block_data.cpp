@@ -228,6 +228,7 @@ TextureDefinition textureOf(const json& spec, const ExpandedName& name) {
   for (const json& colour : spec.value("colours", json::array())) {
     texture.colours.push_back(colourOf(substitute(colour.get<std::string>(), name)));
   }
+  texture.base = spec.value("base", "");
   texture.art = spec.value("art", std::vector<std::string>{});
   for (const auto& [key, value] : spec.items()) {
     if (value.is_number()) texture.numbers[key] = value.get<float>();

@@ -67,7 +67,8 @@ struct TextureDefinition {
   std::string recipe;
   std::vector<glm::u8vec4> colours;
   std::map<std::string, float> numbers;
-  std::vector<std::string> art;  ///< rows of characters, each a colour index, ' ' and '.' empty
+  std::string base;              ///< texture under the art, "" for none
+  std::vector<std::string> art;  ///< rows of colour indices (0-9, a-z), else empty; one fills a row
 };
 
 struct BlockData {

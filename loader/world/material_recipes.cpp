@@ -34,7 +34,7 @@ void grain(TextureCanvas& canvas, const RecipeInput& in) {
   const int cell = int(in.number("cell", 4));
   forEachTexel(canvas, [&](int x, int y, Texel& texel) {
     const float g = grainAt(in, x, y);
-    const bool patch = in.noise.smooth(x, y, cell, 7) + 0.3f * g > 1 - 2 * patches;
+    const bool patch = patches > 0 && in.noise.smooth(x, y, cell, 7) + 0.3f * g > 1 - 2 * patches;
     texel.colour = shade(in.colour(patch ? 1 : 0), 1 + amount * g);
     texel.height = 0.5f + 0.3f * g * std::min(1.0f, amount * 6);
     texel.emission = patch || patches == 0 ? 1 : 0.15f;
@@ -97,7 +97,8 @@ void cobble(TextureCanvas& canvas, const RecipeInput& in) {
     }
     const float rise = std::clamp((second - nearest) / 3, 0.0f, 1.0f);
     const float tone = 0.9f + 0.2f * in.noise.white(stone, 2, 5) + 0.08f * grainAt(in, x, y);
-    const bool mossy = in.noise.smooth(x, y, 4, 9) + 0.4f * grainAt(in, x, y, 3) > 1 - 2 * moss;
+    const bool mossy =
+        moss > 0 && in.noise.smooth(x, y, 4, 9) + 0.4f * grainAt(in, x, y, 3) > 1 - 2 * moss;
     const bool inGap = second - nearest < gap;
     texel.colour = shade(in.colour(mossy ? 2 : inGap ? 1 : 0), tone * (0.92f + 0.16f * rise));
     texel.height = 0.2f + 0.6f * std::sqrt(rise);
@@ -195,12 +196,14 @@ void glass(TextureCanvas& canvas, const RecipeInput& in) {
   });
 }
 
-/// Colour 0 with a ragged layer of colour 1 hanging over its top `depth` texels.
+/// Colour 0 with a layer of colour 1 hanging over its top `depth` texels, its edge ragged unless
+/// `ragged` is 0.
 void overhang(TextureCanvas& canvas, const RecipeInput& in) {
   const int depth = int(in.number("depth", 3));
   const float amount = in.number("amount", 0.12f);
+  const bool ragged = in.number("ragged", 1) > 0;
   forEachTexel(canvas, [&](int x, int y, Texel& texel) {
-    const int edge = depth + int(in.noise.white(x, 0, 2) * 2.5f) - 1;
+    const int edge = ragged ? depth + int(in.noise.white(x, 0, 2) * 2.5f) - 1 : depth;
     const bool layer = y < edge;
     const float g = grainAt(in, x, y);
     texel.colour = shade(in.colour(layer ? 1 : 0), (1 + amount * g) * (y == edge ? 0.8f : 1));

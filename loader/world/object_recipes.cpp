@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <string>
 
 #include "world/texture_canvas.h"
 
@@ -18,20 +20,28 @@ void paint(TextureCanvas& canvas, int x, int y, const glm::vec4& colour, float t
   texel.porosity = 120;
 }
 
-/// Rows of characters, each the index of a colour (0..9, a..z); others are left empty.
+/// Index of a colour: 0-9, then a-z; nothing for other characters.
+std::optional<size_t> colourIndex(char c) {
+  if (c >= '0' && c <= '9') return size_t(c - '0');
+  if (c >= 'a' && c <= 'z') return size_t(c - 'a' + 10);
+  return std::nullopt;
+}
+
+/// Drawn rows over what is there already. Colours from `glowFrom` on shine.
 void art(TextureCanvas& canvas, const RecipeInput& in) {
   const auto& rows = in.definition.art;
   const auto glowFrom = size_t(in.number("glowFrom", 99));
   for (int y = 0; y < std::min(kSize, int(rows.size())); ++y) {
-    for (int x = 0; x < std::min(kSize, int(rows[size_t(y)].size())); ++x) {
-      const char c = rows[size_t(y)][size_t(x)];
-      const bool digit = c >= '0' && c <= '9', letter = c >= 'a' && c <= 'z';
-      if (!digit && !letter) continue;
-      const auto index = size_t(digit ? c - '0' : c - 'a' + 10);
-      paint(canvas, x, y, in.colour(index), 1 + 0.08f * (in.noise.white(x, y) - 0.5f));
+    const std::string& row = rows[size_t(y)];
+    for (int x = 0; x < kSize; ++x) {
+      const size_t column = row.size() == 1 ? 0 : size_t(x);
+      const std::optional<size_t> index =
+          column < row.size() ? colourIndex(row[column]) : std::nullopt;
+      if (!index) continue;
+      paint(canvas, x, y, in.colour(*index), 1 + 0.08f * (in.noise.white(x, y) - 0.5f));
       Texel& texel = canvas.at(x, y);
       texel.porosity = 0;
-      texel.emission = index >= glowFrom ? 1.0f : 0.0f;
+      texel.emission = *index >= glowFrom ? 1.0f : 0.0f;
     }
   }
 }
@@ -125,16 +135,16 @@ void strands(TextureCanvas& canvas, const RecipeInput& in) {
   }
 }
 
-/// A board with a frame and `rows` by `columns` sunk panels; window panels are empty.
+/// A board with a frame and `rows` by `columns` sunk panels; down to row `windows` they are empty.
 void panels(TextureCanvas& canvas, const RecipeInput& in) {
   const int columns = int(in.number("columns", 2)), rows = int(in.number("rows", 2));
-  const bool windows = in.number("windows", 0) > 0;
+  const int windows = int(in.number("windows", 0));
   const int width = 16 / columns, height = 16 / rows;
   for (int y = 0; y < kSize; ++y) {
     for (int x = 0; x < kSize; ++x) {
       const int u = x % width, v = y % height;
       const int ring = std::min({u, v, width - 1 - u, height - 1 - v});
-      const bool window = windows && ring >= 2 && y < 9;
+      const bool window = ring >= 2 && y < windows;
       const float grain = 0.06f * (in.noise.white(x / 3, y) - 0.5f);
       const float tone = ring == 0 ? 0.92f : ring == 1 ? (u == 1 || v == 1 ? 0.78f : 1.1f) : 1;
       paint(canvas, x, y, in.colour(0), tone + grain);

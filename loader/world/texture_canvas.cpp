@@ -77,7 +77,7 @@ TextureCanvas drawTexture(const std::string& name) {
   TextureRecipe recipe = findMaterialRecipe(definition.recipe);
   if (!recipe) recipe = findObjectRecipe(definition.recipe);
   if (!recipe) return checker();
-  TextureCanvas canvas;
+  TextureCanvas canvas = definition.base.empty() ? TextureCanvas{} : drawTexture(definition.base);
   const RecipeInput input{definition, TextureNoise(name)};
   recipe(canvas, input);
   applySurface(canvas, input);
