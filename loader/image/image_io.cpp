@@ -53,6 +53,20 @@ std::string formatOf(std::string_view bytes, std::string_view name) {
   return name.ends_with(".tga") || name.ends_with(".TGA") ? "targa" : "";
 }
 
+/// Walks the chunks to the end mark. libpng would print its own message about a cut file.
+bool isWholePng(std::string_view bytes) {
+  constexpr size_t kSignature = 8, kFrame = 12;  // length, type and checksum around each chunk
+  size_t at = kSignature;
+  while (at + kFrame <= bytes.size()) {
+    const auto byte = [&](size_t i) { return size_t(std::uint8_t(bytes[at + i])); };
+    const size_t length = byte(0) << 24 | byte(1) << 16 | byte(2) << 8 | byte(3);
+    if (length > bytes.size() - at - kFrame) return false;
+    if (bytes.substr(at + 4, 4) == "IEND") return true;
+    at += kFrame + length;
+  }
+  return false;
+}
+
 bool sizeAllowed(const OIIO::ImageSpec& spec, const std::string& name, Diagnostics& diagnostics) {
   const bool allowed = spec.width > 0 && spec.height > 0 && spec.depth <= 1 &&
                        spec.width <= kMaxSide && spec.height <= kMaxSide &&
@@ -148,6 +162,11 @@ std::optional<Image8> decodeImage(const std::string& bytes, const std::string& n
   if (format.empty()) {
     fail(diagnostics, "image-format", name, "not an image in a known format",
          "use PNG, JPEG, TGA, BMP, HDR or EXR");
+    return std::nullopt;
+  }
+  if (format == "png" && !isWholePng(bytes)) {
+    fail(diagnostics, "image-decode", name, "cannot read the image: the file is cut short",
+         "save the image again");
     return std::nullopt;
   }
   OIIO::Filesystem::IOMemReader reader(bytes.data(), bytes.size());
