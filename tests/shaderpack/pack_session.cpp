@@ -1,0 +1,91 @@
+#include "pack_session.h"
+
+#include <gtest/gtest.h>
+
+#include "world/world_json.h"
+
+namespace orris::test {
+namespace {
+
+void expectClean(Diagnostics& diagnostics) {
+  for (const Diagnostic& diagnostic : diagnostics) ADD_FAILURE() << formatDiagnostic(diagnostic);
+  diagnostics.clear();
+}
+
+gl::Context& sharedContext() {
+  static const std::unique_ptr<gl::Context> context = [] {
+    Diagnostics diagnostics;
+    auto made = gl::createContext({}, diagnostics);
+    expectClean(diagnostics);
+    return made;
+  }();
+  return *context;
+}
+
+World parseWorld(const std::string& text) {
+  Diagnostics diagnostics;
+  std::optional<World> world = parseWorldJson({.text = text, .file = "world.json"}, diagnostics);
+  expectClean(diagnostics);
+  return world.value_or(World{});
+}
+
+}  // namespace
+
+std::array<float, 4> CellField::at(glm::ivec3 cell) const {
+  const int x = cell.y % layout_.columns * layout_.volume + cell.x;
+  const int y = cell.y / layout_.columns * layout_.volume + cell.z;
+  const float* texel = atlas_.at(x, atlas_.height - 1 - y);  // images have their top row first
+  std::array<float, 4> channels{};
+  for (int i = 0; i < atlas_.channels && i < 4; ++i) channels[i] = texel[i];
+  return channels;
+}
+
+int CellField::countLit() const {
+  int lit = 0;
+  for (size_t i = 0; i < atlas_.pixels.size(); i += atlas_.channels) lit += atlas_.pixels[i] != 0;
+  return lit;
+}
+
+PackSession::PackSession(World world, const OptionValues& options, int width, int height) {
+  Diagnostics diagnostics;
+  SessionRequest request;
+  request.openPack = [](Diagnostics& problems) -> std::shared_ptr<const FileSource> {
+    return openPack(ORRIS_SOURCE_DIR "/shaderpack", problems);
+  };
+  request.load.values = options;
+  request.renderer.width = width;
+  request.renderer.height = height;
+  request.camera = world.cameras.at(0);
+  session_ =
+      RenderSession::create(sharedContext(), std::move(request), std::move(world), diagnostics);
+  expectClean(diagnostics);
+}
+
+PackSession::PackSession(const std::string& world, const OptionValues& options, int width,
+                         int height)
+    : PackSession(parseWorld(world), options, width, height) {}
+
+PackSession PackSession::ofWorld(const std::string& name, const OptionValues& options, int width,
+                                 int height) {
+  Diagnostics diagnostics;
+  std::optional<World> world = loadWorld(ORRIS_SOURCE_DIR "/worlds/" + name, 0, diagnostics);
+  expectClean(diagnostics);
+  return PackSession(std::move(world).value(), options, width, height);
+}
+
+void PackSession::renderFrames(int count) {
+  Diagnostics diagnostics;
+  for (int i = 0; i < count; ++i) session_->renderFrame(diagnostics);
+  expectClean(diagnostics);
+  for (const std::string& error : sharedContext().takeErrors()) ADD_FAILURE() << error;
+}
+
+ImageF PackSession::dump(const std::string& buffer) {
+  std::optional<ImageF> image = session_->renderer().dump(buffer);
+  EXPECT_TRUE(image) << buffer << " does not exist";
+  return image.value_or(ImageF(1, 1, 4));
+}
+
+glm::ivec3 cellOf(glm::ivec3 block, glm::ivec3 eye, int volume) { return block - eye + volume / 2; }
+
+}  // namespace orris::test

@@ -1,0 +1,58 @@
+// Our pack rendering a small world, frame by frame, with its buffers at hand.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+
+#include "frame/render_session.h"
+#include "gl/context.h"
+
+namespace orris::test {
+
+/// The atlas of settings.glsl: tiles of volume x volume texels, layer y in tile y.
+struct AtlasLayout {
+  int volume = 64, columns = 16;
+};
+
+/// A volume of cells read from its atlas (include/voxel/volume.glsl).
+class CellField {
+ public:
+  CellField(ImageF atlas, AtlasLayout layout) : atlas_(std::move(atlas)), layout_(layout) {}
+  /// The four channels of a cell, 0..volume-1 on each axis.
+  std::array<float, 4> at(glm::ivec3 cell) const;
+  float red(glm::ivec3 cell) const { return at(cell)[0]; }
+  /// Cells whose red is not 0.
+  int countLit() const;
+  bool operator==(const CellField& other) const { return atlas_.pixels == other.atlas_.pixels; }
+  int volume() const { return layout_.volume; }
+
+ private:
+  ImageF atlas_;
+  AtlasLayout layout_;
+};
+
+class PackSession {
+ public:
+  /// `world` is the text of a world.json; its first camera looks.
+  PackSession(const std::string& world, const OptionValues& options, int width = 32,
+              int height = 32);
+  /// A world of ours by folder name.
+  static PackSession ofWorld(const std::string& name, const OptionValues& options, int width,
+                             int height);
+  void renderFrames(int count);
+  CellField light(AtlasLayout layout = {}) { return {dump("colortex4"), layout}; }
+  /// Voxels as stored: red, green, blue, code / 255.
+  CellField voxels(AtlasLayout layout = {}) { return {dump("shadowcolor0"), layout}; }
+  ImageF dump(const std::string& buffer);
+  RenderSession& session() { return *session_; }
+
+ private:
+  PackSession(World world, const OptionValues& options, int width, int height);
+  std::unique_ptr<RenderSession> session_;
+};
+
+/// The cell of a block when the camera's eye is in block `eye`.
+glm::ivec3 cellOf(glm::ivec3 block, glm::ivec3 eye, int volume = 64);
+
+}  // namespace orris::test

@@ -1,0 +1,80 @@
+// The pack loads cleanly and its options are what the design says.
+#include <gtest/gtest.h>
+
+#include "load_pack.h"
+
+namespace orris::test {
+namespace {
+
+using testing::ElementsAre;
+
+TEST(pack, every_profile_loads_and_is_recognised) {
+  for (const char* profile : {"LOW", "MEDIUM", "HIGH", "REFERENCE"}) {
+    const std::optional<ShaderPack> pack = loadReferencePack({.profile = profile});
+    ASSERT_TRUE(pack);
+    EXPECT_EQ(pack->currentProfile(), profile);
+  }
+}
+
+TEST(pack, defaults_are_the_medium_profile) {
+  EXPECT_EQ(loadReferencePack({})->currentProfile(), "MEDIUM");
+}
+
+TEST(pack, method_options_have_the_published_values) {
+  const std::optional<ShaderPack> pack = loadReferencePack({});
+  ASSERT_TRUE(pack);
+  const auto values = [&](const char* name) { return pack->options.find(name)->values; };
+  EXPECT_THAT(values("DIRECT_LIGHT"), ElementsAre("PHONG", "LAMBERT_GGX"));
+  EXPECT_THAT(values("SHADOW_METHOD"), ElementsAre("NONE", "MAP", "MAP_PCF"));
+  EXPECT_THAT(values("GI_METHOD"),
+              ElementsAre("NONE", "BOUNCE_1", "BOUNCE_2", "BOUNCE_4", "FLOODFILL"));
+  EXPECT_EQ(pack->options.find("FLOODFILL_ALPHA")->defaultValue, "2.43902");
+  EXPECT_EQ(pack->options.find("FLOODFILL_GAMMA")->defaultValue, "2.2");
+  EXPECT_EQ(pack->options.find("FLOODFILL_INTERVAL")->defaultValue, "3");
+}
+
+TEST(pack, guards_and_stage_names_are_not_options) {
+  const std::optional<ShaderPack> pack = loadReferencePack({});
+  ASSERT_TRUE(pack);
+  for (const auto& [name, option] : pack->options.all())
+    EXPECT_EQ(option.at.front().file, "/settings.glsl") << name;
+}
+
+TEST(pack, every_option_is_on_a_screen) {
+  const std::optional<ShaderPack> pack = loadReferencePack({});
+  ASSERT_TRUE(pack);
+  std::set<std::string> placed;
+  for (const Screen& screen : pack->properties.screens)
+    placed.insert(screen.entries.begin(), screen.entries.end());
+  for (const auto& [name, option] : pack->options.all()) EXPECT_TRUE(placed.contains(name)) << name;
+  for (const std::string& slider : pack->properties.sliders)
+    EXPECT_TRUE(pack->options.find(slider)) << slider;
+}
+
+TEST(pack, programs_follow_the_methods) {
+  const auto has = [](const OptionValues& values, const char* program) {
+    return loadReferencePack({.values = values})->find(program) != nullptr;
+  };
+  EXPECT_TRUE(has({}, "prepare"));
+  EXPECT_FALSE(has({{"GI_METHOD", "BOUNCE_4"}}, "prepare"));
+  EXPECT_TRUE(has({{"GI_METHOD", "BOUNCE_4"}}, "deferred"));
+  EXPECT_FALSE(has({{"GI_METHOD", "NONE"}}, "deferred"));
+  EXPECT_TRUE(has({{"GI_METHOD", "NONE"}}, "shadow"));
+  EXPECT_TRUE(has({{"SHADOW_METHOD", "NONE"}}, "shadow"));
+  EXPECT_FALSE(has({{"GI_METHOD", "NONE"}, {"SHADOW_METHOD", "NONE"}}, "shadow"));
+}
+
+TEST(pack, floodfill_buffer_has_the_size_of_its_atlas) {
+  const auto size = [](const OptionValues& values) {
+    return loadReferencePack({.values = values})->properties.bufferSize.at("colortex4").size;
+  };
+  EXPECT_THAT(size({{"VOXEL_SIZE", "32"}}), ElementsAre(1024, 32));
+  EXPECT_THAT(size({{"VOXEL_SIZE", "48"}}), ElementsAre(768, 144));
+  EXPECT_THAT(size({{"VOXEL_SIZE", "64"}}), ElementsAre(1024, 256));
+  EXPECT_THAT(size({{"VOXEL_SIZE", "96"}}), ElementsAre(1024, 256))
+      << "needs a larger shadow target";
+  EXPECT_THAT(size({{"VOXEL_SIZE", "96"}, {"SHADOW_RESOLUTION", "2048"}}), ElementsAre(1920, 480));
+}
+
+}  // namespace
+}  // namespace orris::test
