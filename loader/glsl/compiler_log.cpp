@@ -213,11 +213,17 @@ std::vector<LogEntry> parseCompilerLog(std::string_view log, Severity fallback) 
   log = log.substr(0, log.find('\0'));
   while (!log.empty()) {
     const std::size_t end = std::min(log.find('\n'), log.size());
+    const bool indented = log.front() == ' ' || log.front() == '\t';
     const std::string_view line = trim(log.substr(0, end));
     log.remove_prefix(std::min(end + 1, log.size()));
     if (line.empty()) continue;
     std::optional<LogEntry> entry = readLine(line, fallback);
     if (!entry) continue;
+    // glslang's linker says on indented lines what it compares.
+    if (indented && entry->line == 0 && entry->message == line && !entries.empty()) {
+      entries.back().notes.emplace_back(line);
+      continue;
+    }
     const std::string message(trim(entry->message));
     if (continuesLast(*entry, entries)) {
       entries.back().notes.push_back(message);
