@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <limits>
 #include <string_view>
+#include <utility>
 
 namespace orris {
 namespace {
@@ -81,10 +82,12 @@ class Evaluator {
     return true;
   }
 
-  std::int64_t fail(std::string problem) {
+  std::int64_t fail(std::string problem) { return fail(std::move(problem), position_); }
+
+  std::int64_t fail(std::string problem, std::size_t at) {
     if (result_.problem.empty()) {
       result_.problem = std::move(problem);
-      result_.problemAt = position_;
+      result_.problemAt = at;
     }
     position_ = tokens_.size();
     return 0;
@@ -115,22 +118,25 @@ class Evaluator {
     std::int64_t left = unary(live);
     while (const BinaryOperator* op = operatorAt()) {
       if (op->precedence < precedence) break;
-      ++position_;
+      const std::size_t at = position_++;
       const bool needed = op->text == "&&" ? left != 0 : op->text == "||" ? left == 0 : true;
       const std::int64_t right = binary(op->precedence + 1, live && needed);
-      left = apply(op->text, left, right, live);
+      if (right == 0 && live && (op->text == "/" || op->text == "%")) {
+        return fail("division by zero", at);
+      }
+      left = apply(op->text, left, right);
     }
     return left;
   }
 
-  std::int64_t divide(std::string_view op, std::int64_t left, std::int64_t right, bool live) {
-    if (right == 0) return live ? fail("division by zero") : 0;
+  static std::int64_t divide(std::string_view op, std::int64_t left, std::int64_t right) {
+    if (right == 0) return 0;
     const bool overflow = left == std::numeric_limits<std::int64_t>::min() && right == -1;
     if (op == "/") return overflow ? left : left / right;
     return overflow ? 0 : left % right;
   }
 
-  std::int64_t apply(std::string_view op, std::int64_t left, std::int64_t right, bool live) {
+  static std::int64_t apply(std::string_view op, std::int64_t left, std::int64_t right) {
     const auto l = static_cast<std::uint64_t>(left);
     const auto r = static_cast<std::uint64_t>(right);
     if (op == "||") return left || right;
@@ -159,7 +165,7 @@ class Evaluator {
       case '*':
         return wrap(l * r);
       default:
-        return divide(op, left, right, live);
+        return divide(op, left, right);
     }
   }
 

@@ -18,14 +18,16 @@ using MacroDefinitions = std::vector<std::pair<std::string, std::string>>;
 /// is 0; #if is integer arithmetic; `\`-newline joins lines; ## and # work; __LINE__ etc. are
 /// ordinary names; #extension and #version of active branches are collected; comments survive as
 /// tokens. Errors (unbalanced conditionals, malformed directives, #error) are located diagnostics;
-/// preprocessing goes on after each.
+/// preprocessing goes on after each. A source without an active #version keeps version 0.
 TokenStream preprocess(const FlatSource& source, const MacroDefinitions& environment,
                        Diagnostics& diagnostics);
 
-/// The same over a *.properties text: '#' directives are honoured, other '#' and '!' lines are
-/// comments and vanish, macros expand in values; line structure is kept (line n stays line n, lines
-/// of inactive branches become empty). Contract: properties.csv "(file)", idmaps.csv
-/// "common.preprocess".
+/// The same over a *.properties text: directives are honoured where '#' opens the line and the word
+/// follows without a blank, other '#' and '!' lines are comments and vanish, '#' elsewhere is
+/// deleted; macros expand in keys and values (Iris: PropertiesPreprocessor). A backslash joins no
+/// lines, so directives work inside a continued value. Line n stays line n, lines of inactive
+/// branches become empty. Bodies in `environment` are taken as they are: an empty macro expands to
+/// nothing, so give it the body "1" where the contract wants that.
 std::string preprocessProperties(const std::string& file, const std::string& text,
                                  const MacroDefinitions& environment, Diagnostics& diagnostics);
 

@@ -29,10 +29,19 @@ struct RewriteResult {
   bool writesFragData = false;
 };
 
-/// Applies all rules in order; edits `stream` in place. Rules: version, attribute-varying,
-/// texture-functions, texture-name, host-names, unused-functions, global-const, mix-bool,
-/// interface-repair and what else a real pack turns out to need. Every version becomes
-/// "450 compatibility" (compute: the pack's, at least 430).
+/// Applies all rules in order; edits `stream` in place. The rules, by the name reported:
+/// - extensions: #extension lines that core GLSL 4.50 contains are dropped
+/// - attribute-varying: attribute, varying -> in, out (vertex and fragment stages)
+/// - texture-functions: texture2D, shadow2D, texelFetch2D, ... -> the GLSL 4.50 names
+/// - texture-name: a sampler named texture or gcolor -> gtexture, other variables -> orris_texture
+/// - reserved-names: words newer GLSL reserves, used as names (sample) -> orris_<word>
+/// - stray-semicolon: empty declarations at file scope are dropped
+/// - unused-functions: functions named nowhere else are dropped
+/// - global-const: `const` is dropped from globals whose initialiser is not constant
+/// - mix-bool: mix(vecN, vecN, bool) -> orris_mix with its overloads
+/// - out-color: an output outColorN without layout gets location N
+/// - host-names: names Iris provides (entityId, vaPosition, ...) used without declaration
+/// - version: "450 compatibility"; compute: the pack's version, at least 430
 RewriteResult rewrite(TokenStream& stream, Stage stage);
 
 }  // namespace orris

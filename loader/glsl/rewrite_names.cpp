@@ -149,6 +149,21 @@ void rename(RewriteContext& context, std::string_view rule, Token& token, std::s
   token.text = name;
 }
 
+// Two samplers that are now both gtexture must not be declared twice.
+void keepOneSampler(std::vector<Token>& tokens) {
+  TokenEdits edits;
+  bool found = false;
+  for (const OutlineItem& item : outline(tokens)) {
+    if (item.kind != OutlineItem::Kind::Declaration) continue;
+    const Declaration declaration = parseDeclaration(tokens, item);
+    if (declaration.declarators.size() != 1) continue;
+    if (tokens[declaration.declarators.front().name].text != "gtexture") continue;
+    if (found) edits.erase(item.begin, item.end);
+    found = true;
+  }
+  edits.apply(tokens);
+}
+
 }  // namespace
 
 void ruleExtensions(RewriteContext& context) {
@@ -222,6 +237,8 @@ void ruleTextureName(RewriteContext& context) {
       rename(context, "texture-name", tokens[i], name);
     }
   }
+  const auto declares = [&samplers](const char* name) { return samplers.contains(name) ? 1 : 0; };
+  if (declares("texture") + declares("gcolor") + declares("gtexture") > 1) keepOneSampler(tokens);
 }
 
 // A word that newer GLSL reserves, used as a name: "float sample = ...". Where it stands before

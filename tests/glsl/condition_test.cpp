@@ -1,0 +1,140 @@
+#include "glsl/condition.h"
+
+#include <gtest/gtest.h>
+
+#include "glsl/glsl_test.h"
+
+namespace orris {
+namespace {
+
+using test::preprocessed;
+
+// "1" or "0", or the diagnostics.
+std::string evaluate(const std::string& expression, const std::string& definitions = "") {
+  return preprocessed(definitions + "#if " + expression + "\n1\n#else\n0\n#endif\n");
+}
+
+TEST(condition, arithmetic_has_the_precedence_of_c) {
+  EXPECT_EQ(evaluate("1 + 2 * 3 == 7 && 7 - 2 - 1 == 4"), "1\n");
+  EXPECT_EQ(evaluate("(1 | 2 ^ 3 & 2) == 1 && 1 << 3 == 8 && 9 % 4 == 1 && -8 / 2 == -4"), "1\n");
+  EXPECT_EQ(evaluate("!0 == 1 && ~0 == -1 && +3 == 3 && - -2 == 2"), "1\n");
+  EXPECT_EQ(evaluate("1 ? 0 : 1"), "0\n");
+  EXPECT_EQ(evaluate("0x10 == 16 && 010 == 8 && 3u == 3"), "1\n");
+  EXPECT_EQ(evaluate("3 <= 2 || 2 >= 3 || 2 != 2"), "0\n");
+}
+
+TEST(condition, unknown_names_are_zero) {
+  EXPECT_EQ(evaluate("UNKNOWN"), "0\n");
+  EXPECT_EQ(evaluate("__VERSION__ == 0 && !GL_ARB_gpu_shader5"), "1\n");
+}
+
+TEST(condition, defined_works_with_and_without_parentheses) {
+  EXPECT_EQ(evaluate("defined A && defined(A) && !defined B && !defined ( B )", "#define A\n"),
+            "1\n");
+  EXPECT_EQ(evaluate("defined A", "#define A B\n"), "1\n");
+}
+
+TEST(condition, macros_expand_in_conditions) {
+  EXPECT_EQ(evaluate("MODE == HIGH && F(2) == 3",
+                     "#define HIGH 2\n#define MODE HIGH\n#define F(x) (x + 1)\n"),
+            "1\n");
+}
+
+TEST(condition, floats_are_cut_to_integers) {
+  EXPECT_EQ(evaluate("1.9 == 1 && .5 == 0 && 1e3 == 1000"), "1\n");
+}
+
+TEST(condition, operand_that_is_not_needed_may_divide_by_zero) {
+  EXPECT_EQ(evaluate("0 && 1 / 0"), "0\n");
+  EXPECT_EQ(evaluate("1 || 1 % 0"), "1\n");
+  EXPECT_EQ(evaluate("1 ? 2 : 1 / 0"), "1\n");
+  EXPECT_EQ(
+      evaluate("1 / X"),
+      "0\n---\n/a.fsh:1:7: error: condition of #if: division by zero\n  #if 1 / X\n        ^\n");
+}
+
+TEST(condition, overflow_wraps) {
+  EXPECT_EQ(evaluate("9223372036854775807 + 1 < 0"), "1\n");
+  EXPECT_EQ(evaluate("(-9223372036854775807 - 1) / -1 < 0"), "1\n");
+}
+
+TEST(condition, macro_without_value_counts_as_false_with_a_warning) {
+  EXPECT_EQ(evaluate("A", "#define A\n"),
+            "0\n---\n"
+            "/a.fsh:2:5: warning: the condition 'A' expands to nothing and counts as false\n"
+            "  #if A\n"
+            "      ^\n"
+            "  hint: use #ifdef to ask whether a macro without a value is defined\n");
+}
+
+TEST(condition, missing_condition_is_an_error) {
+  EXPECT_EQ(evaluate(""),
+            "0\n---\n/a.fsh:1:1: error: #if without a condition counts as false\n  #if \n  ^\n");
+}
+
+TEST(condition, malformed_expressions_say_what_was_expected) {
+  EXPECT_EQ(evaluate("(1"),
+            "0\n---\n/a.fsh:1:6: error: condition of #if: expected ')'\n  #if (1\n       ^\n");
+  EXPECT_EQ(evaluate("1 +"),
+            "0\n---\n/a.fsh:1:7: error: condition of #if: expected a value at the end of the "
+            "expression\n  #if 1 +\n        ^\n");
+  EXPECT_EQ(evaluate("* 2"),
+            "0\n---\n/a.fsh:1:5: error: condition of #if: expected a value, found '*'\n"
+            "  #if * 2\n      ^\n");
+  EXPECT_EQ(evaluate("defined(A"),
+            "0\n---\n/a.fsh:1:5: error: expected 'defined NAME' or 'defined(NAME)'\n"
+            "  #if defined(A\n      ^\n");
+}
+
+TEST(condition, trailing_text_is_tolerated_with_a_warning) {
+  EXPECT_EQ(preprocessed("#define A\n#ifdef A B\nyes\n#endif A\n"),
+            "yes\n---\n/a.fsh:2:10: warning: text after the end of #ifdef is ignored: 'B'\n"
+            "  #ifdef A B\n           ^\n"
+            "  hint: some hosts refuse this; put it into a comment\n");
+  EXPECT_EQ(evaluate("1 2"),
+            "1\n---\n/a.fsh:1:7: warning: text after the end of #if is ignored: '2'\n"
+            "  #if 1 2\n        ^\n"
+            "  hint: some hosts refuse this; put it into a comment\n");
+}
+
+TEST(condition, nesting_beyond_the_limit_is_an_error) {
+  const std::string deep = std::string(5000, '(') + "1" + std::string(5000, ')');
+  EXPECT_NE(evaluate(deep).find("condition of #if: expression is nested too deeply"),
+            std::string::npos);
+  EXPECT_NE(evaluate(std::string(5000, '!') + "1").find("nested too deeply"), std::string::npos);
+}
+
+TEST(conditionals, only_the_first_true_branch_is_active) {
+  EXPECT_EQ(preprocessed("#if 0\na\n#elif 1\nb\n#elif 1\nc\n#else\nd\n#endif\n"), "b\n");
+  EXPECT_EQ(preprocessed("#ifndef X\na\n#else\nb\n#endif\n"), "a\n");
+}
+
+TEST(conditionals, inactive_branches_are_not_judged) {
+  EXPECT_EQ(preprocessed(
+                "#if 0\n#if (\n#elif\n#else garbage\n#endif\n#error x\n#define A 1\n#endif\nA\n"),
+            "A\n");
+  EXPECT_EQ(preprocessed("#if 1\na\n#elif (\n#endif\n"), "a\n");
+}
+
+TEST(conditionals, nested_branches_of_an_inactive_one_stay_inactive) {
+  EXPECT_EQ(
+      preprocessed(
+          "#if 0\n#if 1\na\n#else\nb\n#endif\n  # ifdef X\n# else\nc\n# endif\n#else\nd\n#endif\n"),
+      "d\n");
+}
+
+TEST(conditionals, unbalanced_ones_are_located) {
+  EXPECT_EQ(preprocessed("#if 1\na\n"),
+            "a\n---\n/a.fsh:1:1: error: #if is not closed: expected #endif before the end\n"
+            "  #if 1\n  ^\n");
+  EXPECT_EQ(preprocessed("a\n #endif\n"),
+            "a\n---\n/a.fsh:2:2: error: #endif without #if\n   #endif\n   ^\n");
+  EXPECT_EQ(preprocessed("#else\n#elif 1\n"),
+            "---\n/a.fsh:1:1: error: #else without #if\n  #else\n  ^\n"
+            "/a.fsh:2:1: error: #elif without #if\n  #elif 1\n  ^\n");
+  EXPECT_EQ(preprocessed("#if 0\n#else\na\n#else\nb\n#endif\n"),
+            "a\n---\n/a.fsh:4:1: error: #else after #else\n  #else\n  ^\n");
+}
+
+}  // namespace
+}  // namespace orris

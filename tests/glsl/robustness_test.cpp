@@ -1,0 +1,114 @@
+// Hostile and random input: no crash, no hang, bounded output.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "glsl/glsl_test.h"
+
+namespace orris {
+namespace {
+
+struct Outcome {
+  std::string text;
+  Diagnostics diagnostics;
+  std::size_t tokens = 0;
+};
+
+Outcome run(const std::string& text) {
+  Outcome outcome;
+  TokenStream stream = preprocess(test::source(text), {{"ONE", "1"}}, outcome.diagnostics);
+  rewrite(stream, Stage::Fragment);
+  outcome.tokens = stream.tokens.size();
+  outcome.text = print(stream).text;
+  preprocessProperties("/p", text, {{"ONE", "1"}}, outcome.diagnostics);
+  return outcome;
+}
+
+bool reports(const Outcome& outcome, const std::string& id) {
+  for (const Diagnostic& d : outcome.diagnostics) {
+    if (d.id == id) return true;
+  }
+  return false;
+}
+
+TEST(robustness, random_bytes) {
+  std::mt19937 random(1);
+  for (int round = 0; round < 300; ++round) {
+    std::string text;
+    for (int i = 0; i < 400; ++i) text += static_cast<char>(random() % 256);
+    run(text);
+  }
+}
+
+TEST(robustness, random_sequences_of_meaningful_pieces) {
+  const std::vector<std::string> pieces = {
+      "#if ",     "#ifdef ",   "#elif ",      "#else\n",   "#endif\n", "#define ", "#undef ",
+      "F",        "(",         ")",           ",",         "x",        "##",       "#",
+      "...",      "\\\n",      "\n",          "\n",        "\n",       "/*",       "*/",
+      "//",       "defined",   "ONE",         "1",         "0",        "?",        ":",
+      "<",        "&&",        "!",           "/",         "%",        "-",        "{",
+      "}",        "[",         "]",           ";",         "=",        "const ",   "float ",
+      "uniform ", "texture",   "sample",      "mix",       "shadow2D", "bool ",    "struct ",
+      "layout",   "outColor0", "#extension ", "#version ", "\"",       "\t",       " ",
+      "F(F(",     "\r\n"};
+  std::mt19937 random(2);
+  for (int round = 0; round < 3000; ++round) {
+    std::string text;
+    for (int i = 0; i < 60; ++i) text += pieces[random() % pieces.size()];
+    run(text);
+  }
+}
+
+TEST(robustness, exponential_expansion_is_cut_with_a_diagnostic) {
+  std::string text = "#define A0 x\n";
+  for (int i = 1; i < 60; ++i) {
+    const std::string before = "A" + std::to_string(i - 1);
+    text += "#define A" + std::to_string(i) + " " + before + " " + before + "\n";
+  }
+  const Outcome outcome = run(text + "A59\n");
+  EXPECT_TRUE(reports(outcome, "macro-expansion-limit"));
+  EXPECT_LT(outcome.tokens, 2'000'000u);
+}
+
+TEST(robustness, exponential_arguments_are_cut_with_a_diagnostic) {
+  std::string call = "x";
+  for (int i = 0; i < 50; ++i) call = "D(" + call + ")";
+  const Outcome outcome = run("#define D(x) x x\n" + call + "\n");
+  EXPECT_TRUE(reports(outcome, "macro-expansion-limit"));
+}
+
+TEST(robustness, deep_argument_nesting_is_cut_with_a_diagnostic) {
+  std::string call = "x";
+  for (int i = 0; i < 5000; ++i) call = "I(" + call + ")";
+  EXPECT_TRUE(reports(run("#define I(x) x\n" + call + "\n"), "macro-expansion-limit"));
+}
+
+TEST(robustness, long_chains_of_macros_end) {
+  std::string text = "#define A0 x\n";
+  for (int i = 1; i < 20000; ++i) {
+    text += "#define A" + std::to_string(i) + " A" + std::to_string(i - 1) + "\n";
+  }
+  EXPECT_TRUE(reports(run(text + "A19999\n"), "macro-expansion-limit"));
+}
+
+TEST(robustness, deep_brackets_and_conditionals_do_not_exhaust_the_stack) {
+  run(std::string(100000, '(') + std::string(100000, '{'));
+  std::string nested;
+  for (int i = 0; i < 20000; ++i) nested += "#if 1\n";
+  const Outcome outcome = run(nested);
+  EXPECT_TRUE(reports(outcome, "conditional-unbalanced"));
+  EXPECT_LE(outcome.diagnostics.size(), 300u);
+}
+
+TEST(robustness, many_comments_and_continuations_take_linear_time) {
+  std::string text;
+  for (int i = 0; i < 20000; ++i) text += "/* a\n */ b /*\n*/ \\\n";
+  run(text);
+  run(std::string(200000, '\\') + "\n");
+  std::string continued;
+  for (int i = 0; i < 100000; ++i) continued += "a \\\n";
+  run(continued);
+}
+
+}  // namespace
+}  // namespace orris

@@ -1,0 +1,131 @@
+#include "glsl/validate.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "glsl/glsl_test.h"
+
+namespace orris {
+namespace {
+
+// Preprocesses, rewrites and validates the named entry files as one program.
+std::string validated(const test::Files& files, const std::vector<std::string>& entries) {
+  Diagnostics diagnostics;
+  std::vector<StageText> stages;
+  for (const std::string& entry : entries) {
+    Stage stage = Stage::Fragment;
+    for (Stage candidate : {Stage::Vertex, Stage::Geometry, Stage::Fragment, Stage::Compute}) {
+      if (entry.ends_with(stageExtension(candidate))) stage = candidate;
+    }
+    TokenStream stream = preprocess(test::flatten(files, entry), {}, diagnostics);
+    rewrite(stream, stage);
+    stages.push_back({stage, print(stream)});
+  }
+  validateWithGlslang(stages, test::linesOf(files), diagnostics);
+  return test::format(diagnostics);
+}
+
+const std::string kVertex =
+    "#version 120\nvarying vec2 uv;\nvoid main() { gl_Position = ftransform(); uv = "
+    "gl_MultiTexCoord0.xy; }\n";
+
+TEST(validate, legacy_program_is_clean_after_rewriting) {
+  EXPECT_EQ(validated({{"/a.vsh", kVertex},
+                       {"/a.fsh",
+                        "#version 120\n#extension GL_EXT_gpu_shader4 : require\nvarying vec2 uv;\n"
+                        "uniform sampler2D texture;;\nuniform float u;\nconst float k = u;\n"
+                        "void main() { gl_FragData[0] = texture2D(texture, uv) * k; }\n"}},
+                      {"/a.vsh", "/a.fsh"}),
+            "");
+}
+
+TEST(validate, an_error_three_includes_deep_has_place_chain_and_caret) {
+  EXPECT_EQ(
+      validated(
+          {{"/a.vsh", kVertex},
+           {"/a.fsh", "#version 120\n#include \"/b.glsl\"\nvoid main() { gl_FragColor = f(); }\n"},
+           {"/b.glsl", "\n#include \"/c.glsl\"\n"},
+           {"/c.glsl", "// c\n#include \"/d.glsl\"\n"},
+           {"/d.glsl", "vec4 f() {\n\treturn vec4(1.0) * missing;\n}\n"}},
+          {"/a.vsh", "/a.fsh"}),
+      "/d.glsl:2:21: error: 'missing' : undeclared identifier\n"
+      "  included from /c.glsl:2\n"
+      "  included from /b.glsl:2\n"
+      "  included from /a.fsh:2\n"
+      "  \treturn vec4(1.0) * missing;\n"
+      "  \t                   ^\n");
+}
+
+TEST(validate, an_error_in_a_macro_names_the_macro_and_its_definition) {
+  EXPECT_EQ(validated({{"/a.vsh", kVertex},
+                       {"/a.fsh",
+                        "#version 120\n#define GLOW 2.0 * missing\nvoid main() {\n"
+                        "  gl_FragColor = vec4(GLOW);\n}\n"}},
+                      {"/a.vsh", "/a.fsh"}),
+            "/a.fsh:4:23: error: 'missing' : undeclared identifier\n"
+            "    gl_FragColor = vec4(GLOW);\n"
+            "                        ^\n"
+            "  note: expanded from macro 'GLOW', defined at /a.fsh:2\n");
+}
+
+TEST(validate, link_errors_stand_at_the_entry_file_of_their_stage) {
+  EXPECT_EQ(validated({{"/a.vsh", kVertex},
+                       {"/a.fsh", "#version 120\nvoid notMain() {}\nfloat f();\nfloat a = f();\n"}},
+                      {"/a.vsh", "/a.fsh"})
+                .substr(0, 15),
+            "/a.fsh: error: ");
+}
+
+TEST(validate, built_in_varyings_written_by_hand_are_no_clash) {
+  EXPECT_EQ(
+      validated(
+          {{"/a.vsh",
+            "#version 120\nvoid main() { gl_Position = ftransform(); gl_FogFragCoord = 1.0;"
+            " gl_TexCoord[0] = gl_MultiTexCoord0; }\n"},
+           {"/a.fsh",
+            "#version 120\nvoid main() { gl_FragColor = gl_TexCoord[0] * gl_FogFragCoord; }\n"}},
+          {"/a.vsh", "/a.fsh"}),
+      "");
+}
+
+TEST(validate, an_extension_unknown_to_glslang_is_only_a_warning) {
+  const std::string text = validated(
+      {{"/a.vsh", kVertex},
+       {"/a.fsh", "#version 120\n#extension GL_NV_unheard_of : require\nvoid main() {}\n"}},
+      {"/a.vsh", "/a.fsh"});
+  EXPECT_EQ(text.substr(0, text.find('\n')),
+            "/a.fsh:2:1: warning: '#extension' : extension not supported: GL_NV_unheard_of");
+}
+
+TEST(validate, compute_programs_are_checked) {
+  const test::Files files = {
+      {"/a.csh",
+       "#version 430\nlayout(local_size_x = 8, local_size_y = 8) in;\n"
+       "layout(rgba16f) uniform image2D colorimg0;\n"
+       "void main() { imageStore(colorimg0, ivec2(gl_GlobalInvocationID.xy), vec4(x)); }\n"}};
+  EXPECT_EQ(validated(files, {"/a.csh"}).substr(0, 55),
+            "/a.csh:4:75: error: 'x' : undeclared identifier\n  void ");
+}
+
+TEST(validate, works_from_several_threads) {
+  std::vector<std::string> results(4);
+  std::vector<std::thread> threads;
+  for (std::string& result : results) {
+    threads.emplace_back([&result] {
+      result = validated({{"/a.vsh", kVertex},
+                          {"/a.fsh", "#version 120\nvoid main() { gl_FragColor = vec4(y); }\n"}},
+                         {"/a.vsh", "/a.fsh"});
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  for (const std::string& result : results) {
+    EXPECT_EQ(result,
+              "/a.fsh:2:35: error: 'y' : undeclared identifier\n"
+              "  void main() { gl_FragColor = vec4(y); }\n"
+              "                                    ^\n");
+  }
+}
+
+}  // namespace
+}  // namespace orris
