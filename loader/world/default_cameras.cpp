@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -7,6 +8,18 @@ namespace orris {
 namespace {
 
 constexpr float kFov = 70;
+constexpr double kEyeHeight = 1.62;
+
+struct Direction {
+  glm::ivec3 step;
+  float yaw;
+};
+constexpr std::array<Direction, 4> kDirections{
+    {{{0, 0, 1}, 0}, {{-1, 0, 0}, 90}, {{0, 0, -1}, 180}, {{1, 0, 0}, 270}}};
+
+bool isFree(const BlockWorld& blocks, glm::ivec3 p) {
+  return blocks.contains(p) && blocks.indexAt(p) == 0;
+}
 
 /// A cell of air with air above it, nearest to the middle of the box.
 std::optional<glm::ivec3> freeSpot(const BlockWorld& blocks) {
@@ -18,10 +31,10 @@ std::optional<glm::ivec3> freeSpot(const BlockWorld& blocks) {
     for (int z = 0; z < size.z; ++z) {
       for (int x = 0; x < size.x; ++x) {
         const glm::ivec3 p = blocks.origin() + glm::ivec3(x, y, z);
-        if (blocks.indexAt(p) != 0 || blocks.indexAt(p + glm::ivec3(0, 1, 0)) != 0) continue;
         const glm::dvec3 d = glm::dvec3(x, y, z) + 0.5 - middle;
         const double distance = glm::dot(d, d);
         if (distance >= bestDistance) continue;
+        if (!isFree(blocks, p) || !isFree(blocks, p + glm::ivec3(0, 1, 0))) continue;
         bestDistance = distance;
         best = p;
       }
@@ -30,23 +43,46 @@ std::optional<glm::ivec3> freeSpot(const BlockWorld& blocks) {
   return best;
 }
 
+/// At eye height, looking where the view is longest.
+Camera insideCamera(const BlockWorld& blocks, glm::ivec3 spot) {
+  Camera camera{"inside", glm::dvec3(spot) + glm::dvec3(0.5, kEyeHeight, 0.5), 0, 0, kFov};
+  int longest = -1;
+  for (const Direction& direction : kDirections) {
+    int length = 0;
+    glm::ivec3 p = spot + glm::ivec3(0, 1, 0);
+    while (isFree(blocks, p += direction.step)) ++length;
+    if (length <= longest) continue;
+    longest = length;
+    camera.yaw = direction.yaw;
+  }
+  return camera;
+}
+
+/// From the south-west above, as near as the box's corners allow in a square picture.
+Camera outsideCamera(const BlockWorld& blocks) {
+  constexpr double kPitch = 30;
+  const double sine = std::sin(glm::radians(kPitch)), cosine = std::cos(glm::radians(kPitch));
+  const glm::dvec3 right(std::sqrt(0.5), 0, std::sqrt(0.5));
+  const glm::dvec3 forward(right.x * cosine, -sine, -right.z * cosine);
+  const glm::dvec3 up = glm::cross(right, forward);
+  const glm::dvec3 half = glm::dvec3(blocks.size()) * 0.5;
+  const double slope = std::tan(glm::radians(double(kFov)) / 2) * 0.95;  // a small margin
+  double distance = 1;
+  for (int i = 0; i < 8; ++i) {
+    const glm::dvec3 corner = half * glm::dvec3((i & 1) * 2 - 1, (i & 2) - 1, (i & 4) / 2 - 1);
+    const double aside =
+        std::max(std::abs(glm::dot(corner, right)), std::abs(glm::dot(corner, up)));
+    distance = std::max(distance, aside / slope - glm::dot(corner, forward));
+  }
+  const glm::dvec3 middle = glm::dvec3(blocks.origin()) + half;
+  return {"default", middle - forward * distance, 225, float(kPitch), kFov};
+}
+
 }  // namespace
 
 std::vector<Camera> defaultCameras(const BlockWorld& blocks) {
-  const glm::dvec3 size(blocks.size());
-  const glm::dvec3 middle = glm::dvec3(blocks.origin()) + size * 0.5;
-  // From the south-west above, far enough that the box's sphere fits the vertical field of view.
-  const double radius = 0.5 * glm::length(size);
-  const double distance = std::max(2.0, radius / std::sin(glm::radians(double(kFov)) / 2));
-  constexpr double kPitch = 30;
-  const double horizontal = std::cos(glm::radians(kPitch)) * std::sqrt(0.5);
-  Camera outside{"default", middle, 225, float(kPitch), kFov};
-  outside.position +=
-      distance * glm::dvec3(-horizontal, std::sin(glm::radians(kPitch)), horizontal);
-  std::vector<Camera> cameras{outside};
-  if (const std::optional<glm::ivec3> spot = freeSpot(blocks)) {
-    cameras.push_back({"inside", glm::dvec3(*spot) + glm::dvec3(0.5, 1.12, 0.5), 0, 0, kFov});
-  }
+  std::vector<Camera> cameras{outsideCamera(blocks)};
+  if (const auto spot = freeSpot(blocks)) cameras.push_back(insideCamera(blocks, *spot));
   return cameras;
 }
 
