@@ -7,14 +7,26 @@ namespace orris {
 namespace {
 
 constexpr int kFull = 15;
+/// By FaceDirection.
 constexpr std::array<glm::ivec3, 6> kNeighbours{
     {{0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}, {-1, 0, 0}, {1, 0, 0}}};
+
+/// What the cells of the grown box do to light. `covered` has bit 1 << FaceDirection for a side that
+/// lets nothing through, so that stairs and slabs close a roof as in the game.
+struct Medium {
+  explicit Medium(std::size_t cells) : opacity(cells), covered(cells) {}
+  std::vector<std::uint8_t> opacity, covered;
+
+  bool passes(std::size_t from, std::size_t to, std::size_t face) const {
+    return (covered[from] >> face & 1) == 0 && (covered[to] >> (face ^ 1) & 1) == 0;
+  }
+};
 
 /// One kind of light over the grown box, spread from its sources by decreasing level.
 class LightField {
  public:
-  LightField(glm::ivec3 size, const std::vector<std::uint8_t>& opacity)
-      : size_(size), opacity_(opacity), levels_(opacity.size()) {}
+  LightField(glm::ivec3 size, const Medium& medium)
+      : size_(size), medium_(medium), levels_(medium.opacity.size()) {}
 
   std::size_t offset(glm::ivec3 p) const {
     return (std::size_t(p.y) * size_.z + p.z) * size_.x + p.x;
@@ -30,7 +42,7 @@ class LightField {
 
   /// What arrives in `p` from a neighbour of level `from`.
   int arriving(glm::ivec3 p, int from) const {
-    return from - std::max<int>(1, opacity_[offset(p)]);
+    return from - std::max<int>(1, medium_.opacity[offset(p)]);
   }
 
   void spread() {
@@ -45,9 +57,9 @@ class LightField {
 
  private:
   void spreadFrom(glm::ivec3 p, int from) {
-    for (const glm::ivec3 step : kNeighbours) {
-      const glm::ivec3 q = p + step;
-      if (!inside(q)) continue;
+    for (std::size_t face = 0; face < kNeighbours.size(); ++face) {
+      const glm::ivec3 q = p + kNeighbours[face];
+      if (!inside(q) || !medium_.passes(offset(p), offset(q), face)) continue;
       const int arrived = arriving(q, from);
       if (arrived <= level(q)) continue;
       set(q, arrived);
@@ -56,7 +68,7 @@ class LightField {
   }
 
   glm::ivec3 size_;
-  const std::vector<std::uint8_t>& opacity_;
+  const Medium& medium_;
   std::vector<std::uint8_t> levels_;
   std::array<std::vector<glm::ivec3>, kFull + 1> queues_;
 };
@@ -70,12 +82,18 @@ void forEachCell(glm::ivec3 size, Visit visit) {
   }
 }
 
-std::vector<std::uint8_t> skyLight(glm::ivec3 size, const std::vector<std::uint8_t>& opacity) {
-  LightField field(size, opacity);
+std::vector<std::uint8_t> skyLight(glm::ivec3 size, const Medium& medium) {
+  constexpr std::size_t kDown = 0;
+  LightField field(size, medium);
   for (int z = 0; z < size.z; ++z) {
     for (int x = 0; x < size.x; ++x) {
-      for (int y = size.y - 1; y >= 0 && opacity[field.offset({x, y, z})] == 0; --y) {
+      std::size_t above = field.offset({x, size.y - 1, z});
+      for (int y = size.y - 1; y >= 0; --y) {
+        const std::size_t cell = field.offset({x, y, z});
+        if (medium.opacity[cell] != 0 || (cell != above && !medium.passes(above, cell, kDown)))
+          break;
         field.set({x, y, z}, kFull);
+        above = cell;
       }
     }
   }
@@ -96,18 +114,20 @@ std::vector<std::uint8_t> skyLight(glm::ivec3 size, const std::vector<std::uint8
 
 LightLevels::LightLevels(const BlockWorld& blocks, const std::vector<BlockFacts>& factsByPalette)
     : origin_(blocks.origin() - 1), size_(blocks.size() + 2) {
-  std::vector<std::uint8_t> opacity(std::size_t(size_.x) * size_.y * size_.z);
-  LightField field(size_, opacity);
+  Medium medium(std::size_t(size_.x) * size_.y * size_.z);
+  LightField field(size_, medium);
   forEachCell(size_, [&](glm::ivec3 p) {
     const BlockFacts& facts = factsByPalette[blocks.indexAt(origin_ + p)];
-    opacity[field.offset(p)] = std::uint8_t(std::clamp(facts.opacity, 0, kFull));
+    medium.opacity[field.offset(p)] = std::uint8_t(std::clamp(facts.opacity, 0, kFull));
+    // A full cube stops light by its opacity; its sides must not keep in what it emits.
+    if (!facts.fullOpaqueCube) medium.covered[field.offset(p)] = facts.coveredFaces;
     if (facts.emission <= 0) return;
     field.set(p, std::min(facts.emission, kFull));
     field.addSource(p);
   });
   field.spread();
   levels_ = field.take();
-  const std::vector<std::uint8_t> sky = skyLight(size_, opacity);
+  const std::vector<std::uint8_t> sky = skyLight(size_, medium);
   for (std::size_t i = 0; i < levels_.size(); ++i) levels_[i] |= std::uint8_t(sky[i] << 4);
 }
 

@@ -55,6 +55,31 @@ TEST(Light, sky_reaches_under_an_overhang_from_its_side) {
   EXPECT_EQ(light.sky({4, 1, 4}), 10);
 }
 
+TEST(Light, stairs_and_slabs_close_a_roof) {
+  for (const char* roof : {"oak_slab[type=bottom]", "oak_slab[type=top]", "oak_stairs[facing=east]",
+                           "oak_stairs[facing=east,half=top]"}) {
+    Scene scene({5, 4, 5});
+    scene.fill({0, 0, 0}, {4, 3, 4}, "stone");
+    scene.fill({1, 1, 1}, {3, 2, 3}, "air");
+    scene.set({2, 3, 2}, roof);
+    const LightLevels light = scene.light();
+    EXPECT_EQ(light.sky({2, 2, 2}), 0) << roof;
+    const bool topClosed = std::string(roof).find("top") != std::string::npos;
+    EXPECT_EQ(light.sky({2, 3, 2}), topClosed ? 0 : 15) << roof;
+  }
+}
+
+TEST(Light, lamp_behind_a_slab_shines_past_its_open_half_only) {
+  Scene scene({5, 3, 3});
+  scene.fill({0, 0, 0}, {4, 2, 2}, "stone");
+  scene.set({1, 1, 1}, "glowstone");
+  scene.set({2, 1, 1}, "oak_stairs[facing=east]");
+  scene.set({3, 1, 1}, "air");
+  const LightLevels light = scene.light();
+  EXPECT_EQ(light.block({2, 1, 1}), 14) << "the open front";
+  EXPECT_EQ(light.block({3, 1, 1}), 0) << "behind the closed back";
+}
+
 TEST(Light, glass_lets_the_sky_straight_through) {
   Scene scene({5, 4, 5});
   scene.fill({0, 0, 0}, {4, 3, 4}, "stone");
