@@ -39,14 +39,23 @@ glm::ivec4 specularTexel(const Texel& texel) {
           int(std::lround(std::clamp(texel.emission, 0.0f, 1.0f) * 254))};
 }
 
+glm::vec3 meanColour(const TextureCanvas& canvas) {
+  glm::vec4 sum(0);
+  for (const Texel& texel : canvas.texels) {
+    sum += glm::vec4(glm::vec3(texel.colour), 1) * texel.colour.a;
+  }
+  return sum.w > 0 ? glm::vec3(sum) / sum.w : glm::vec3(0);
+}
+
 void drawTile(BlockAtlas& atlas, const std::string& name, int left, int top) {
   const TextureCanvas canvas = drawTexture(name);
+  const glm::vec3 mean = meanColour(canvas);
   float highest = 0;
   for (const Texel& texel : canvas.texels) highest = std::max(highest, texel.height);
   for (int y = 0; y < kTile; ++y) {
     for (int x = 0; x < kTile; ++x) {
       const Texel& texel = canvas.at(x, y);
-      const glm::vec4& c = texel.colour;
+      const glm::vec4 c = texel.colour.a > 0 ? texel.colour : glm::vec4(mean, 0);
       put(atlas.albedo, left + x, top + y, {toByte(c.r), toByte(c.g), toByte(c.b), toByte(c.a)});
       put(atlas.normal, left + x, top + y, normalTexel(canvas, x, y, highest));
       put(atlas.specular, left + x, top + y, specularTexel(texel));

@@ -16,8 +16,11 @@ struct AtlasTile {
   glm::vec2 min{0}, max{0};
 };
 
-/// Power-of-two size. Default texels: normal (127,127,255,255), specular 0.
+/// Power-of-two size. Default texels: normal (127,127,255,255), specular 0. Empty texels of a tile
+/// have its mean colour under alpha 0, so that filtering brings no dark rims.
 struct BlockAtlas {
+  /// Mipmap levels below the full size that mix no two tiles: level 4 has one texel a tile.
+  static constexpr int kMipLevels = 4;
   int tileSize = 16;
   Image8 albedo, normal, specular;
   std::map<std::string, AtlasTile> tiles;

@@ -90,12 +90,6 @@ void addCross(const BlockFacts& facts, const BlockAtlas& atlas, std::vector<Bloc
   }
 }
 
-/// A grass block is tinted on its top only; other tinted blocks all over.
-bool isTinted(const BlockFacts& facts, FaceDirection direction) {
-  if (facts.tint == Tint::Grass && facts.fullOpaqueCube) return direction == FaceDirection::Up;
-  return facts.tint != Tint::None;
-}
-
 }  // namespace
 
 bool SideRectangle::covers(const SideRectangle& other) const {
@@ -135,7 +129,7 @@ BlockFaces makeBlockFaces(const BlockFacts& facts, const BlockAtlas& atlas) {
       if (box.textures[i].empty()) continue;
       setAtlas(face, atlas.tile(box.textures[i]));
       face.smooth = facts.emission == 0;
-      face.tinted = isTinted(facts, face.direction);
+      face.tinted = (box.tintedFaces >> i & 1) != 0;
       result.faces.push_back(face);
     }
   }

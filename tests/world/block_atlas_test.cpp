@@ -122,6 +122,24 @@ TEST(BlockAtlas, no_tile_is_empty) {
   }
 }
 
+TEST(BlockAtlas, empty_texels_have_the_colour_of_the_rest) {
+  const BlockAtlas atlas = buildAtlas({"cherry_leaves"});
+  const glm::ivec2 corner = cornerOf(atlas, "cherry_leaves");
+  int holes = 0;
+  for (int i = 0; i < 256; ++i) {
+    const std::uint8_t* texel = atlas.albedo.at(corner.x + i % 16, corner.y + i / 16);
+    if (texel[3] != 0) continue;
+    ++holes;
+    EXPECT_GT(texel[0], 150);
+    EXPECT_GT(texel[0], texel[1]);
+  }
+  EXPECT_GT(holes, 0);
+}
+
+TEST(BlockAtlas, smallest_safe_mipmap_level_has_one_texel_a_tile) {
+  EXPECT_EQ(BlockAtlas().tileSize >> BlockAtlas::kMipLevels, 1);
+}
+
 TEST(BlockAtlas, turned_texture_is_a_quarter_turn_clockwise) {
   const TextureCanvas plain = drawTexture("oak_planks"), quarter = drawTexture("oak_planks@90");
   EXPECT_EQ(quarter.at(15, 0).colour, plain.at(0, 0).colour);
