@@ -76,13 +76,23 @@ NameLists listsOf(const json& lists) {
   return result;
 }
 
+/// The names of a definition: one string or several, separated by spaces.
+std::vector<std::string> patternsOf(const json& names) {
+  if (names.is_string()) return split(names.get<std::string>(), ' ');
+  std::vector<std::string> result;
+  for (const json& line : names) {
+    for (std::string& name : split(line.get<std::string>(), ' ')) result.push_back(std::move(name));
+  }
+  return result;
+}
+
 /// "{wood}_door" becomes oak_door, birch_door...; a name holds at most one list.
 std::vector<ExpandedName> expandNames(const json& names, const NameLists& lists) {
   std::vector<ExpandedName> result;
-  for (const std::string& pattern : split(names.get<std::string>(), ' ')) {
+  for (const std::string& pattern : patternsOf(names)) {
     const size_t open = pattern.find('{'), close = pattern.find('}');
     if (open == std::string::npos) {
-      if (!pattern.empty()) result.push_back(nameWithWords(pattern, {pattern, ""}, lists));
+      result.push_back(nameWithWords(pattern, {pattern, ""}, lists));
       continue;
     }
     for (const ListEntry& entry : lists.at(pattern.substr(open + 1, close - open - 1))) {
