@@ -13,23 +13,6 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-void requireSupported(const std::vector<std::string>& required,
-                      const std::vector<std::string>& supported, const std::string& key,
-                      const std::string& file, Diagnostics& diagnostics) {
-  for (const std::string& flag : required) {
-    if (contains(supported, flag)) continue;
-    const std::string hint = suggest(flag, supported);
-    diagnostics.push_back(
-        {.severity = Severity::Error,
-         .id = "feature-unsupported",
-         .at = {.file = file},
-         .message = fmt::format("{} names {}, which this host does not offer", key, flag),
-         .hint = hint.empty() ? fmt::format("offered are {}",
-                                            supported.empty() ? "none" : joinNames(supported))
-                              : hint});
-  }
-}
-
 void requireFlag(const ShaderProperties& properties, const std::string& flag, std::string_view what,
                  const SourceLocation& at, Diagnostics& diagnostics) {
   if (properties.feature(flag)) return;
@@ -64,12 +47,20 @@ const std::vector<std::string>& supportedOrrisFeatures() {
   return kNames;
 }
 
-void checkFeatures(const ShaderProperties& properties, const std::string& file,
-                   Diagnostics& diagnostics) {
-  requireSupported(properties.requiredFeatures, supportedFeatures(), "iris.features.required", file,
-                   diagnostics);
-  requireSupported(properties.orrisRequiredFeatures, supportedOrrisFeatures(),
-                   "orris.features.required", file, diagnostics);
+void requireFeatures(const PropertyContext& context, const std::vector<std::string>& supported) {
+  for (const std::string& flag : splitBlanks(context.entry.value)) {
+    if (contains(supported, upperCase(flag))) continue;
+    const std::string hint = suggest(flag, supported);
+    context.fail("feature-unsupported",
+                 fmt::format("this host does not offer the feature {}", flag),
+                 !hint.empty()       ? hint
+                 : supported.empty() ? "make the feature optional"
+                                     : "offered are " + joinNames(supported),
+                 flag);
+  }
+}
+
+void checkDeclared(const ShaderProperties& properties, Diagnostics& diagnostics) {
   if (!properties.bufferObjects.empty()) {
     requireFlag(properties, "SSBO", "buffer objects", properties.bufferObjects.front().at,
                 diagnostics);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "glsl/preprocessor.h"
-#include "pack/shader_properties.h"
+#include "pack/property_keys.h"
 
 namespace orris {
 
@@ -14,9 +14,11 @@ namespace orris {
 const std::vector<std::string>& supportedFeatures();
 const std::vector<std::string>& supportedOrrisFeatures();
 
-/// Errors for required flags that the host lacks, and for buffers and images without their flag.
-void checkFeatures(const ShaderProperties& properties, const std::string& file,
-                   Diagnostics& diagnostics);
+/// An error for each flag on the entry's line that `supported` lacks.
+void requireFeatures(const PropertyContext& context, const std::vector<std::string>& supported);
+
+/// Errors for buffer objects and custom images without their flag.
+void checkDeclared(const ShaderProperties& properties, Diagnostics& diagnostics);
 
 /// IRIS_FEATURE_* and ORRIS_FEATURE_* as the *.properties files see them (all supported flags), and
 /// as shaders see them (those listed as optional).

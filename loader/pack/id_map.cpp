@@ -28,7 +28,7 @@ std::vector<PropertyEntry> idEntries(const std::string& file, const std::string&
   std::erase_if(entries, [&](const PropertyEntry& entry) {
     const bool known = std::any_of(prefixes.begin(), prefixes.end(),
                                    [&](auto& prefix) { return entry.key.starts_with(prefix); });
-    if (!known && entry.sourceLine.find('=') == std::string::npos) {
+    if (!known && entry.lines.front().find('=') == std::string::npos) {
       diagnostics.push_back(propertyDiagnostic(
           Severity::Warning, "id-stray-line", entry, "this line belongs to no key and is ignored",
           fmt::format("end the line before it with a backslash, or start it with {}",
@@ -61,9 +61,9 @@ BlockFilter parseFilter(const PropertyEntry& entry, std::string_view word, int i
   for (size_t i = hasNamespace ? 2 : 1; i < parts.size(); ++i) {
     const size_t equals = parts[i].find('=');
     if (equals == std::string_view::npos) {
-      diagnostics.push_back(
-          propertyDiagnostic(Severity::Warning, "id-state", entry,
-                             fmt::format("\"{}\" in {} is no property=value", parts[i], word)));
+      diagnostics.push_back(propertyDiagnostic(
+          Severity::Warning, "id-state", entry,
+          fmt::format("\"{}\" in {} is no property=value", parts[i], word), "", word));
       continue;
     }
     std::vector<std::string> values;

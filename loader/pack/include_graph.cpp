@@ -38,7 +38,7 @@ class Reader {
 
   void include(const std::string& from, int line, const std::string& text) {
     open_.push_back({from, line});
-    if (const auto target = resolve(from, line, text)) {
+    if (const auto target = resolve(from, text)) {
       graph_.includes[from][line] = *target;
       const bool isOpen =
           std::any_of(open_.begin(), open_.end(), [&](const Open& o) { return o.file == *target; });
@@ -57,7 +57,7 @@ class Reader {
   }
 
   /// The file that the line names; nullopt when reported as an error.
-  std::optional<std::string> resolve(const std::string& from, int, const std::string& text) {
+  std::optional<std::string> resolve(const std::string& from, const std::string& text) {
     std::string_view written = trim(trim(text).substr(kInclude.size()));
     if (written.starts_with('"')) written.remove_prefix(1);
     const size_t quote = written.find('"');

@@ -106,6 +106,19 @@ std::string unescape(std::string_view text) {
   return result;
 }
 
+/// Where `word` stands on its own; npos when it does not.
+size_t findWord(std::string_view line, std::string_view word) {
+  const auto stands = [&](size_t at) {
+    const size_t end = at + word.size();
+    return (at == 0 || !isWordCharacter(line[at - 1]) || !isWordCharacter(word.front())) &&
+           (end == line.size() || !isWordCharacter(line[end]) || !isWordCharacter(word.back()));
+  };
+  if (word.empty()) return std::string_view::npos;
+  size_t at = line.find(word);
+  while (at != std::string_view::npos && !stands(at)) at = line.find(word, at + 1);
+  return at;
+}
+
 /// Length of the key: up to an unescaped '=', ':' or blank.
 size_t keyLength(std::string_view line) {
   for (size_t i = 0; i < line.size(); ++i) {
@@ -128,11 +141,15 @@ std::vector<PropertyEntry> parseProperties(const std::string& file, std::string_
     const std::string_view start = skipBlanks(lines.text[i]);
     if (start.empty() || start.front() == '#' || start.front() == '!') continue;
     PropertyEntry entry;
-    entry.sourceLine = i < lines.original.size() ? lines.original[i] : lines.text[i];
-    entry.at = {
-        file, static_cast<int>(i) + 1,
-        static_cast<int>(entry.sourceLine.size() - skipBlanks(entry.sourceLine).size()) + 1};
+    const size_t first = i;
     const std::string joined = joinContinued(lines, i, continuation);
+    for (size_t line = first; line <= i && line < lines.original.size(); ++line) {
+      entry.lines.push_back(lines.original[line]);
+    }
+    if (entry.lines.empty()) entry.lines.push_back(lines.text[first]);
+    const std::string& written = entry.lines.front();
+    entry.at = {file, static_cast<int>(first) + 1,
+                static_cast<int>(written.size() - skipBlanks(written).size()) + 1};
     const size_t length = keyLength(joined);
     std::string_view value = skipBlanks(std::string_view(joined).substr(length));
     if (!value.empty() && (value.front() == '=' || value.front() == ':')) value.remove_prefix(1);
@@ -158,13 +175,22 @@ std::vector<PropertyEntry> lastValues(const std::vector<PropertyEntry>& entries)
 }
 
 Diagnostic propertyDiagnostic(Severity severity, std::string id, const PropertyEntry& entry,
-                              std::string message, std::string hint) {
-  return {.severity = severity,
-          .id = std::move(id),
-          .at = entry.at,
-          .message = std::move(message),
-          .sourceLine = entry.sourceLine,
-          .hint = std::move(hint)};
+                              std::string message, std::string hint, std::string_view word) {
+  Diagnostic diagnostic{.severity = severity,
+                        .id = std::move(id),
+                        .at = entry.at,
+                        .message = std::move(message),
+                        .sourceLine = entry.lines.front(),
+                        .hint = std::move(hint)};
+  for (size_t i = 0; i < entry.lines.size(); ++i) {
+    const size_t column = findWord(entry.lines[i], word);
+    if (column == std::string::npos) continue;
+    diagnostic.at.line += static_cast<int>(i);
+    diagnostic.at.column = static_cast<int>(column) + 1;
+    diagnostic.sourceLine = entry.lines[i];
+    break;
+  }
+  return diagnostic;
 }
 
 }  // namespace orris

@@ -13,8 +13,8 @@ namespace orris {
 struct PropertyEntry {
   std::string key;
   std::string value;
-  SourceLocation at;       ///< of the key
-  std::string sourceLine;  ///< the first line, as written
+  SourceLocation at;               ///< of the key
+  std::vector<std::string> lines;  ///< as written, from the line of the key on
 };
 
 /// How an entry goes on after a line that ends in a backslash.
@@ -34,8 +34,9 @@ std::vector<PropertyEntry> parseProperties(const std::string& file, std::string_
 /// Of each key the last value, at the place in the order where the key first appeared.
 std::vector<PropertyEntry> lastValues(const std::vector<PropertyEntry>& entries);
 
-/// A diagnostic at the entry's key.
+/// A diagnostic at `word` where the author's lines hold it, else at the entry's key.
 Diagnostic propertyDiagnostic(Severity severity, std::string id, const PropertyEntry& entry,
-                              std::string message, std::string hint = {});
+                              std::string message, std::string hint = {},
+                              std::string_view word = {});
 
 }  // namespace orris

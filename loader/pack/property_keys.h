@@ -17,8 +17,11 @@ struct PropertyContext {
   const OptionSet& options;
   Diagnostics& diagnostics;
 
-  void warn(std::string id, std::string message, std::string hint = {}) const;
-  void fail(std::string id, std::string message, std::string hint = {}) const;
+  /// Reports at `word` of the entry, or at its key.
+  void warn(std::string id, std::string message, std::string hint = {},
+            std::string_view word = {}) const;
+  void fail(std::string id, std::string message, std::string hint = {},
+            std::string_view word = {}) const;
 };
 
 /// `rest` is the key without the prefix that chose the reader.

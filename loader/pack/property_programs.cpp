@@ -52,7 +52,7 @@ void checkProgram(const PropertyContext& context, std::string_view program) {
       std::max(nearest.size(), program.size()) - std::min(nearest.size(), program.size());
   if (difference > 2) return;
   context.warn("program-unknown", fmt::format("no program is called {}", program),
-               fmt::format("did you mean {}?", nearest));
+               fmt::format("did you mean {}?", nearest), program);
 }
 
 /// "" and a warning when the host has no such buffer.
@@ -60,7 +60,7 @@ std::string requireBuffer(const PropertyContext& context, std::string_view name)
   std::string buffer = knownBuffer(name);
   if (buffer.empty()) {
     context.warn("buffer-unknown", fmt::format("no buffer is called {}", name),
-                 fmt::format("buffers are {}", fmt::join(kBufferNames, ", ")));
+                 fmt::format("buffers are {}", fmt::join(kBufferNames, ", ")), name);
   }
   return buffer;
 }
@@ -84,7 +84,8 @@ std::optional<BlendMode> parseBlend(const PropertyContext& context) {
       const std::string hint = suggest(words[i], kBlendFactors);
       context.fail(
           "blend-factor", fmt::format("{} is no blend factor", words[i]),
-          hint.empty() ? fmt::format("factors are {}", fmt::join(kBlendFactors, ", ")) : hint);
+          hint.empty() ? fmt::format("factors are {}", fmt::join(kBlendFactors, ", ")) : hint,
+          words[i]);
       return std::nullopt;
     }
     mode.factors[i] = words[i];

@@ -32,7 +32,7 @@ std::string requireName(const PropertyContext& context, const std::string& word,
   if (known.empty()) {
     const std::string hint = suggest(word, names);
     context.fail("format-unknown", fmt::format("{} is no {}", word, what),
-                 hint.empty() ? fmt::format("known are {}", fmt::join(names, ", ")) : hint);
+                 hint.empty() ? fmt::format("known are {}", fmt::join(names, ", ")) : hint, word);
   }
   return known;
 }
@@ -43,7 +43,8 @@ bool readSides(const PropertyContext& context, const Words& words, size_t first,
     const auto side = parseInteger(words[first + i]);
     if (!side || *side < 1 || *side > kLargestSide) {
       context.warn("property-value", fmt::format("\"{}\" is no size", words[first + i]),
-                   fmt::format("sizes are whole numbers from 1 to {}", kLargestSide));
+                   fmt::format("sizes are whole numbers from 1 to {}", kLargestSide),
+                   words[first + i]);
       return false;
     }
     size[i] = static_cast<int>(*side);
@@ -80,7 +81,8 @@ void addTexture(const PropertyContext& context, std::string_view stage, std::str
                          .path = resourcePath(words[0]),
                          .at = context.entry.at};
   if (binding.path.empty()) {
-    context.fail("texture-path", fmt::format("{} leads out of the shaders folder", words[0]));
+    context.fail("texture-path", fmt::format("{} leads out of the shaders folder", words[0]), "",
+                 words[0]);
     return;
   }
   if (words.size() == 1 || readRaw(context, words, binding)) {
@@ -207,7 +209,8 @@ void readBufferObject(const PropertyContext& context, std::string_view index) {
   if (words.size() == 2) {
     buffer.file = resolvePackPath("/shaders.properties", words[1]).value_or("");
     if (buffer.file.empty()) {
-      context.fail("texture-path", fmt::format("{} leads out of the shaders folder", words[1]));
+      context.fail("texture-path", fmt::format("{} leads out of the shaders folder", words[1]), "",
+                   words[1]);
       return;
     }
   } else if (words.size() == 4) {

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
+#include "pack/features.h"
 #include "pack/property_keys.h"
 #include "pack/text.h"
 
@@ -56,8 +58,19 @@ bool readScreenKey(const PropertyContext& context) {
   return true;
 }
 
-std::vector<std::string> upperWords(const std::string& value) {
-  return splitBlanks(upperCase(value));
+void readFeatures(const PropertyContext& context) {
+  const std::string& key = context.entry.key;
+  const auto flags = [&] { return splitBlanks(upperCase(context.entry.value)); };
+  if (key == "iris.features.optional") context.out.optionalFeatures = flags();
+  if (key == "orris.features.optional") context.out.orrisOptionalFeatures = flags();
+  if (key == "iris.features.required") {
+    context.out.requiredFeatures = flags();
+    requireFeatures(context, supportedFeatures());
+  }
+  if (key == "orris.features.required") {
+    context.out.orrisRequiredFeatures = flags();
+    requireFeatures(context, supportedOrrisFeatures());
+  }
 }
 
 /// Profiles by name, so that parents are found in any order.
@@ -116,7 +129,8 @@ class ProfileReader {
                    option ? fmt::format("{} has values, so it needs one here", word)
                           : fmt::format("the pack has no option {}", word),
                    option ? fmt::format("write {}={}", word, option->defaultValue)
-                          : suggest(word, optionNames(options_)));
+                          : suggest(word, optionNames(options_)),
+                   word);
     }
   }
 
@@ -125,11 +139,10 @@ class ProfileReader {
     if (found == entries_.end()) {
       std::vector<std::string> names = order_;
       context.fail("profile-unknown", fmt::format("there is no profile {}", parent),
-                   suggest(parent, names));
+                   suggest(parent, names), "profile." + parent);
     } else if (open_.size() > kDeepest ||
                std::find(open_.begin(), open_.end(), parent) != open_.end()) {
-      context.fail("profile-recursion", fmt::format("profiles include each other: {} -> {}",
-                                                    fmt::join(open_, " -> "), parent));
+      reportRecursion(context, parent);
     } else {
       open_.push_back(parent);
       apply(*found->second, profile);
@@ -137,11 +150,21 @@ class ProfileReader {
     }
   }
 
+  /// Each circle once, whichever of its profiles is read first.
+  void reportRecursion(const PropertyContext& context, const std::string& parent) {
+    std::vector<std::string> circle(std::find(open_.begin(), open_.end(), parent), open_.end());
+    const std::string path = fmt::format("{} -> {}", fmt::join(circle, " -> "), parent);
+    std::sort(circle.begin(), circle.end());
+    if (!circles_.insert(circle).second) return;
+    context.fail("profile-recursion", "profiles include each other: " + path, "",
+                 "profile." + parent);
+  }
+
   void set(const PropertyContext& context, const std::string& name, const std::string& value,
            Profile& profile) {
     if (!options_.find(name)) {
       context.warn("profile-option", fmt::format("the pack has no option {}", name),
-                   suggest(name, optionNames(options_)));
+                   suggest(name, optionNames(options_)), name);
       return;
     }
     profile.values[name] = value;
@@ -153,6 +176,7 @@ class ProfileReader {
   std::map<std::string, const PropertyEntry*> entries_;
   std::vector<std::string> order_;
   std::vector<std::string> open_;
+  std::set<std::vector<std::string>> circles_;
   size_t words_ = 0;
 };
 
@@ -174,7 +198,7 @@ void checkScreens(const std::vector<PropertyEntry>& entries, const ShaderPropert
       diagnostics.push_back(
           propertyDiagnostic(Severity::Warning, "screen-option", entry,
                              (link ? "there is no screen " : "the pack has no option ") + word,
-                             link ? "" : suggest(word, optionNames(options))));
+                             link ? "" : suggest(word, optionNames(options)), word));
     }
   }
 }
@@ -186,10 +210,7 @@ void readScreens(const std::vector<PropertyEntry>& entries, ShaderProperties& ou
   for (const PropertyEntry& entry : entries) {
     if (readScreenKey({out, entry, options, diagnostics})) continue;
     if (entry.key == "sliders") out.sliders = splitBlanks(entry.value);
-    if (entry.key == "iris.features.required") out.requiredFeatures = upperWords(entry.value);
-    if (entry.key == "iris.features.optional") out.optionalFeatures = upperWords(entry.value);
-    if (entry.key == "orris.features.required") out.orrisRequiredFeatures = upperWords(entry.value);
-    if (entry.key == "orris.features.optional") out.orrisOptionalFeatures = upperWords(entry.value);
+    readFeatures({out, entry, options, diagnostics});
   }
   checkScreens(entries, out, options, diagnostics);
 }

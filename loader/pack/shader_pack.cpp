@@ -90,7 +90,7 @@ class Loader {
     if (propertiesText_) {
       pack_.properties = parseShaderProperties(kPropertiesFile, *propertiesText_, propertyMacros(),
                                                pack_.options, diagnostics_);
-      checkFeatures(pack_.properties, kPropertiesFile, diagnostics_);
+      checkDeclared(pack_.properties, diagnostics_);
       checkResources(pack_.properties, *pack_.source, diagnostics_);
     }
     shaderMacros_ = request_.environment;

@@ -146,14 +146,16 @@ void readEntry(const PropertyContext& context) {
 
 }  // namespace
 
-void PropertyContext::warn(std::string id, std::string message, std::string hint) const {
+void PropertyContext::warn(std::string id, std::string message, std::string hint,
+                           std::string_view word) const {
   diagnostics.push_back(propertyDiagnostic(Severity::Warning, std::move(id), entry,
-                                           std::move(message), std::move(hint)));
+                                           std::move(message), std::move(hint), word));
 }
 
-void PropertyContext::fail(std::string id, std::string message, std::string hint) const {
+void PropertyContext::fail(std::string id, std::string message, std::string hint,
+                           std::string_view word) const {
   diagnostics.push_back(propertyDiagnostic(Severity::Error, std::move(id), entry,
-                                           std::move(message), std::move(hint)));
+                                           std::move(message), std::move(hint), word));
 }
 
 bool ShaderProperties::flag(const std::string& key, bool fallback) const {

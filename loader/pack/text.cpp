@@ -119,8 +119,9 @@ std::string upperCase(std::string_view text) {
 }
 
 std::string nearestName(std::string_view name, const std::vector<std::string>& names) {
-  constexpr size_t kLongest = 128;  // a name from an untrusted file may be megabytes long
-  if (name.size() > kLongest) return "";
+  // Names come from untrusted files: there may be very many, and very long ones.
+  constexpr size_t kLongest = 128, kMost = 4096;
+  if (name.size() > kLongest || names.size() > kMost) return "";
   const std::string lower = lowerCase(name);
   std::string nearest;
   size_t best = name.size() / 3 + 1;

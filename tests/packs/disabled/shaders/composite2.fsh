@@ -1,0 +1,6 @@
+#version 330 compatibility
+//#define BLOOM
+#ifdef BLOOM
+#endif
+#error never seen either
+void main() {}

@@ -1,0 +1,3 @@
+#version 330 compatibility
+#include "/lib/buffers.glsl"
+void main() {}

@@ -1,0 +1,3 @@
+#version 330 compatibility
+#include "lib/open.glsl"
+void main() {}

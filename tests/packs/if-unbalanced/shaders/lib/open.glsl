@@ -1,0 +1,2 @@
+#ifdef SHADOWS
+float a = 1.0;

@@ -1,0 +1,4 @@
+#ifdef NEVER
+  #include "colour.glsl"
+#endif
+// #include "ignored.glsl"

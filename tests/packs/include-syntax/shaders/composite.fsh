@@ -1,0 +1,4 @@
+#version 330 compatibility
+#include "/lib/a.glsl" // the sky
+#include
+void main() {}

@@ -1,0 +1,2 @@
+//#define BLOOM
+#define STEPS 8 // [2 4 8]

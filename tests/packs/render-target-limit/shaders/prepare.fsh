@@ -1,0 +1,3 @@
+#version 330 compatibility
+/* DRAWBUFFERS:022 */
+void main() {}
