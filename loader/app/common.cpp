@@ -1,0 +1,120 @@
+#include "app/common.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+
+namespace orris {
+namespace {
+
+bool parseInt(std::string_view text, int& value) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size();
+}
+
+void parseSize(const std::string& text, ImageOptions& options) {
+  const size_t cross = text.find('x');
+  int width = 0, height = 0;
+  const bool numbers = cross != std::string::npos && parseInt(text.substr(0, cross), width) &&
+                       parseInt(text.substr(cross + 1), height);
+  const bool inRange = width >= 1 && height >= 1 && width <= kMaxSide && height <= kMaxSide &&
+                       long(width) * height <= kMaxPixels;
+  if (!numbers || !inRange) {
+    throw CLI::ValidationError(
+        "--size", fmt::format("expected WIDTHxHEIGHT, each 1 to {} and at most {} pixels in all, "
+                              "got \"{}\"",
+                              kMaxSide, kMaxPixels, text));
+  }
+  options.width = width;
+  options.height = height;
+}
+
+void parseAssignment(const std::string& flag, const std::string& text, OptionValues& values) {
+  const size_t equals = text.find('=');
+  if (equals == 0 || equals == std::string::npos) {
+    throw CLI::ValidationError(flag, fmt::format("expected NAME=VALUE, got \"{}\"", text));
+  }
+  values[text.substr(0, equals)] = text.substr(equals + 1);
+}
+
+void parseBackendName(const std::string& text, gl::Backend& backend) {
+  const std::optional<gl::Backend> parsed = gl::parseBackend(text);
+  if (!parsed) {
+    throw CLI::ValidationError("--backend",
+                               fmt::format("expected auto, osmesa, egl or glfw, got \"{}\"", text));
+  }
+  backend = *parsed;
+}
+
+}  // namespace
+
+void addPackFlags(CLI::App& command, PackOptions& options) {
+  command.add_option("--profile", options.profile, "profile of the pack to start from")
+      ->type_name("NAME");
+  addAssignmentFlag(command, "--set", options.values, "set an option of the pack");
+  command.add_option("--settings", options.settingsFile, "option file to apply (NAME=VALUE lines)")
+      ->type_name("FILE");
+  command
+      .add_option("--dimension", options.dimension, "world0, world-1, world1 or a dimension name")
+      ->type_name("NAME");
+}
+
+void addSceneFlags(CLI::App& command, SceneOptions& options) {
+  command.add_option("--camera", options.camera, "named camera of the world, or x,y,z,yaw,pitch")
+      ->type_name("CAMERA");
+  command.add_option("--time", options.time, "time of day")
+      ->type_name("TICKS")
+      ->check(CLI::Range(0, 23999));
+  command.add_option("--seed", options.seed, "seed of generated worlds and of random numbers");
+}
+
+void addImageFlags(CLI::App& command, ImageOptions& options) {
+  command
+      .add_option_function<std::string>(
+          "--size", [&options](const std::string& text) { parseSize(text, options); },
+          fmt::format("size in pixels (default {}x{})", options.width, options.height))
+      ->type_name("WxH");
+  command.add_option("--frames", options.frames, "frames to draw; the last one is the picture")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1000000));
+  command
+      .add_option_function<std::string>(
+          "--backend",
+          [&options](const std::string& text) { parseBackendName(text, options.backend); },
+          "GL context: auto, osmesa, egl or glfw")
+      ->type_name("NAME");
+}
+
+void addOutputFlags(CLI::App& command, OutputOptions& options) {
+  command.add_flag("--json", options.json, "print one JSON object on standard output");
+  command.add_flag("--quiet", options.quiet, "print errors only");
+  command.add_flag("--verbose", options.verbose, "print notes too");
+}
+
+CLI::Option* addPackArgument(CLI::App& command, std::string& path) {
+  return command.add_option("pack", path, "shader pack: a folder or a .zip")
+      ->type_name("PACK")
+      ->required();
+}
+
+CLI::Option* addWorldArgument(CLI::App& command, std::string& path) {
+  return command.add_option("world", path, "world: a folder with world.json, or a .schem file")
+      ->type_name("WORLD")
+      ->required();
+}
+
+void addAssignmentFlag(CLI::App& command, const std::string& flag, OptionValues& values,
+                       const std::string& help, const std::string& typeName) {
+  command
+      .add_option_function<std::vector<std::string>>(
+          flag,
+          [flag, &values](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) parseAssignment(flag, text, values);
+          },
+          help)
+      ->type_name(typeName)
+      ->allow_extra_args(false);
+}
+
+}  // namespace orris

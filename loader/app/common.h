@@ -1,0 +1,63 @@
+// The flags that commands share, in groups, so that each has one spelling, one check and one help
+// text. A bad value ends the command with exit status 2 before anything is opened.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "gl/context.h"
+#include "pack/options.h"
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace orris {
+
+inline constexpr int kMaxSide = 16384;
+inline constexpr long kMaxPixels = 1L << 25;  ///< one RGBA16F target of this size is 256 MiB
+
+/// Which pack, and how it is set up.
+struct PackOptions {
+  std::string path;
+  std::string profile;
+  OptionValues values;  ///< --set, wins over --settings, which wins over --profile
+  std::string settingsFile;
+  std::string dimension;  ///< "" for the world's own
+};
+
+/// Which world, seen how.
+struct SceneOptions {
+  std::string path;
+  std::string camera;       ///< a name, or x,y,z,yaw,pitch; "" for the first camera
+  std::optional<int> time;  ///< ticks; nullopt for the world's own
+  unsigned seed = 0;
+};
+
+/// How much to draw, and on what.
+struct ImageOptions {
+  int width = 640, height = 360;
+  int frames = 32;
+  gl::Backend backend = gl::Backend::Auto;
+};
+
+/// What to print.
+struct OutputOptions {
+  bool json = false;     ///< a JSON object on standard output instead of text
+  bool quiet = false;    ///< errors only
+  bool verbose = false;  ///< notes too
+};
+
+void addPackFlags(CLI::App& command, PackOptions& options);    ///< all but the path
+void addSceneFlags(CLI::App& command, SceneOptions& options);  ///< all but the path
+void addImageFlags(CLI::App& command, ImageOptions& options);
+void addOutputFlags(CLI::App& command, OutputOptions& options);
+/// The positional arguments PACK and WORLD.
+CLI::Option* addPackArgument(CLI::App& command, std::string& path);
+CLI::Option* addWorldArgument(CLI::App& command, std::string& path);
+/// A NAME=VALUE flag that may be repeated, or followed by several values.
+void addAssignmentFlag(CLI::App& command, const std::string& flag, OptionValues& values,
+                       const std::string& help, const std::string& typeName = "NAME=VALUE");
+
+}  // namespace orris

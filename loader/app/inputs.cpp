@@ -1,0 +1,190 @@
+#include "app/inputs.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+
+namespace orris {
+namespace {
+
+// A pack that loads without the user's choices but not with them was asked for something wrong.
+bool loadsWithoutChoices(const std::shared_ptr<const FileSource>& files, LoadRequest request) {
+  Diagnostics ignored;
+  request.values.clear();
+  request.profile.clear();
+  request.buildSources = false;
+  return loadShaderPack(files, request, ignored).has_value();
+}
+
+std::optional<OptionValues> readSettings(const std::shared_ptr<const FileSource>& files,
+                                         const LoadRequest& request, const std::string& path,
+                                         Report& report, int& status) {
+  const std::optional<std::string> text = readWholeFile(path, report, status);
+  if (!text) return std::nullopt;
+  Diagnostics diagnostics;
+  LoadRequest optionsOnly{.dimension = request.dimension, .environment = request.environment};
+  optionsOnly.buildSources = false;
+  const std::optional<ShaderPack> pack = loadShaderPack(files, optionsOnly, diagnostics);
+  report.add(diagnostics);
+  if (!pack) {
+    status = kProblems;
+    return std::nullopt;
+  }
+  const OptionValues values = parseOptionFile(path, *text, pack->options, diagnostics);
+  report.add(diagnostics);
+  return values;
+}
+
+// The folder names that packs use for the game's own dimensions.
+std::string dimensionName(const std::string& request) {
+  static const std::map<std::string, std::string> kNames = {{"world0", "minecraft:overworld"},
+                                                            {"world-1", "minecraft:the_nether"},
+                                                            {"world1", "minecraft:the_end"}};
+  const auto found = kNames.find(request);
+  return found == kNames.end() ? request : found->second;
+}
+
+void reportUnwritable(const std::string& path, Report& report, int& status) {
+  report.error("file-unwritable", fmt::format("{}: cannot be written", path),
+               "name a file in a folder that exists and may be written");
+  status = kUsage;
+}
+
+std::optional<Camera> parseCamera(const std::string& text) {
+  std::istringstream stream(text);
+  double values[5];
+  for (int i = 0; i < 5; ++i) {
+    if (i > 0 && stream.get() != ',') return std::nullopt;
+    if (!(stream >> values[i]) || !std::isfinite(values[i])) return std::nullopt;
+  }
+  if (stream.peek() != std::istringstream::traits_type::eof()) return std::nullopt;
+  Camera camera;
+  camera.name = text;
+  camera.position = {values[0], values[1], values[2]};
+  camera.yaw = float(values[3]);
+  camera.pitch = float(values[4]);
+  return camera;
+}
+
+}  // namespace
+
+std::shared_ptr<const FileSource> openPackFiles(const std::string& path, Report& report,
+                                                int& status) {
+  Diagnostics diagnostics;
+  std::shared_ptr<const FileSource> files = openPack(path, diagnostics);
+  report.add(diagnostics);
+  if (!files) status = kUsage;
+  return files;
+}
+
+std::optional<LoadRequest> makeLoadRequest(const std::shared_ptr<const FileSource>& files,
+                                           const PackOptions& options,
+                                           const MacroDefinitions& environment, Report& report,
+                                           int& status) {
+  LoadRequest request{.values = options.values, .profile = options.profile, .environment = environment};
+  if (!options.dimension.empty()) request.dimension = options.dimension;
+  if (options.settingsFile.empty()) return request;
+  const auto values = readSettings(files, request, options.settingsFile, report, status);
+  if (!values) return std::nullopt;
+  request.fileValues = *values;
+  return request;
+}
+
+int loadFailureStatus(const std::shared_ptr<const FileSource>& files, const LoadRequest& request) {
+  const bool hasChoices =
+      !request.values.empty() || !request.fileValues.empty() || !request.profile.empty();
+  return hasChoices && loadsWithoutChoices(files, request) ? kUsage : kProblems;
+}
+
+std::optional<ShaderPack> loadPack(const std::shared_ptr<const FileSource>& files,
+                                   const PackOptions& options, const MacroDefinitions& environment,
+                                   bool buildSources, Report& report, int& status) {
+  auto request = makeLoadRequest(files, options, environment, report, status);
+  if (!request) return std::nullopt;
+  request->buildSources = buildSources;
+  Diagnostics diagnostics;
+  std::optional<ShaderPack> pack = loadShaderPack(files, *request, diagnostics);
+  report.add(diagnostics);
+  if (!pack) status = loadFailureStatus(files, *request);
+  return pack;
+}
+
+std::optional<World> loadScene(const SceneOptions& options, const std::string& dimension,
+                               Report& report, int& status) {
+  Diagnostics diagnostics;
+  std::optional<World> world = loadWorld(options.path, options.seed, diagnostics);
+  report.add(diagnostics);
+  if (!world) {
+    status = kUsage;
+    return std::nullopt;
+  }
+  if (options.time) world->environment.time = *options.time;
+  if (!dimension.empty()) world->environment.dimension = dimensionName(dimension);
+  return world;
+}
+
+std::optional<Camera> chooseCamera(const World& world, const std::string& request, Report& report,
+                                   int& status) {
+  if (request.empty() && !world.cameras.empty()) return world.cameras.front();
+  if (const Camera* named = world.camera(request)) return *named;
+  if (std::optional<Camera> given = parseCamera(request)) return given;
+  std::string names;
+  for (const Camera& camera : world.cameras) names += (names.empty() ? "" : ", ") + camera.name;
+  report.error("camera-unknown",
+               fmt::format("--camera: \"{}\" is no camera of this world", request),
+               fmt::format("use one of {}, or x,y,z,yaw,pitch", names));
+  status = kUsage;
+  return std::nullopt;
+}
+
+std::optional<std::string> readWholeFile(const std::string& path, Report& report, int& status) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  // Reading an empty file sets failbit, reading a folder does too: ask for the folder by itself.
+  if (!file || std::filesystem::is_directory(path) || (text << file.rdbuf()).bad()) {
+    report.error("file-unreadable", fmt::format("{}: cannot be read", path));
+    status = kUsage;
+    return std::nullopt;
+  }
+  return std::move(text).str();
+}
+
+bool checkWritable(const std::string& path, Report& report, int& status) {
+  const std::string temporary = path + ".part";
+  std::error_code error;
+  const bool written = !std::filesystem::is_directory(path) && std::ofstream(temporary).good();
+  std::filesystem::remove(temporary, error);
+  if (!written) reportUnwritable(path, report, status);
+  return written;
+}
+
+bool checkPicturePath(const std::string& path, Report& report, int& status) {
+  static const std::set<std::string> kExtensions = {".png", ".exr", ".hdr", ".pfm", ".tif"};
+  if (kExtensions.contains(std::filesystem::path(path).extension())) {
+    return checkWritable(path, report, status);
+  }
+  report.error("picture-format-unknown", fmt::format("{}: no picture format has this ending", path),
+               fmt::format("use {}", fmt::join(kExtensions, ", ")));
+  status = kUsage;
+  return false;
+}
+
+bool writeWholeFile(const std::string& path, const std::string& text, Report& report, int& status) {
+  const std::string temporary = path + ".part";
+  std::ofstream file(temporary, std::ios::binary);
+  file << text;
+  file.close();
+  std::error_code error;
+  if (file) std::filesystem::rename(temporary, path, error);
+  if (file && !error) return true;
+  std::filesystem::remove(temporary, error);
+  reportUnwritable(path, report, status);
+  return false;
+}
+
+}  // namespace orris

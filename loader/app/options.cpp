@@ -1,0 +1,141 @@
+// orris options: the options of a pack, where they are defined and which programs they reach.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "app/commands.h"
+#include "app/inputs.h"
+
+namespace orris {
+namespace {
+
+struct OptionsOptions {
+  PackOptions pack;
+  OutputOptions output;
+};
+
+using Reach = std::map<std::string, std::set<std::string>>;  // option -> programs
+
+std::string join(const std::vector<std::string>& words, const char* between) {
+  return fmt::format("{}", fmt::join(words, between));
+}
+
+Reach reachOf(const ShaderPack& pack) {
+  Reach reach;
+  for (const ProgramSource& program : pack.programs) {
+    for (const std::string& option : program.options) reach[option].insert(program.name);
+  }
+  return reach;
+}
+
+// Tooltips of a pack's language file: "option.NAME" is the label. Contract: options.csv.
+std::string labelOf(const ShaderPack& pack, const std::string& option) {
+  const auto language = pack.languages.find("en_us");
+  if (language == pack.languages.end()) return "";
+  const auto label = language->second.find("option." + option);
+  return label == language->second.end() ? "" : label->second;
+}
+
+nlohmann::json toJson(const ShaderPack& pack, const Option& option, const Reach& reach) {
+  nlohmann::json places = nlohmann::json::array();
+  for (const SourceLocation& place : option.at) places.push_back(toJson(place));
+  const auto programs = reach.find(option.name);
+  return {{"name", option.name},
+          {"label", labelOf(pack, option.name)},
+          {"comment", option.comment},
+          {"boolean", option.isBoolean},
+          {"value", pack.options.value(pack.values, option.name)},
+          {"default", option.defaultValue},
+          {"values", option.values},
+          {"definedAt", places},
+          {"programs", programs == reach.end() ? std::set<std::string>() : programs->second}};
+}
+
+nlohmann::json toJson(const ShaderPack& pack) {
+  const Reach reach = reachOf(pack);
+  nlohmann::json options = nlohmann::json::array(), profiles = options, screens = options;
+  for (const auto& [name, option] : pack.options.all()) {
+    options.push_back(toJson(pack, option, reach));
+  }
+  for (const Profile& profile : pack.properties.profiles) {
+    profiles.push_back({{"name", profile.name},
+                        {"values", profile.values},
+                        {"disabledPrograms", profile.disabledPrograms}});
+  }
+  for (const Screen& screen : pack.properties.screens) {
+    screens.push_back({{"name", screen.name}, {"entries", screen.entries}});
+  }
+  return {{"pack", pack.name},
+          {"folder", pack.folder},
+          {"profile", pack.currentProfile()},
+          {"options", options},
+          {"profiles", profiles},
+          {"screens", screens},
+          {"sliders", pack.properties.sliders}};
+}
+
+void printOption(const ShaderPack& pack, const Option& option, const Reach& reach) {
+  const std::string value = pack.options.value(pack.values, option.name);
+  std::string text = fmt::format("{} = {}", option.name, value);
+  if (value != option.defaultValue) text += fmt::format(" (default {})", option.defaultValue);
+  text += fmt::format("  [{}]\n", join(option.values, " "));
+  const std::string label = labelOf(pack, option.name);
+  if (!label.empty()) text += fmt::format("  label    {}\n", label);
+  for (const SourceLocation& place : option.at) {
+    text += fmt::format("  defined  {}:{}\n", place.file, place.line);
+  }
+  const auto programs = reach.find(option.name);
+  text += fmt::format("  reaches  {}\n", programs == reach.end()
+                                             ? "no program of this folder"
+                                             : fmt::format("{}", fmt::join(programs->second, " ")));
+  std::cout << text;
+}
+
+void printText(const ShaderPack& pack) {
+  const Reach reach = reachOf(pack);
+  for (const auto& [name, option] : pack.options.all()) printOption(pack, option, reach);
+  const std::string current = pack.currentProfile();
+  for (const Profile& profile : pack.properties.profiles) {
+    std::cout << "profile " << profile.name << (profile.name == current ? " (current)" : "");
+    for (const auto& [name, value] : profile.values) std::cout << ' ' << name << '=' << value;
+    std::cout << '\n';
+  }
+  for (const Screen& screen : pack.properties.screens) {
+    std::cout << "screen " << (screen.name.empty() ? "(main)" : screen.name) << ": "
+              << join(screen.entries, " ") << '\n';
+  }
+}
+
+int runOptions(const OptionsOptions& options) {
+  int status = kClean;
+  Report report(options.output);
+  const auto files = openPackFiles(options.pack.path, report, status);
+  const auto pack = files ? loadPack(files, options.pack, standardMacros({}), true, report, status)
+                          : std::nullopt;
+  if (!pack) {
+    printJson(nlohmann::json::object(), report);
+    return status;
+  }
+  if (!options.output.json) printText(*pack);
+  printJson(toJson(*pack), report);
+  return report.status();
+}
+
+}  // namespace
+
+void addOptionsCommand(CLI::App& app, int& status) {
+  const auto options = std::make_shared<OptionsOptions>();
+  CLI::App* command = app.add_subcommand(
+      "options", "options of a pack: values, profiles, screens, programs reached");
+  addPackArgument(*command, options->pack.path);
+  addPackFlags(*command, options->pack);
+  addOutputFlags(*command, options->output);
+  command->callback([options, &status] { status = runOptions(*options); });
+}
+
+}  // namespace orris

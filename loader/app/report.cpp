@@ -1,0 +1,86 @@
+#include "app/report.h"
+
+#include <fmt/format.h>
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+namespace orris {
+namespace {
+
+const char* nameOf(Severity severity) {
+  switch (severity) {
+    case Severity::Note:
+      return "note";
+    case Severity::Warning:
+      return "warning";
+    case Severity::Error:
+      break;
+  }
+  return "error";
+}
+
+// The chain of includes is left out: one mistake in a shared file is one problem, however many
+// programs include it.
+std::string keyOf(const Diagnostic& diagnostic) {
+  return fmt::format("{} {}:{}:{} {}", nameOf(diagnostic.severity), diagnostic.at.file,
+                     diagnostic.at.line, diagnostic.at.column, diagnostic.message);
+}
+
+}  // namespace
+
+void Report::add(Diagnostics& diagnostics) {
+  const Severity least = output_.quiet     ? Severity::Error
+                         : output_.verbose ? Severity::Note
+                                           : Severity::Warning;
+  for (Diagnostic& diagnostic : diagnostics) {
+    if (!seen_.insert(keyOf(diagnostic)).second) continue;
+    if (diagnostic.severity >= least) std::cerr << formatDiagnostic(diagnostic) << std::endl;
+    all_.push_back(std::move(diagnostic));
+  }
+  diagnostics.clear();
+}
+
+void Report::error(const std::string& id, const std::string& message, const std::string& hint) {
+  Diagnostics one(1);
+  one[0].id = id;
+  one[0].message = message;
+  one[0].hint = hint;
+  add(one);
+}
+
+nlohmann::json toJson(const SourceLocation& location) {
+  return {{"file", location.file}, {"line", location.line}, {"column", location.column}};
+}
+
+nlohmann::json toJson(const Diagnostics& diagnostics) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const Diagnostic& diagnostic : diagnostics) {
+    nlohmann::json entry = toJson(diagnostic.at);
+    entry["severity"] = nameOf(diagnostic.severity);
+    entry["id"] = diagnostic.id;
+    entry["message"] = diagnostic.message;
+    entry["includedFrom"] = nlohmann::json::array();
+    for (const SourceLocation& place : diagnostic.includedFrom) {
+      entry["includedFrom"].push_back(toJson(place));
+    }
+    entry["sourceLine"] = diagnostic.sourceLine;
+    entry["notes"] = diagnostic.notes;
+    entry["hint"] = diagnostic.hint;
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
+void printJson(const nlohmann::json& result) {
+  // Packs are untrusted: bytes that are not UTF-8 must not end the program.
+  std::cout << result.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+}
+
+void printJson(nlohmann::json result, const Report& report) {
+  if (!report.output().json) return;
+  result["diagnostics"] = toJson(report.all());
+  printJson(result);
+}
+
+}  // namespace orris

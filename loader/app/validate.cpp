@@ -1,0 +1,144 @@
+// orris validate: checks packs without a world.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <thread>
+
+#include "app/commands.h"
+#include "app/inputs.h"
+#include "app/program_check.h"
+
+namespace orris {
+namespace {
+
+struct ValidateOptions {
+  std::vector<std::string> paths;
+  PackOptions pack;
+  std::vector<std::string> profiles;  ///< {"all"}, names, or none: the values as they are
+  std::vector<std::string> dimensions{"all"};
+  int jobs = std::max(1, int(std::thread::hardware_concurrency()));
+  std::string format = "text";
+  OutputOptions output;
+};
+
+/// What was checked of one pack. Programs are counted once, whatever the number of profiles.
+struct PackVerdict {
+  std::string path;
+  std::set<std::string> programs, failed, dimensions, profiles;
+  int status = kClean;
+};
+
+std::vector<std::string> namesOf(const std::vector<Profile>& profiles) {
+  std::vector<std::string> names;
+  for (const Profile& profile : profiles) names.push_back(profile.name);
+  return names;
+}
+
+std::vector<std::string> chosen(const std::vector<std::string>& request,
+                                const std::vector<std::string>& all) {
+  const bool everything = request.size() == 1 && request.front() == "all";
+  std::vector<std::string> result = everything ? all : request;
+  if (result.empty()) result.push_back("");
+  return result;
+}
+
+void checkOne(const ShaderPack& pack, int jobs, Verdicts& verdicts, PackVerdict& verdict,
+              Report& report) {
+  Diagnostics diagnostics = ruleNotes(pack);
+  checkWithGlslang(pack, jobs, verdicts, diagnostics);
+  report.add(diagnostics);
+  verdict.dimensions.insert(pack.folder);
+  for (const ProgramUnit& unit : programUnits(pack)) {
+    verdict.programs.insert(unit.name);
+    if (!verdicts[unit.hash]) verdict.failed.insert(unit.name);
+  }
+}
+
+PackVerdict validatePack(const std::string& path, const ValidateOptions& options, Report& report) {
+  PackVerdict verdict{.path = path};
+  const auto files = openPackFiles(path, report, verdict.status);
+  if (!files) return verdict;
+  const MacroDefinitions environment = standardMacros({});
+  const auto outline = loadPack(files, options.pack, environment, false, report, verdict.status);
+  if (!outline) return verdict;
+
+  Verdicts verdicts;
+  PackOptions request = options.pack;
+  for (const std::string& profile :
+       chosen(options.profiles, namesOf(outline->properties.profiles))) {
+    if (!profile.empty()) request.profile = profile;
+    for (const std::string& dimension : chosen(options.dimensions, outline->dimensions)) {
+      request.dimension = dimension;
+      const auto pack = loadPack(files, request, environment, true, report, verdict.status);
+      if (!pack) return verdict;
+      verdict.profiles.insert(profile);
+      checkOne(*pack, options.jobs, verdicts, verdict, report);
+    }
+  }
+  return verdict;
+}
+
+void printText(const PackVerdict& verdict) {
+  const size_t good = verdict.programs.size() - verdict.failed.size();
+  std::string text = fmt::format("{}: {}/{} programs", verdict.path, good, verdict.programs.size());
+  if (verdict.dimensions.size() > 1) text += fmt::format(", {} folders", verdict.dimensions.size());
+  if (verdict.profiles.size() > 1) text += fmt::format(", {} profiles", verdict.profiles.size());
+  std::cout << text << '\n';
+  for (const std::string& name : verdict.failed) std::cout << "  failed: " << name << '\n';
+}
+
+nlohmann::json toJson(const PackVerdict& verdict) {
+  return {{"path", verdict.path},         {"programs", verdict.programs},
+          {"failed", verdict.failed},     {"folders", verdict.dimensions},
+          {"profiles", verdict.profiles}, {"status", verdict.status}};
+}
+
+int runValidate(const ValidateOptions& options) {
+  int status = kClean;
+  Diagnostics all;
+  nlohmann::json packs = nlohmann::json::array();
+  for (const std::string& path : options.paths) {
+    // A report of its own for each pack: equal messages of two packs are two problems.
+    Report report(options.output);
+    PackVerdict verdict = validatePack(path, options, report);
+    verdict.status = std::max<int>(verdict.status, report.status());
+    status = std::max(status, verdict.status);
+    if (!options.output.json) printText(verdict);
+    packs.push_back(toJson(verdict));
+    packs.back()["diagnostics"] = toJson(report.all());
+  }
+  if (options.output.json) printJson({{"packs", packs}, {"status", status}});
+  return status;
+}
+
+}  // namespace
+
+void addValidateCommand(CLI::App& app, int& status) {
+  const auto options = std::make_shared<ValidateOptions>();
+  CLI::App* command = app.add_subcommand("validate", "check shader packs without a world");
+  command->add_option("pack", options->paths, "shader packs: folders or .zip files")
+      ->type_name("PACK")
+      ->required();
+  addPackFlags(*command, options->pack);
+  command->add_option("--profiles", options->profiles, "check these profiles: all, or NAME,...")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command->add_option("--dimensions", options->dimensions, "check these folders: all, or NAME,...")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command->add_option("--jobs", options->jobs, "threads")->check(CLI::Range(1, 256));
+  command->add_option("--format", options->format, "text or json")
+      ->check(CLI::IsMember({"text", "json"}));
+  addOutputFlags(*command, options->output);
+  command->callback([options, &status] {
+    options->output.json |= options->format == "json";
+    status = runValidate(*options);
+  });
+}
+
+}  // namespace orris
