@@ -26,3 +26,6 @@ configure_package_config_file(cmake/OrrisConfig.cmake.in OrrisConfig.cmake
 write_basic_package_version_file(OrrisConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/OrrisConfig.cmake ${PROJECT_BINARY_DIR}/OrrisConfigVersion.cmake
               cmake/OrrisDependencies.cmake DESTINATION ${package_dir})
+install(FILES docs/orris.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES share/orris.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
+        RENAME orris)

@@ -1,0 +1,131 @@
+"""The table of command lines: what is run on what, and what must come of it.
+
+Every command of a case runs in a fresh folder that holds `files`. `errors` are patterns, one for
+each line with "error: " on standard error, no more and no fewer; `creates` are the files that the
+command must leave, no more and no fewer: a failing command leaves none.
+"""
+import io
+import zipfile
+from dataclasses import dataclass, field
+
+
+@dataclass
+class Case:
+    name: str
+    commands: list
+    status: int
+    files: dict = field(default_factory=dict)
+    errors: list = field(default_factory=list)
+    stderr: list = field(default_factory=list)
+    stdout: list = field(default_factory=list)
+    creates: list = field(default_factory=list)
+    environment: dict = field(default_factory=dict)
+    label: str = "cpu"
+
+
+VERSION = "#version 330 compatibility\n"
+FINAL = VERSION + """in vec2 texcoord;
+uniform sampler2D colortex0;
+void main() { gl_FragColor = texture2D(colortex0, texcoord); }
+"""
+FINAL_VERTEX = VERSION + """out vec2 texcoord;
+void main() { gl_Position = ftransform(); texcoord = gl_MultiTexCoord0.st; }
+"""
+PACK = {"pack/shaders/final.vsh": FINAL_VERTEX, "pack/shaders/final.fsh": FINAL}
+WITH_MODE = FINAL.replace("void", "#define MODE 1 // [0 1 2] a tooltip\nvoid")
+CORNELL = "{source}/worlds/cornell"
+# Small and short: the cases are about messages, not about pictures.
+RENDER = f"render pack {CORNELL} -o out.png --size 32x32 --frames 1"
+ON_PACK = ["validate pack", RENDER]
+
+
+def pack(files):
+    """A working pack with some files of `shaders` added or replaced."""
+    return {**PACK, **{f"pack/shaders/{name}": text for name, text in files.items()}}
+
+
+def zipped(files):
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, text in files.items():
+            archive.writestr(zipfile.ZipInfo(name, (2000, 1, 1, 0, 0, 0)), text)
+    return buffer.getvalue()
+
+
+USAGE = [
+    Case("no_command", [""], 2, errors=["orris: error: A subcommand is required"]),
+    Case("unknown_command", ["paint pack"], 2, errors=["orris: error: "]),
+    Case("unknown_flag", ["validate x --colour", "world x --size 1x1", "options x --frames 2",
+                          "compare a b --sharp", f"{RENDER} --colour"],
+         2, errors=[r"orris \w+: error: The following argument"]),
+    Case("version", ["--version"], 0, stdout=[r"^orris \d+\.\d+\.\d+$"]),
+    Case("help", ["--help", "validate --help", "render --help"], 0, stdout=["Usage: orris"]),
+    Case("wrong_size", [f"render pack {CORNELL} -o out.png --size {size}"
+                        for size in ("0x32", "32x0", "-1x5", "32", "axb", "20000x2", "16384x16384",
+                                     "99999999999x1", "1x1x1")],
+         2, PACK, [r"--size: expected WIDTHxHEIGHT, each 1 to 16384 and at most \d+ pixels"]),
+    Case("set_without_value", [f"{RENDER} --set SHADOWS"], 2, PACK,
+         ["--set: expected NAME=VALUE"]),
+]
+
+PACKS = [
+    Case("missing_include", ON_PACK, 1, pack({
+        "final.fsh": VERSION + '#include "/lib/none.glsl"\nvoid main() { }\n'}),
+        [r"^/final\.fsh:2:\d+: error: .*none\.glsl"]),
+    Case("include_cycle", ON_PACK, 1, pack({
+        "final.fsh": VERSION + '#include "/lib/a.glsl"\nvoid main() { }\n',
+        "lib/a.glsl": '#include "b.glsl"\n',
+        "lib/b.glsl": '\n#include "/lib/a.glsl"\n'}),
+        [r"^/lib/[ab]\.glsl:[12]:\d+: error: .*cycle"]),
+    Case("include_escape", ON_PACK, 1, {**pack({
+        "final.fsh": VERSION + '#include "../../secret.glsl"\nvoid main() { }\n'}),
+        "secret.glsl": "float secret = 1.0;\n"},
+        [r"^/final\.fsh:2:\d+: error: "]),
+    Case("error_three_includes_deep", ON_PACK, 1, pack({
+        "final.fsh": VERSION + '#include "/lib/one.glsl"\nvoid main() { gl_FragColor = one(); }\n',
+        "lib/one.glsl": '#include "two.glsl"\nvec4 one() { return two(); }\n',
+        "lib/two.glsl": '\n#include "/lib/three.glsl"\nvec4 two() { return three(); }\n',
+        "lib/three.glsl": "vec4 three() {\n  return vec4(undeclared);\n}\n"}),
+        [r"^/lib/three\.glsl:2:\d+: error: .*undeclared"],
+        [r"included from /lib/two\.glsl:2", r"included from /lib/one\.glsl:1",
+         r"included from /final\.fsh:2", r"return vec4\(undeclared\);", r"^ +\^"]),
+    Case("too_many_render_targets", ON_PACK, 1, pack({
+        "composite.fsh": VERSION + "/* RENDERTARGETS: 0,99 */\n"
+                                   "void main() { gl_FragData[0] = vec4(1.0); }\n"}),
+        [r"^/composite\.fsh:2:\d+: error: .*99"]),
+    Case("unsupported_format", ON_PACK, 1, pack({
+        "composite.fsh": VERSION + "/*\nconst int colortex1Format = RGBA7;\n*/\n"
+                                   "void main() { gl_FragData[0] = vec4(1.0); }\n"}),
+        [r"^/composite\.fsh:3:\d+: error: .*RGBA7"]),
+    Case("unknown_option", [f"{command} --set NO_SUCH_OPTION=1"
+                            for command in (RENDER, "validate pack", "options pack")],
+         2, PACK, ["NO_SUCH_OPTION"]),
+    Case("value_outside_its_list", [f"{RENDER} --set MODE=7", "validate pack --set MODE=7"], 2,
+         pack({"final.fsh": WITH_MODE}), ["MODE.*7|7.*MODE"]),
+    Case("unknown_profile", [f"{RENDER} --profile ULTRA", "validate pack --profile ULTRA"], 2, PACK,
+         ["ULTRA"]),
+    Case("no_such_pack", ["validate nothing", f"render nothing {CORNELL} -o out.png",
+                          "options nothing"], 2, errors=["nothing"]),
+    Case("truncated_zip", ["validate pack.zip", f"render pack.zip {CORNELL} -o out.png",
+                           "options pack.zip"], 2,
+         {"pack.zip": zipped(PACK)[:-40]}, [r"pack\.zip"]),
+    Case("good_folder_and_zip", ["validate pack pack.zip"], 0,
+         {**PACK, "pack.zip": zipped(PACK)},
+         stdout=[r"^pack: 1/1 programs$", r"^pack\.zip: 1/1 programs$"]),
+    Case("validate_json", ["validate pack --json", "validate pack --format json"], 0, PACK,
+         stdout=[r'"programs": \[\n\s+"/final"\n']),
+    Case("options_json", ["options pack --json"], 0, pack({"final.fsh": WITH_MODE}),
+         stdout=[r'"name": "MODE"', r'"value": "1"', r'"line": 4', r'"final"']),
+]
+
+WORLDS = [
+    Case("no_such_world", ["world nothing", "render pack nothing -o out.png"], 2, PACK,
+         ["nothing"]),
+    Case("truncated_schematic", ["world house.schem", "render pack house.schem -o out.png"], 2,
+         {**PACK, "house.schem": b"\x1f\x8b\x08\x00\x00\x00\x00\x00\x00\x03\xe3\x60"},
+         [r"house\.schem"]),
+    Case("world_facts", [f"world {CORNELL}"], 0,
+         stdout=["size", "lights +[1-9]", "unknown +0", "camera "]),
+]
+
+CASES = USAGE + PACKS + WORLDS

@@ -1,0 +1,40 @@
+// What the host does before any GL call: reading a pack, and turning a world into faces.
+#include <benchmark/benchmark.h>
+
+#include <memory>
+
+#include "core/file_source.h"
+#include "frame/gpu_scene.h"
+#include "pack/shader_pack.h"
+#include "world/world.h"
+
+namespace {
+
+const char* const kPack = ORRIS_SOURCE_DIR "/shaderpack";
+
+void loadPack(benchmark::State& state) {
+  orris::Diagnostics diagnostics;
+  const std::shared_ptr<const orris::FileSource> files = orris::openPack(kPack, diagnostics);
+  orris::LoadRequest request;
+  request.environment = orris::standardMacros({});
+  for (auto _ : state) {
+    auto pack = orris::loadShaderPack(files, request, diagnostics);
+    if (!pack) state.SkipWithError("the pack does not load");
+    benchmark::DoNotOptimize(pack);
+  }
+}
+BENCHMARK(loadPack)->Unit(benchmark::kMillisecond);
+
+void meshWorld(benchmark::State& state, const char* name) {
+  orris::Diagnostics diagnostics;
+  const auto world =
+      orris::loadWorld(std::string(ORRIS_SOURCE_DIR "/worlds/") + name, 0, diagnostics);
+  if (!world) return state.SkipWithError("the world does not load");
+  orris::SceneData scene = orris::buildScene(*world, 1, diagnostics);
+  for (auto _ : state) orris::rebuildMesh(scene, 1);
+  state.counters["faces"] = double(scene.mesh.vertices.size() / 4);
+}
+BENCHMARK_CAPTURE(meshWorld, cornell, "cornell")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(meshWorld, terrain, "terrain")->Unit(benchmark::kMillisecond);
+
+}  // namespace
