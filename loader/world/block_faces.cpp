@@ -84,7 +84,7 @@ void addCross(const BlockFacts& facts, const BlockAtlas& atlas, std::vector<Bloc
     face.tangent = glm::vec4(u, 1);
     face.normal = glm::cross(glm::vec3(0, -1, 0), u);
     face.direction = face.normal.z > 0 ? FaceDirection::South : FaceDirection::North;
-    face.smooth = false;
+    face.shading = FaceShading::Flat;
     face.tinted = facts.tint != Tint::None;
     faces.push_back(face);
   }
@@ -128,7 +128,7 @@ BlockFaces makeBlockFaces(const BlockFacts& facts, const BlockAtlas& atlas) {
       if (face.flush) result.covered[std::size_t(i)].push_back(face.side);
       if (box.textures[i].empty()) continue;
       setAtlas(face, atlas.tile(box.textures[i]));
-      face.smooth = facts.emission == 0;
+      face.shading = facts.emission == 0 ? FaceShading::Smooth : FaceShading::Flat;
       face.tinted = (box.tintedFaces >> i & 1) != 0;
       result.faces.push_back(face);
     }
@@ -143,7 +143,7 @@ std::vector<BlockFace> makeFluidFaces(const BlockFacts& facts, const BlockAtlas&
   for (int i = 0; i < 6; ++i) {
     BlockFace face = boxFace(glm::vec3(0), glm::vec3(1, height, 1), FaceDirection(i));
     setAtlas(face, atlas.tile(facts.boxes.empty() ? none : facts.boxes[0].textures[i]));
-    face.smooth = false;
+    face.shading = FaceShading::Fluid;
     face.tinted = facts.tint != Tint::None;
     faces.push_back(face);
     if (face.direction == FaceDirection::Up && height < 1) faces.push_back(reversed(face));

@@ -17,6 +17,10 @@ struct SideRectangle {
   bool covers(const SideRectangle& other) const;
 };
 
+/// How a face is lit: smooth light with ambient occlusion; the light of one cell; or as fluids are,
+/// the brighter of its cell and the one above.
+enum class FaceShading { Smooth, Flat, Fluid };
+
 /// One quad: corners top left, bottom left, bottom right, top right of its texture as seen from
 /// outside, so counter-clockwise.
 struct BlockFace {
@@ -27,9 +31,9 @@ struct BlockFace {
   glm::vec4 tangent{0};
   FaceDirection direction = FaceDirection::Up;
   bool flush = false;   ///< lies on the cube's side `direction`, so a neighbour can hide it
-  bool smooth = true;   ///< ambient occlusion and smooth light; flat otherwise
   bool tinted = false;  ///< takes the biome's tint
-  SideRectangle side;   ///< when flush
+  FaceShading shading = FaceShading::Smooth;
+  SideRectangle side;  ///< when flush
 };
 
 /// What the mesher needs of one state.

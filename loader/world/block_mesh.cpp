@@ -77,8 +77,9 @@ class MeshBuilder {
 
   void prepareStates() {
     const std::vector<BlockState>& palette = input_.blocks.palette();
-    const auto water = std::find_if(palette.begin(), palette.end(),
-                                    [](const BlockState& state) { return state.name == kWater; });
+    const auto water = std::find_if(palette.begin(), palette.end(), [](const BlockState& state) {
+      return state.name == kWater && state.property("level", "0") == "0";
+    });
     for (std::size_t i = 0; i < palette.size(); ++i) {
       const BlockFacts& facts = input_.facts[i];
       MeshState& state = states_.emplace_back();
@@ -86,7 +87,9 @@ class MeshBuilder {
       state.coveredSides = facts.coveredFaces;
       state.cullsSame = facts.cullsSame;
       if (facts.fluid) {
-        addFluid(state, palette[i].name, i, fluidHeight(palette[i]));
+        // Bubble columns and flowing water join with still water.
+        const bool isWater = facts.tint == Tint::Water;
+        addFluid(state, isWater ? kWater : palette[i].name, i, fluidHeight(palette[i]));
       } else if (facts.waterlogged && water != palette.end()) {
         addFluid(state, kWater, std::size_t(water - palette.begin()), 8.0f / 9);
       }

@@ -13,6 +13,7 @@ namespace orris {
 
 constexpr int kMaxWorldSize = 512;  ///< blocks an axis
 constexpr std::int64_t kMaxWorldBlocks = std::int64_t(1) << 27;
+constexpr std::size_t kMaxPalette = 65535;  ///< a vertex names its state in 16 bits
 
 /// Palette entry 0 is always minecraft:air; outside the box everything is air.
 class BlockWorld {

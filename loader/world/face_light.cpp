@@ -44,12 +44,24 @@ CornerLight FaceLighting::cellLight(glm::ivec3 cell) const {
           float(light_.sky(cell)) * kStep};
 }
 
+CornerLight FaceLighting::flatLight(glm::ivec3 cell) const {
+  CornerLight light = cellLight(cell);
+  light.occlusion = 1;
+  return light;
+}
+
+CornerLight FaceLighting::fluidLight(const BlockFace& face, glm::ivec3 cell) const {
+  const glm::ivec3 up(0, 1, 0);
+  const glm::ivec3 low = face.direction == FaceDirection::Down && face.flush ? cell - up : cell;
+  const CornerLight first = flatLight(low), second = flatLight(low + up);
+  return {1, std::max(first.block, second.block), std::max(first.sky, second.sky)};
+}
+
 std::array<CornerLight, 4> FaceLighting::corners(const BlockFace& face, glm::ivec3 cell) const {
   const glm::ivec3 base = face.flush ? cell + normalOf(face.direction) : cell;
   std::array<CornerLight, 4> result;
-  if (!face.smooth) {
-    result.fill(cellLight(base));
-    for (CornerLight& light : result) light.occlusion = 1;
+  if (face.shading != FaceShading::Smooth) {
+    result.fill(face.shading == FaceShading::Flat ? flatLight(base) : fluidLight(face, cell));
     return result;
   }
   const glm::ivec2 axes = sideAxes(face.direction);

@@ -32,6 +32,8 @@ class FaceLighting {
 
  private:
   CornerLight cellLight(glm::ivec3 cell) const;
+  CornerLight flatLight(glm::ivec3 cell) const;
+  CornerLight fluidLight(const BlockFace& face, glm::ivec3 cell) const;
 
   const BlockWorld& blocks_;
   const LightLevels& light_;

@@ -12,6 +12,17 @@ namespace {
 constexpr std::size_t kMaxDepth = 32;
 constexpr const char* kSyntaxId = "world-json-syntax";
 
+/// "[json.exception.parse_error.101] parse error at line 1, column 2: what" without what stands
+/// before its last part; the diagnostic's own location says it.
+std::string withoutPrefix(std::string what) {
+  const std::size_t bracket = what.find("] ");
+  if (bracket != std::string::npos) what.erase(0, bracket + 2);
+  const std::size_t column = what.find(", column ");
+  const std::size_t end = column == std::string::npos ? column : what.find(": ", column);
+  if (end != std::string::npos) what.erase(0, end + 2);
+  return what;
+}
+
 /// Follows the parser through the text. The parser reports every token but commas and colons, and
 /// nothing else but white space stands between tokens, so the next token's start is known.
 class TokenCursor {
@@ -106,12 +117,8 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
 
   bool parse_error(std::size_t position, const std::string&,
                    const nlohmann::detail::exception& problem) override {
-    // "[json.exception.parse_error.101] parse error at line 1, column 2: what" without its location.
-    std::string what = problem.what();
-    const std::size_t column = what.find("column ");
-    const std::size_t start = column == std::string::npos ? column : what.find(": ", column);
-    if (start != std::string::npos) what = what.substr(start + 2);
-    diagnostics_.push_back(source_.error(position > 0 ? position - 1 : 0, kSyntaxId, what));
+    diagnostics_.push_back(
+        source_.error(position > 0 ? position - 1 : 0, kSyntaxId, withoutPrefix(problem.what())));
     return false;
   }
 

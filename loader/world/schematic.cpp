@@ -78,6 +78,10 @@ struct SchematicReader {
   bool readPalette(const NbtTag* tag, BlockWorld& world, std::vector<std::uint32_t>& palette) {
     if (!tag || !tag->compound()) return fail("no compound \"Palette\"");
     const NbtCompound& entries = *tag->compound();
+    if (entries.size() >= kMaxPalette) {
+      return fail(
+          fmt::format("{} block states: expected fewer than {}", entries.size(), kMaxPalette));
+    }
     palette.assign(entries.size(), 0);
     std::vector<bool> seen(entries.size());
     for (const auto& [text, index] : entries) {

@@ -178,6 +178,11 @@ std::optional<World> parseWorldJson(const WorldJson& json, Diagnostics& diagnost
   world.cameras = readCameras(reader, *root);
   if (world.cameras.empty()) world.cameras = defaultCameras(world.blocks);
   world.events = readEvents(reader, *root, world);
+  const std::size_t states = world.blocks.palette().size();
+  if (states > kMaxPalette) {
+    reader.error(root->offset,
+                 fmt::format("{} block states: expected at most {}", states, kMaxPalette));
+  }
   if (reader.failed()) return std::nullopt;
   return world;
 }

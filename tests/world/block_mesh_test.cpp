@@ -106,6 +106,13 @@ TEST(BlockMesh, equal_glass_and_water_have_no_faces_between) {
   EXPECT_EQ(faceCount(scene.mesh()), 12u);
 }
 
+TEST(BlockMesh, bubble_columns_join_with_water) {
+  Scene scene({2, 1, 1});
+  scene.set({0, 0, 0}, "water");
+  scene.set({1, 0, 0}, "bubble_column");
+  EXPECT_EQ(quadsFacing(scene.mesh(), {1, 0, 0}).size(), 1u);
+}
+
 TEST(BlockMesh, solid_slabs_hide_each_other_but_not_the_block_beside) {
   Scene slabs({2, 1, 1});
   slabs.fill({0, 0, 0}, {1, 0, 0}, "stone_slab[type=bottom]");
@@ -129,6 +136,16 @@ TEST(BlockMesh, fluid_surface_lies_at_eight_ninths_and_steps_down_as_it_flows) {
   EXPECT_EQ(quadsFacing(mesh, {-1, 0, 0}).size(), 1u);
   EXPECT_EQ(tops[0].v[0].fluid, 1);
   EXPECT_EQ(tops[0].v[0].tint, glm::u8vec4(0x3F, 0x76, 0xE4, 255));
+}
+
+TEST(BlockMesh, fluids_take_the_brighter_light_of_their_cell_and_the_one_above) {
+  Scene scene({1, 2, 1});
+  scene.fill({0, 0, 0}, {0, 1, 0}, "water");
+  const LightLevels light = scene.light();
+  EXPECT_EQ(light.sky({0, 1, 0}), 14);
+  const BlockMesh mesh = scene.mesh();
+  EXPECT_EQ(quadsFacing(mesh, {0, 1, 0}).at(0).v[0].light.y, 15 * 16);
+  EXPECT_EQ(quadsFacing(mesh, {0, -1, 0}).at(0).v[0].light.y, 14 * 16);
 }
 
 TEST(BlockMesh, waterlogged_blocks_stand_in_water_that_carries_its_own_id) {

@@ -57,6 +57,13 @@ TEST(LocatedJson, syntax_errors_point_at_the_place) {
             "        ^");
 }
 
+TEST(LocatedJson, numbers_too_large_for_a_double_are_errors) {
+  EXPECT_EQ(errorOf("{\"a\": 1e999}"),
+            "w.json:1:11: error: number overflow parsing '1e999'\n"
+            "  {\"a\": 1e999}\n"
+            "            ^");
+}
+
 TEST(LocatedJson, nesting_is_limited) {
   EXPECT_NE(errorOf(std::string(100000, '[')).find("nested deeper than 32 levels"),
             std::string::npos);

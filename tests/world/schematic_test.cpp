@@ -99,6 +99,12 @@ TEST(Schematic, palette_must_number_its_states_without_gaps) {
             "expected name[property=value,...]");
 }
 
+TEST(Schematic, palettes_over_16_bits_are_errors) {
+  SchematicParts parts;
+  for (int i = 2; i < 65535; ++i) parts.palette.emplace_back("a:b" + std::to_string(i), i);
+  EXPECT_EQ(errorOf(parts), "65535 block states: expected fewer than 65535");
+}
+
 TEST(Schematic, sizes_out_of_range_are_errors) {
   SchematicParts parts;
   parts.width = 0;
