@@ -1,3 +1,4 @@
 #version 330 compatibility
 #define FRAGMENT_STAGE
-#include "/program/d1_lighting.glsl"
+#define FILTER_STEP 1
+#include "/program/d1_filter.glsl"

@@ -31,7 +31,7 @@
 #define SUN_STRENGTH 8.0 // [2.0 4.0 6.0 8.0 12.0 16.0]
 #define SKY_STRENGTH 1.0 // [0.0 0.25 0.5 1.0 1.5 2.0]
 #define EMISSION_STRENGTH 16.0 // [2.0 4.0 8.0 16.0 32.0 64.0]
-#define AMBIENT_MINIMUM 0.005 // [0.0 0.002 0.005 0.01 0.02 0.1]
+#define AMBIENT_MINIMUM 0.002 // [0.0 0.002 0.005 0.01 0.02 0.1]
 const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 45.0 60.0]
 
 // Shadows
@@ -51,8 +51,10 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 #define FLOODFILL_GAMMA 2.2 // [1.0 1.8 2.0 2.2 2.4]
 #define FLOODFILL_INTERVAL 3 // [1 2 3 4 6]
 #define FLOODFILL_LOOKUP PUBLISHED // [PUBLISHED SOLID_AWARE]
+#define FLOODFILL_STRENGTH 1.0 // [0.25 0.5 1.0 2.0 4.0 8.0]
 
-// Temporal accumulation
+// Noise
+#define GI_FILTER // Smooth the gathered light within each face
 #define TEMPORAL_ACCUMULATION // Reuse the samples of earlier frames
 #define TEMPORAL_WEIGHT 0.1 // [0.02 0.05 0.1 0.2 0.5]
 #define TEMPORAL_FRAMES 64 // [10 16 32 64 128 256 1024]

@@ -1,25 +1,27 @@
 // Every render target of the pack.
 //
 // target       format    size    clear  written by                    read by
-// colortex0    RGBA16F   window  0      sky, deferred1, translucent   deferred1, final
+// colortex0    RGBA16F   window  0      sky, deferred4, translucent   deferred4, final
 //   linear radiance, before exposure
-// colortex1    RGBA8     window  0      opaque gbuffers               deferred, deferred1
+// colortex1    RGBA8     window  0      opaque gbuffers               deferred, deferred4
 //   rgb albedo as textured (sRGB), a material byte (include/gbuffer.glsl)
-// colortex2    RGBA8     window  0      opaque gbuffers               deferred, deferred1
+// colortex2    RGBA8     window  0      opaque gbuffers               deferred, deferred4
 //   rg normal, octahedral, world axes; b block light, a sky light (0..1)
 // colortex3    RGBA16F   window  keep   deferred                      deferred (next frame), deferred1
 //   rgb mean incoming radiance over the hemisphere, a number of frames in it;
 //   RGBA32F from 256 frames on, where half floats stop moving
 // colortex4    RGBA16F   atlas   keep   prepare, prepare1             prepare, deferred, translucent
 //   floodfill light by cell (include/voxel/volume.glsl)
-// colortex5    RGBA16F   window  keep   deferred                      deferred (next frame)
-//   xyz normal, world axes, w distance to the camera: what colortex3 belongs to
+// colortex5    RGBA16F   window  keep   deferred                      deferred (next frame), filter
+//   the plane that colortex3 belongs to (include/plane.glsl)
+// colortex6    RGBA16F   window  0      deferred1, 2, 3               deferred2, 3, 4
+//   colortex3 smoothed
 // shadowcolor0 RGBA8     shadow  0      shadow                        prepare, deferred, translucent
 //   voxels in the bottom rows (include/voxel/voxel.glsl), unused above them
-// shadowtex1   depth     shadow  1      shadow                        deferred, deferred1, translucent
+// shadowtex1   depth     shadow  1      shadow                        deferred, deferred4, translucent
 //   shadow map without translucent blocks, above the rows of the voxels
 //
-// colortex3..5 and the shadow targets exist only while an option uses them.
+// colortex3..6 and the shadow targets exist only while an option uses them.
 #if !defined INCLUDED_BUFFERS
 #define INCLUDED_BUFFERS
 
@@ -44,6 +46,7 @@ const int colortex3Format = RGBA16F;
 /*
 const bool colortex3Clear = false;
 const int colortex5Format = RGBA16F;
+const int colortex6Format = RGBA16F;
 const bool colortex5Clear = false;
 const int shadowcolor0Format = RGBA8;
 const vec4 shadowcolor0ClearColor = vec4(0.0, 0.0, 0.0, 0.0);

@@ -11,6 +11,7 @@ void main() { gl_Position = ftransform(); }
 #define READ_GBUFFER
 #define READ_VOXELS
 #include "/include/gbuffer.glsl"
+#include "/include/plane.glsl"
 #include "/include/math/random.glsl"
 #include "/include/math/sampling.glsl"
 #include "/include/lighting/sky.glsl"
@@ -36,7 +37,7 @@ uniform sampler2D colortex5;
 
 /* RENDERTARGETS: 3,5 */
 layout(location = 0) out vec4 out_radiance;
-layout(location = 1) out vec4 out_geometry;
+layout(location = 1) out vec4 out_plane;
 
 /// Sun or moon light that a hit reflects, without its albedo.
 vec3 sun_at(Hit hit, vec3 light) {
@@ -70,7 +71,8 @@ vec3 gather(Surface s, vec3 light) {
         throughput *= hit.voxel.color;
         radiance += throughput * sun_at(hit, light);
 #if GI_METHOD == FLOODFILL
-        radiance += throughput * light_at_face(hit.position, normal, next_random().xy);
+        radiance += throughput * light_at_face(hit.position, normal, next_random().xy) *
+                    FLOODFILL_STRENGTH;
 #endif
     }
     return radiance;
@@ -92,10 +94,8 @@ vec4 history(Surface s) {
     bool on_screen = clip.w > 0.0 && all(greaterThanEqual(uv, vec2(0.0))) && all(lessThan(uv, vec2(1.0)));
     if (!on_screen) return vec4(0.0);
 
-    vec4 geometry = texelFetch(colortex5, pixel, 0);
-    float distance_now = length(player);
-    bool same = abs(geometry.w - distance_now) < 0.02 * distance_now + 0.02 &&
-                dot(geometry.xyz, s.normal) > 0.9;
+    vec4 before = texelFetch(colortex5, pixel, 0);
+    bool same = same_plane(before, surface_plane(player, s.normal));
     return same ? texelFetch(colortex3, pixel, 0) : vec4(0.0);
 }
 
@@ -129,10 +129,10 @@ void main() {
 #ifdef TEMPORAL_ACCUMULATION
     out_radiance = accumulate(radiance, history(s));
 #endif
-    out_geometry = vec4(s.normal, length(s.player));
+    out_plane = surface_plane(s.player, s.normal);
     if (s.sky) {
         out_radiance = vec4(0.0);
-        out_geometry = vec4(0.0);
+        out_plane = vec4(0.0);
     }
 }
 

@@ -52,7 +52,8 @@ vec3 indirect_radiance(vec3 n) {
 #if GI_METHOD == FLOODFILL
     vec3 position = to_volume(player);
     if (in_volume(ivec3(floor(position))))
-        return ambient_radiance(vec2(0.0, light.y), n) + light_solid_aware(position, n);
+        return ambient_radiance(vec2(0.0, light.y), n) +
+               light_solid_aware(position, n) * FLOODFILL_STRENGTH;
 #endif
     return ambient_radiance(light, n);
 }

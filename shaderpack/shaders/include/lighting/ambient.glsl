@@ -11,7 +11,7 @@ vec2 occlude_light(vec2 light, float occlusion) { return light * sqrt(occlusion)
 /// Mean radiance over the hemisphere. `light` is block and sky level, 0..1.
 vec3 ambient_radiance(vec2 light, vec3 normal) {
     vec3 block = vec3(1.0, 0.62, 0.32) * (EMISSION_STRENGTH * 0.06 * light.x * light.x);
-    return block * light.x + sky_ambient(normal) * (light.y * light.y) + AMBIENT_MINIMUM;
+    return block + sky_ambient(normal) * (light.y * light.y) + AMBIENT_MINIMUM;
 }
 
 #endif

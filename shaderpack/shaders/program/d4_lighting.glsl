@@ -14,7 +14,13 @@ void main() { gl_Position = ftransform(); }
 #include "/include/lighting/shadow.glsl"
 #if VOXELS
 #include "/include/voxel/volume.glsl"
+#ifdef GI_FILTER
+uniform sampler2D colortex6;
+#define GI_RESULT colortex6
+#else
 uniform sampler2D colortex3;
+#define GI_RESULT colortex3
+#endif
 #endif
 
 uniform sampler2D colortex0;
@@ -30,7 +36,7 @@ vec3 indirect_radiance(Surface s, ivec2 pixel) {
     vec3 position = to_volume(s.player);
     vec3 margin = min(position, float(VOLUME) - position);
     float inside = clamp(min(margin.x, min(margin.y, margin.z)) / 4.0, 0.0, 1.0);
-    return mix(lightmap, texelFetch(colortex3, pixel, 0).rgb + AMBIENT_MINIMUM, inside);
+    return mix(lightmap, texelFetch(GI_RESULT, pixel, 0).rgb + AMBIENT_MINIMUM, inside);
 #else
     return lightmap;
 #endif
