@@ -34,7 +34,12 @@ void setAtlas(BlockFace& face, const AtlasTile& tile) {
   }
 }
 
-/// The box's face; nullopt-like empty faces are the caller's to skip.
+int normalAxis(FaceDirection direction) {
+  const glm::ivec2 plane = sideAxes(direction);
+  return 3 - plane.x - plane.y;
+}
+
+/// One side of a box, with texture coordinates of a whole tile 0..1.
 BlockFace boxFace(glm::vec3 low, glm::vec3 high, FaceDirection direction) {
   const FaceAxes& axes = kFaceAxes[int(direction)];
   BlockFace face;
@@ -51,7 +56,7 @@ BlockFace boxFace(glm::vec3 low, glm::vec3 high, FaceDirection direction) {
   }
   // The texture is never mirrored, so v is cross(tangent, normal).
   face.tangent = glm::vec4(axes.u, 1);
-  const int axis = int(direction) / 2 == 0 ? 1 : int(direction) / 2 == 1 ? 2 : 0;
+  const int axis = normalAxis(direction);
   face.flush = face.normal[axis] > 0 ? high[axis] >= 1 : low[axis] <= 0;
   const glm::ivec2 plane = sideAxes(direction);
   face.side = {{low[plane.x], low[plane.y]}, {high[plane.x], high[plane.y]}};

@@ -41,7 +41,7 @@ float fluidHeight(const BlockState& state) {
 /// One palette entry, prepared.
 struct MeshState {
   BlockFaces block;
-  std::vector<BlockFace> fluidSurface, fluidFull;  // below air, below the same fluid
+  std::vector<BlockFace> fluidSurface, fluidFull;  // under air, submerged in the same fluid
   std::string fluid;                               // name, "" = none
   float height = 0;
   std::uint16_t fluidState = 0;   // the palette index that fluid faces carry
@@ -148,23 +148,23 @@ class MeshBuilder {
   }
 
   void addFluidFaces(const MeshState& state, glm::ivec3 cell, glm::ivec3 origin) {
-    const bool below = stateAt(cell + glm::ivec3(0, 1, 0)).fluid == state.fluid;
-    for (const BlockFace& face : below ? state.fluidFull : state.fluidSurface) {
-      if (face.flush && isFluidHidden(face, cell, state, below)) continue;
+    const bool submerged = stateAt(cell + glm::ivec3(0, 1, 0)).fluid == state.fluid;
+    for (const BlockFace& face : submerged ? state.fluidFull : state.fluidSurface) {
+      if (face.flush && isFluidHidden(face, cell, state, submerged)) continue;
       addFace(face, cell, origin, state.fluidState, true);
     }
   }
 
   bool isFluidHidden(const BlockFace& face, glm::ivec3 cell, const MeshState& state,
-                     bool below) const {
+                     bool submerged) const {
     const glm::ivec3 beside = cell + normalOf(face.direction);
     const MeshState& neighbour = stateAt(beside);
     if (neighbour.hides(opposite(face.direction))) return true;
     if (neighbour.fluid != state.fluid) return false;
     if (face.direction == FaceDirection::Down || face.direction == FaceDirection::Up) return true;
     // A lower surface beside leaves a step to be seen.
-    const bool besideBelow = stateAt(beside + glm::ivec3(0, 1, 0)).fluid == state.fluid;
-    return (besideBelow ? 1 : neighbour.height) >= (below ? 1 : state.height);
+    const bool besideSubmerged = stateAt(beside + glm::ivec3(0, 1, 0)).fluid == state.fluid;
+    return (besideSubmerged ? 1 : neighbour.height) >= (submerged ? 1 : state.height);
   }
 
   const MeshState& stateAt(glm::ivec3 cell) const { return states_[input_.blocks.indexAt(cell)]; }
