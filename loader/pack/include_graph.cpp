@@ -12,7 +12,8 @@ namespace orris {
 namespace {
 
 constexpr int kDeepestInclude = 256;
-constexpr size_t kMostLines = 2'000'000;
+constexpr size_t kMostLines = 500'000;
+constexpr size_t kMostSites = 50'000;
 constexpr std::string_view kInclude = "#include";
 
 /// Walks depth first, so that the open files are the chain of includes.
@@ -140,7 +141,7 @@ class Flattener {
       flat_.lines.push_back({found->second[i], site, line});
     }
     // Empty files can still be included without end.
-    return flat_.sites.size() < kMostLines;
+    return flat_.sites.size() < kMostSites;
   }
 
  private:
@@ -168,7 +169,9 @@ FlatSource flatten(const IncludeGraph& graph, const std::map<std::string, FileLi
         {.severity = Severity::Error,
          .id = "source-too-large",
          .at = {.file = entry},
-         .message = fmt::format("more than {} lines with all includes", kMostLines)});
+         .message = fmt::format("the includes expand to more than {} lines or {} files", kMostLines,
+                                kMostSites)});
+    flat.lines.clear();
   }
   return flat;
 }

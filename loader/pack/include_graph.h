@@ -25,7 +25,8 @@ IncludeGraph readIncludeGraph(const FileSource& source, const std::vector<std::s
                               Diagnostics& diagnostics);
 
 /// The entry with its includes in place. `files` are those of the graph with options applied; the
-/// graph must be free of errors. Stops with an error when the result would exceed two million lines.
+/// graph must be free of errors. An error and no lines when they would be more than 500000, or the
+/// inclusions more than 50000.
 FlatSource flatten(const IncludeGraph& graph, const std::map<std::string, FileLines>& files,
                    const std::string& entry, Diagnostics& diagnostics);
 

@@ -1,0 +1,146 @@
+#include "core/file_source.h"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace orris {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+
+const fs::path kData = fs::path(ORRIS_TEST_DIR) / "core" / "data";
+
+/// A folder of its own for each test, removed afterwards.
+class FileSourceTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+    root_ = fs::temp_directory_path() / (std::string("orris_") + info->name());
+    fs::remove_all(root_);
+    fs::create_directories(root_);
+  }
+  void TearDown() override { fs::remove_all(root_); }
+
+  void write(const std::string& path, const std::string& bytes) {
+    fs::create_directories((root_ / path).parent_path());
+    std::ofstream(root_ / path, std::ios::binary) << bytes;
+  }
+  std::unique_ptr<FileSource> open(const std::string& path, const PackLimits& limits = {}) {
+    diagnostics_.clear();
+    return openPack(path, diagnostics_, limits);
+  }
+  std::string message() const {
+    return diagnostics_.empty() ? "" : formatDiagnostic(diagnostics_.front());
+  }
+
+  fs::path root_;
+  Diagnostics diagnostics_;
+};
+
+TEST_F(FileSourceTest, folder_is_read_from_its_shaders_folder) {
+  write("shaders/composite.fsh", "void main() {}");
+  write("shaders/lib/a.glsl", "a");
+  write("readme.txt", "outside");
+  for (const fs::path& path : {root_, root_ / "shaders", root_ / "shaders/"}) {
+    const auto source = open(path.string());
+    ASSERT_TRUE(source) << message();
+    EXPECT_THAT(source->files(), ElementsAre("/composite.fsh", "/lib/a.glsl"));
+    EXPECT_EQ(source->read("/lib/a.glsl"), "a");
+    EXPECT_EQ(source->read("/../readme.txt"), std::nullopt);
+    EXPECT_FALSE(source->contains("/LIB/a.glsl"));
+  }
+}
+
+TEST_F(FileSourceTest, folder_without_shaders_is_refused) {
+  EXPECT_FALSE(open(root_.string()));
+  EXPECT_EQ(message(), root_.string() +
+                           ": error: no shader pack: the folder has no folder named shaders\n"
+                           "  hint: give the folder that holds shaders/");
+}
+
+TEST_F(FileSourceTest, missing_pack_is_reported_by_its_path) {
+  EXPECT_FALSE(open("/no/such/pack"));
+  EXPECT_EQ(message(),
+            "/no/such/pack: error: no such shader pack\n  hint: give a folder or a .zip");
+}
+
+TEST_F(FileSourceTest, symbolic_links_stay_inside) {
+  write("shaders/lib/a.glsl", "a");
+  write("secret.txt", "secret");
+  fs::create_symlink(root_ / "secret.txt", root_ / "shaders/out.glsl");
+  fs::create_symlink("lib/a.glsl", root_ / "shaders/in.glsl");
+  const auto source = open(root_.string());
+  ASSERT_TRUE(source);
+  EXPECT_THAT(source->files(), ElementsAre("/in.glsl", "/lib/a.glsl"));
+  EXPECT_EQ(source->read("/in.glsl"), "a");
+  EXPECT_EQ(
+      message(),
+      "/out.glsl: warning: this symbolic link leads nowhere or out of the pack; it is ignored\n"
+      "  hint: put the file itself into the pack");
+}
+
+TEST_F(FileSourceTest, endless_links_end_at_the_depth_limit) {
+  write("shaders/a.glsl", "a");
+  fs::create_directory_symlink(".", root_ / "shaders/loop");
+  EXPECT_FALSE(open(root_.string()));
+  EXPECT_EQ(diagnostics_.front().id, "pack-too-large");
+}
+
+TEST_F(FileSourceTest, limits_hold_for_folders_and_zips) {
+  write("shaders/a.glsl", "0123456789");
+  write("shaders/b.glsl", "0123456789");
+  const std::string zip = (kData / "pack.zip").string();
+  EXPECT_FALSE(open(root_.string(), {.fileBytes = 9}));
+  EXPECT_FALSE(open(root_.string(), {.totalBytes = 19}));
+  EXPECT_FALSE(open(root_.string(), {.files = 1}));
+  EXPECT_TRUE(open(root_.string(), {.fileBytes = 10, .totalBytes = 20, .files = 2}));
+  EXPECT_FALSE(open(zip, {.fileBytes = 3}));
+  EXPECT_FALSE(open(zip, {.totalBytes = 3}));
+  EXPECT_FALSE(open(zip, {.files = 1}));
+}
+
+TEST_F(FileSourceTest, zip_with_shaders_at_the_top) {
+  const auto source = open((kData / "pack.zip").string());
+  ASSERT_TRUE(source) << message();
+  EXPECT_THAT(source->files(), ElementsAre("/composite.fsh", "/lib/a.glsl"));
+  EXPECT_EQ(source->read("/lib/a.glsl"), "const float a = 1.0;\n");
+}
+
+TEST_F(FileSourceTest, zip_with_the_pack_in_a_folder) {
+  const auto source = open((kData / "nested.zip").string());
+  ASSERT_TRUE(source) << message();
+  EXPECT_THAT(source->files(), ElementsAre("/composite.fsh", "/lib/a.glsl"));
+}
+
+TEST_F(FileSourceTest, truncated_zip_is_one_clear_message) {
+  std::ifstream file(kData / "pack.zip", std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  for (const size_t size : {bytes.size() / 2, bytes.size() - 1, size_t{0}}) {
+    write("cut.zip", bytes.substr(0, size));
+    EXPECT_FALSE(open((root_ / "cut.zip").string()));
+    ASSERT_EQ(diagnostics_.size(), 1u);
+    EXPECT_EQ(diagnostics_.front().id, "zip-unreadable");
+    EXPECT_EQ(diagnostics_.front().hint,
+              "the archive is damaged or cut off; fetch or zip it again");
+  }
+}
+
+TEST_F(FileSourceTest, zip_with_damaged_bytes_is_refused) {
+  std::ifstream file(kData / "pack.zip", std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  bytes[60] = static_cast<char>(bytes[60] ^ 0x55);
+  write("bad.zip", bytes);
+  EXPECT_FALSE(open((root_ / "bad.zip").string()));
+  EXPECT_EQ(diagnostics_.front().id, "zip-unreadable");
+}
+
+TEST(MemorySource, leaves_out_paths_that_escape) {
+  const auto source = memorySource({{"/a", "1"}, {"../b", "2"}, {"/lib/../c", "3"}});
+  EXPECT_THAT(source->files(), ElementsAre("/a", "/c"));
+}
+
+}  // namespace
+}  // namespace orris

@@ -1,0 +1,131 @@
+#include "pack/directives.h"
+
+#include <gmock/gmock.h>
+
+#include "glsl/preprocessor.h"
+
+namespace orris {
+namespace {
+
+using testing::ElementsAre;
+
+TokenStream streamOf(const std::string& text, Diagnostics& diagnostics) {
+  FlatSource flat{{{"/a.fsh"}}, {}};
+  for (size_t begin = 0; begin < text.size();) {
+    const size_t end = std::min(text.find('\n', begin), text.size());
+    flat.lines.push_back(
+        {text.substr(begin, end - begin), 0, static_cast<int>(flat.lines.size()) + 1});
+    begin = end + 1;
+  }
+  return preprocess(flat, {}, diagnostics);
+}
+
+std::optional<std::vector<int>> buffers(const std::string& text, std::string* error = nullptr) {
+  Diagnostics diagnostics;
+  const auto directives =
+      readProgramDirectives(streamOf(text, diagnostics), kColorTargets, diagnostics);
+  if (error) *error = diagnostics.empty() ? "" : formatDiagnostic(diagnostics[0]);
+  return directives.drawBuffers;
+}
+
+PackDirectives packOf(const std::string& text) {
+  Diagnostics diagnostics;
+  const TokenStream stream = streamOf(text, diagnostics);
+  PackDirectives directives;
+  readPackDirectives(findConstLines(stream), stream.sites, directives, diagnostics);
+  EXPECT_TRUE(diagnostics.empty()) << formatDiagnostic(diagnostics[0]);
+  return directives;
+}
+
+TEST(ProgramDirectives, both_forms_name_buffers) {
+  EXPECT_THAT(*buffers("/* RENDERTARGETS: 0,3, 12 */"), ElementsAre(0, 3, 12));
+  EXPECT_THAT(*buffers("/*DRAWBUFFERS:0257*/"), ElementsAre(0, 2, 5, 7));
+  EXPECT_EQ(buffers("void main() {}"), std::nullopt);
+}
+
+TEST(ProgramDirectives, the_last_one_wins) {
+  EXPECT_THAT(*buffers("/* RENDERTARGETS: 0 */\n/* RENDERTARGETS: 1 */"), ElementsAre(1));
+  EXPECT_THAT(*buffers("/* RENDERTARGETS: 0 */\n/* DRAWBUFFERS:2 */"), ElementsAre(2));
+  EXPECT_THAT(*buffers("/* DRAWBUFFERS:2 */\n/* RENDERTARGETS: 0 */"), ElementsAre(0));
+}
+
+TEST(ProgramDirectives, inactive_branches_do_not_count) {
+  EXPECT_THAT(*buffers("/* RENDERTARGETS: 0 */\n#ifdef X\n/* RENDERTARGETS: 1 */\n#endif"),
+              ElementsAre(0));
+}
+
+TEST(ProgramDirectives, a_keyword_that_does_not_open_its_comment_voids_the_earlier_ones) {
+  EXPECT_EQ(buffers("/* RENDERTARGETS: 0 */\n// RENDERTARGETS: 1"), std::nullopt);
+  EXPECT_EQ(buffers("/* use RENDERTARGETS: 0 */"), std::nullopt);
+  EXPECT_EQ(buffers("/* RENDERTARGETS : 0 */"), std::nullopt);
+}
+
+TEST(ProgramDirectives, indices_beyond_the_host_are_errors) {
+  std::string error;
+  EXPECT_EQ(buffers("\n/* RENDERTARGETS: 0,16 */", &error), std::nullopt);
+  EXPECT_EQ(error,
+            "/a.fsh:2:1: error: buffer 16 does not exist: the last one is 15\n"
+            "  /* RENDERTARGETS: 0,16 */\n  ^");
+  buffers("/* RENDERTARGETS: 0,1,2,3,4,5,6,7,8 */", &error);
+  EXPECT_THAT(error, testing::HasSubstr("9 buffers are listed, at most 8 can be drawn at once"));
+}
+
+TEST(ProgramDirectives, mipmaps_and_work_groups) {
+  Diagnostics diagnostics;
+  const TokenStream stream = streamOf(
+      "const bool colortex4MipmapEnabled = true;\nconst bool gaux2MipmapEnabled = true;\n"
+      "const bool colortex4MipmapEnabled = false;\nconst ivec3 workGroups = ivec3(8, 4, 1);\n"
+      "const vec2 workGroupsRender = vec2(0.5f, 1.0);",
+      diagnostics);
+  const ProgramDirectives directives = readProgramDirectives(stream, kColorTargets, diagnostics);
+  EXPECT_THAT(directives.mipmaps, ElementsAre(5));
+  EXPECT_EQ(directives.workGroups, (std::array{8, 4, 1}));
+  EXPECT_EQ(directives.workGroupsRender, (std::array{0.5f, 1.0f}));
+}
+
+TEST(PackDirectives, are_read_from_code_and_from_block_comments) {
+  const PackDirectives directives = packOf(
+      "/*\nconst int colortex3Format = rgba16f; text\n const int gaux1Format = R8;\n*/\n"
+      "  const bool colortex3Clear = false;\nconst vec4 shadowcolor1ClearColor = vec4(0.0, 1.0, "
+      ".5, 1);\n"
+      "const int shadowMapResolution = 2048;");
+  EXPECT_EQ(directives.colortex.at(3).format, "RGBA16F");
+  EXPECT_FALSE(directives.colortex.at(3).clear);
+  EXPECT_EQ(directives.colortex.at(4).format, "R8");
+  EXPECT_EQ(directives.shadowcolor.at(1).clearColor, (std::array{0.0f, 1.0f, 0.5f, 1.0f}));
+  EXPECT_EQ(directives.shadowMapResolution, 2048);
+}
+
+TEST(PackDirectives, macros_are_expanded) {
+  EXPECT_FLOAT_EQ(
+      packOf("#define DISTANCE 96.0\nconst float shadowDistance = DISTANCE;").shadowDistance, 96);
+  EXPECT_FLOAT_EQ(packOf("const float sunPathRotation = -40.0;").sunPathRotation, -40);
+}
+
+TEST(PackDirectives, what_is_no_directive) {
+  const PackDirectives directives = packOf(
+      "// const float shadowDistance = 1.0;\nint x; const float shadowDistance = 2.0;\n"
+      "const int shadowDistance = 3;\n/* const float shadowDistance = 4.0; */\nconst float "
+      "shadowDistance\n= 5.0;\n"
+      "const int colortex18Format = RGBA99;");
+  EXPECT_FLOAT_EQ(directives.shadowDistance, 160);
+  EXPECT_TRUE(directives.colortex.empty());
+}
+
+TEST(PackDirectives, switches_of_both_shadow_maps) {
+  const PackDirectives directives = packOf(
+      "const bool shadowHardwareFiltering = true;\nconst bool shadowHardwareFiltering1 = false;\n"
+      "const bool shadow1MinMagNearest = true;\nconst bool generateShadowMipmap = true;");
+  EXPECT_TRUE(directives.shadowtex[0].hardwareFiltering);
+  EXPECT_FALSE(directives.shadowtex[1].hardwareFiltering);
+  EXPECT_FALSE(directives.shadowtex[0].nearest);
+  EXPECT_TRUE(directives.shadowtex[1].nearest);
+  EXPECT_TRUE(directives.shadowtex[1].mipmap);
+}
+
+TEST(PackDirectives, ambient_occlusion_is_clamped) {
+  EXPECT_FLOAT_EQ(packOf("const float ambientOcclusionLevel = 3.0;").ambientOcclusionLevel, 1);
+}
+
+}  // namespace
+}  // namespace orris
