@@ -17,6 +17,7 @@ TokenStream preprocess(const FlatSource& source, const MacroDefinitions& environ
     while (expander.next(token)) stream.tokens.push_back(std::move(token));
   }
   runner.finish();
+  runner.requireVersion();
   return stream;
 }
 

@@ -18,7 +18,8 @@ using MacroDefinitions = std::vector<std::pair<std::string, std::string>>;
 /// is 0; #if is integer arithmetic; `\`-newline joins lines; ## and # work; __LINE__ etc. are
 /// ordinary names; #extension and #version of active branches are collected; comments survive as
 /// tokens. Errors (unbalanced conditionals, malformed directives, #error) are located diagnostics;
-/// preprocessing goes on after each. A source without an active #version keeps version 0.
+/// preprocessing goes on after each. A source without an active #version is one such error
+/// ("version-missing") and keeps version 0.
 TokenStream preprocess(const FlatSource& source, const MacroDefinitions& environment,
                        Diagnostics& diagnostics);
 
