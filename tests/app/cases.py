@@ -5,7 +5,9 @@ each line with "error: " on standard error, no more and no fewer; `creates` are 
 command must leave, no more and no fewer: a failing command leaves none.
 """
 import io
+import struct
 import zipfile
+import zlib
 from dataclasses import dataclass, field
 
 
@@ -20,7 +22,11 @@ class Case:
     stdout: list = field(default_factory=list)
     creates: list = field(default_factory=list)
     environment: dict = field(default_factory=dict)
-    label: str = "cpu"
+
+    @property
+    def label(self):
+        """render opens a GL context."""
+        return "gl" if any(command.startswith("render") for command in self.commands) else "cpu"
 
 
 VERSION = "#version 330 compatibility\n"
@@ -50,6 +56,16 @@ def zipped(files):
         for name, text in files.items():
             archive.writestr(zipfile.ZipInfo(name, (2000, 1, 1, 0, 0, 0)), text)
     return buffer.getvalue()
+
+
+def png(width, height, color):
+    """A PNG of one colour (red, green, blue), 8 bits a channel."""
+    def chunk(kind, data):
+        body = kind + data
+        return struct.pack(">I", len(data)) + body + struct.pack(">I", zlib.crc32(body))
+    rows = (b"\0" + bytes(color) * width) * height
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">2I5B", width, height, 8, 2, 0, 0, 0))
+            + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
 
 
 USAGE = [
@@ -128,4 +144,26 @@ WORLDS = [
          stdout=["size", "lights +[1-9]", "unknown +0", "camera "]),
 ]
 
-CASES = USAGE + PACKS + WORLDS
+PICTURES = {"grey.png": png(20, 16, (100, 100, 100)), "same.png": png(20, 16, (100, 100, 100)),
+            "red.png": png(20, 16, (151, 100, 100)), "small.png": png(8, 8, (100, 100, 100)),
+            "text.png": "no picture\n"}
+COMPARISONS = [
+    Case("compare_equal", ["compare grey.png same.png --max-rmse 0 --min-ssim 1"], 0, PICTURES,
+         stdout=["^rmse +0$", "^maxAbsolute +0$", "^fractionAbove +0$", "^ssim +1$"]),
+    Case("compare_difference_picture", ["compare red.png grey.png --diff diff.png"], 0, PICTURES,
+         stdout=[r"^maxAbsolute +0\.2$", "^fractionAbove +1$"], creates=["diff.png"]),
+    Case("compare_limits", ["compare red.png grey.png --max-abs 0.1 --max-fraction 0.5 --json"], 1,
+         PICTURES, [r"maxAbsolute is 0\.2, --max-abs allows 0\.1",
+                    r"fractionAbove is 1, --max-fraction allows 0\.5"],
+         stdout=['"id": "limit-exceeded"', '"rmse": 0.11']),
+    Case("compare_sizes_differ", ["compare small.png grey.png --diff diff.png"], 1, PICTURES,
+         ["8.*8.*20.*16|20.*16.*8.*8"]),
+    Case("compare_unreadable", ["compare text.png grey.png", "compare grey.png text.png"], 2,
+         PICTURES, [r"text\.png"]),
+    Case("compare_missing", ["compare none.png grey.png"], 2, PICTURES, [r"none\.png"]),
+    Case("compare_unwritable", ["compare red.png grey.png --diff none/diff.png",
+                                "compare red.png grey.png --diff grey.png/diff.png"], 2, PICTURES,
+         [r"diff\.png"]),
+]
+
+CASES = USAGE + PACKS + WORLDS + COMPARISONS

@@ -138,6 +138,7 @@ int runChild(const Setup& setup) {
 
 std::optional<json> runProcess(const std::string& program, const Setup& setup,
                                const std::string& mode, const std::string& cache) {
+  std::filesystem::create_directories(cache);
   setenv("MESA_SHADER_CACHE_DIR", cache.c_str(), 1);
   const std::string command =
       fmt::format("'{}' {} '{}' {}", program, mode, setup.world, setup.size);
