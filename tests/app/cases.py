@@ -140,6 +140,14 @@ WORLDS = [
     Case("truncated_schematic", ["world house.schem", "render pack house.schem -o out.png"], 2,
          {**PACK, "house.schem": b"\x1f\x8b\x08\x00\x00\x00\x00\x00\x00\x03\xe3\x60"},
          [r"house\.schem"]),
+    Case("bad_palette_key", ["world world", "render pack world -o out.png"], 2,
+         {**PACK, "world/world.json": '{\n  "size": [2, 2, 2],\n  "palette": { "ab": "stone" },\n'
+                                      '  "cameras": [{ "name": "a", "position": [0, 0, 0] }]\n}\n'},
+         [r'^world/world\.json:3:\d+: error: .*"?ab']),
+    Case("unknown_block", ["world world"], 0,
+         {"world/world.json": '{ "size": [2, 2, 2], "blocks": [{ "block": "nonsense", "at": [0, 0, 0] }],'
+                              ' "cameras": [{ "name": "a", "position": [0, 0, 0] }] }'},
+         stderr=["warning: .*minecraft:nonsense"], stdout=["unknown +1"]),
     Case("world_facts", [f"world {CORNELL}"], 0,
          stdout=["size", "lights +[1-9]", "unknown +0", "camera "]),
 ]
