@@ -31,9 +31,8 @@ glm::mat4 shadowModelViewMatrix(float sunAngle, float sunPathRotation, float int
                                 const glm::dvec3& cameraPosition) {
   const float angle = sunAngle <= 0.5f ? sunAngle : sunAngle - 0.5f;
   const float sky = angle < 0.25f ? angle + 0.75f : angle - 0.25f;
-  glm::mat4 matrix = glm::translate(glm::mat4(1), glm::vec3(0, 0, -100)) *
-                     rotation(90, {1, 0, 0}) * rotation(-360 * sky, {0, 0, 1}) *
-                     rotation(sunPathRotation, {1, 0, 0});
+  glm::mat4 matrix = glm::translate(glm::mat4(1), glm::vec3(0, 0, -100)) * rotation(90, {1, 0, 0}) *
+                     rotation(-360 * sky, {0, 0, 1}) * rotation(sunPathRotation, {1, 0, 0});
   if (interval == 0) return matrix;
   glm::vec3 offset;
   for (int i = 0; i < 3; ++i)

@@ -1,11 +1,11 @@
 #include "frame/frame_renderer.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
-
-#include <fmt/format.h>
 
 #include "frame/builtin_program.h"
 #include "frame/celestial.h"
@@ -116,18 +116,40 @@ void FrameRenderer::runStep(const Step& step, const FrameState& state) {
   const auto start = Clock::now();
   if (loaded_->storesFromShaders) gl::MemoryBarrier(GL_ALL_BARRIER_BITS);
   switch (step.kind) {
-    case Step::Kind::ClearImages: loaded_->resources->clearImages(false); break;
-    case Step::Kind::ClearShadow: loaded_->targets->clearShadow(); break;
-    case Step::Kind::ClearColor: loaded_->targets->clearColor(&state.environment.fogColor.x); break;
-    case Step::Kind::Compute: dispatch(step, state); break;
-    case Step::Kind::Fullscreen: drawFullscreen(step, state); break;
+    case Step::Kind::ClearImages:
+      loaded_->resources->clearImages(false);
+      break;
+    case Step::Kind::ClearShadow:
+      loaded_->targets->clearShadow();
+      break;
+    case Step::Kind::ClearColor:
+      loaded_->targets->clearColor(&state.environment.fogColor.x);
+      break;
+    case Step::Kind::Compute:
+      dispatch(step, state);
+      break;
+    case Step::Kind::Fullscreen:
+      drawFullscreen(step, state);
+      break;
     case Step::Kind::Draw:
-    case Step::Kind::DrawShadow: drawGeometry(step, state); break;
-    case Step::Kind::CopyShadowDepth: loaded_->copyDepth(loaded_->targets->shadowDepth(0), loaded_->targets->shadowDepth(1)); break;
-    case Step::Kind::ShadowMipmaps: shadowMipmaps(); break;
-    case Step::Kind::SampleCenterDepth: sampleCenterDepth(); break;
-    case Step::Kind::CopyDepth: loaded_->copyDepth(loaded_->targets->depth(0), loaded_->targets->depth(step.index)); break;
-    case Step::Kind::Present: present(step, state); break;
+    case Step::Kind::DrawShadow:
+      drawGeometry(step, state);
+      break;
+    case Step::Kind::CopyShadowDepth:
+      loaded_->copyDepth(loaded_->targets->shadowDepth(0), loaded_->targets->shadowDepth(1));
+      break;
+    case Step::Kind::ShadowMipmaps:
+      shadowMipmaps();
+      break;
+    case Step::Kind::SampleCenterDepth:
+      sampleCenterDepth();
+      break;
+    case Step::Kind::CopyDepth:
+      loaded_->copyDepth(loaded_->targets->depth(0), loaded_->targets->depth(step.index));
+      break;
+    case Step::Kind::Present:
+      present(step, state);
+      break;
   }
   if (!options_.timings) return;
   gl::Finish();
@@ -197,9 +219,9 @@ void FrameRenderer::drawGeometry(const Step& step, const FrameState& state) {
   gl::DepthMask(GL_TRUE);
 }
 
-void FrameRenderer::drawTerrain(const Step& step, const GpuProgram& program, const FrameState& state,
-                                const glm::mat4& view, const glm::mat4& projection,
-                                DrawState& draw) {
+void FrameRenderer::drawTerrain(const Step& step, const GpuProgram& program,
+                                const FrameState& state, const glm::mat4& view,
+                                const glm::mat4& projection, DrawState& draw) {
   const bool shadow = step.kind == Step::Kind::DrawShadow;
   draw.modelView = view;
   draw.projection = projection;
@@ -238,7 +260,8 @@ void FrameRenderer::drawSky(const Step& step, const GpuProgram& program, const F
                             DrawState& draw) {
   const GpuScene& scene = *loaded_->scene;
   const bool turning = step.geometry != Geometry::Sky;
-  const float night = std::clamp(1 - (std::cos(state.skyAngle * 6.2831853f) * 2 + 0.25f), 0.0f, 1.0f);
+  const float night =
+      std::clamp(1 - (std::cos(state.skyAngle * 6.2831853f) * 2 + 0.25f), 0.0f, 1.0f);
   const float starlight = night * night * 0.5f;
   if (step.geometry == Geometry::Stars && starlight <= 0) return;
   draw.modelView = state.gbufferModelView;
@@ -276,7 +299,8 @@ void FrameRenderer::drawSky(const Step& step, const GpuProgram& program, const F
 void FrameRenderer::dispatch(const Step& step, const FrameState& state) {
   const ProgramSource& source = pack_->programs[step.program];
   glm::vec2 size(options_.width, options_.height);
-  if (step.group == ProgramGroup::Shadow) size = glm::vec2(static_cast<float>(schedule_.shadowResolution));
+  if (step.group == ProgramGroup::Shadow)
+    size = glm::vec2(static_cast<float>(schedule_.shadowResolution));
   if (step.group == ProgramGroup::Setup) size = glm::vec2(1);
   DrawState draw;
   draw.fullscreen = true;
@@ -354,11 +378,14 @@ ImageF flipped(const std::vector<float>& pixels, int width, int height, int chan
   ImageF image(width, height, channels);
   const size_t row = static_cast<size_t>(width) * channels;
   for (int y = 0; y < height; ++y)
-    std::copy_n(pixels.begin() + static_cast<std::ptrdiff_t>((height - 1 - y) * row), row, image.at(0, y));
+    std::copy_n(pixels.begin() + static_cast<std::ptrdiff_t>((height - 1 - y) * row), row,
+                image.at(0, y));
   return image;
 }
 
-float fromSrgb(float v) { return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f); }
+float fromSrgb(float v) {
+  return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f);
+}
 
 }  // namespace
 
@@ -371,7 +398,8 @@ Image8 FrameRenderer::screenshot() const {
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x)
       for (int c = 0; c < 3; ++c)
-        result.at(x, y)[c] = static_cast<std::uint8_t>(std::lround(std::clamp(image.at(x, y)[c], 0.0f, 1.0f) * 255));
+        result.at(x, y)[c] =
+            static_cast<std::uint8_t>(std::lround(std::clamp(image.at(x, y)[c], 0.0f, 1.0f) * 255));
   return result;
 }
 
@@ -396,7 +424,8 @@ std::optional<ImageF> FrameRenderer::dump(const std::string& name) const {
     const bool shadow = buffer->kind == BufferName::Kind::ShadowColor;
     if (shadow || buffer->kind == BufferName::Kind::Color)
       if (RenderTarget* target = loaded_->targets->find(shadow, i); target != nullptr)
-        texture = &target->side(((shadow ? schedule_.finalShadowFlipped : schedule_.finalFlipped) >> i & 1u) != 0);
+        texture = &target->side(
+            ((shadow ? schedule_.finalShadowFlipped : schedule_.finalFlipped) >> i & 1u) != 0);
   } else if (const ImageResource* image = loaded_->resources->image(name); image != nullptr) {
     texture = &image->texture;
   }
@@ -404,6 +433,20 @@ std::optional<ImageF> FrameRenderer::dump(const std::string& name) const {
   int channels = 0;
   const std::vector<float> pixels = gl::readPixels(*texture, channels);
   return flipped(pixels, texture->width, texture->height * texture->depth, channels);
+}
+
+std::string FrameRenderer::bufferNames() const {
+  std::string names;
+  for (const TargetPlan& plan : schedule_.colortex) names += fmt::format("colortex{} ", plan.index);
+  for (const TargetPlan& plan : schedule_.shadowcolor)
+    names += fmt::format("shadowcolor{} ", plan.index);
+  for (int i = 0; i < 3; ++i)
+    if (loaded_->targets->depth(i).id() != 0) names += fmt::format("depthtex{} ", i);
+  for (int i = 0; i < 2; ++i)
+    if (loaded_->targets->shadowDepth(i).id() != 0) names += fmt::format("shadowtex{} ", i);
+  for (const ImageResource& image : loaded_->resources->images()) names += image.plan.name + " ";
+  if (!names.empty()) names.pop_back();
+  return names;
 }
 
 }  // namespace orris

@@ -64,6 +64,8 @@ class FrameRenderer {
   /// Any buffer by name (colortexN, shadowcolorN, depthtexN, shadowtexN, a custom image), as it
   /// stands after the last frame, top row first; a 3-D image as its slices from top to bottom.
   std::optional<ImageF> dump(const std::string& name) const;
+  /// What dump() takes, separated by blanks.
+  std::string bufferNames() const;
   unsigned screenFramebuffer();
 
  private:
@@ -73,7 +75,8 @@ class FrameRenderer {
   void drawGeometry(const Step& step, const FrameState& state);
   void drawTerrain(const Step& step, const GpuProgram& program, const FrameState& state,
                    const glm::mat4& view, const glm::mat4& projection, DrawState& draw);
-  void drawSky(const Step& step, const GpuProgram& program, const FrameState& state, DrawState& draw);
+  void drawSky(const Step& step, const GpuProgram& program, const FrameState& state,
+               DrawState& draw);
   void dispatch(const Step& step, const FrameState& state);
   void present(const Step& step, const FrameState& state);
   void buildMipmaps(const Step& step);

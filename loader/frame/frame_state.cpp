@@ -21,9 +21,9 @@ void setMatrices(FrameState& state, const PackDirectives& directives) {
   state.gbufferModelViewInverse = glm::inverse(state.gbufferModelView);
   // Iris: the far plane lies at four times the render distance; uniform `far` is the latter.
   const float far = static_cast<float>(state.environment.renderDistance) * 4;
-  state.gbufferProjection =
-      glm::perspective(glm::radians(state.camera.fov),
-                       static_cast<float>(state.width) / static_cast<float>(state.height), kNear, far);
+  state.gbufferProjection = glm::perspective(
+      glm::radians(state.camera.fov),
+      static_cast<float>(state.width) / static_cast<float>(state.height), kNear, far);
   state.gbufferProjectionInverse = glm::inverse(state.gbufferProjection);
   state.shadowModelView =
       shadowModelViewMatrix(state.sunAngle, directives.sunPathRotation,
@@ -50,7 +50,8 @@ void dimColors(FrameState& state) {
   const float height = std::cos(state.skyAngle * 2 * 3.14159265f) * 2 + 0.5f;
   const float day = std::min(std::max(height, 0.0f), 1.0f);
   state.environment.skyColor *= day;
-  state.environment.fogColor *= glm::vec3(day * 0.94f + 0.06f, day * 0.94f + 0.06f, day * 0.91f + 0.09f);
+  state.environment.fogColor *=
+      glm::vec3(day * 0.94f + 0.06f, day * 0.94f + 0.06f, day * 0.91f + 0.09f);
 }
 
 void setSmoothed(FrameState& state, const FrameInput& input, const PackDirectives& directives,
@@ -72,8 +73,8 @@ void setSmoothed(FrameState& state, const FrameInput& input, const PackDirective
   state.wetness = smoothed(
       previous->wetness, rain,
       rain > previous->wetness ? directives.wetnessHalflife : directives.drynessHalflife, dt);
-  state.centerDepthSmooth = smoothed(previous->centerDepthSmooth, input.centerDepth,
-                                     directives.centerDepthHalflife, dt);
+  state.centerDepthSmooth =
+      smoothed(previous->centerDepthSmooth, input.centerDepth, directives.centerDepthHalflife, dt);
 }
 
 }  // namespace

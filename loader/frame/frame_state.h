@@ -25,14 +25,14 @@ struct FrameState {
   glm::mat4 gbufferPreviousModelView{1}, gbufferPreviousProjection{1};
   glm::mat4 shadowModelView{1}, shadowModelViewInverse{1};
   glm::mat4 shadowProjection{1}, shadowProjectionInverse{1};
-  float skyAngle = 0, sunAngle = 0, shadowAngle = 0;  ///< turns
+  float skyAngle = 0, sunAngle = 0, shadowAngle = 0;                                 ///< turns
   glm::vec3 sunPosition{0}, moonPosition{0}, shadowLightPosition{0}, upPosition{0};  ///< view space
 
-  glm::ivec2 eyeBrightness{0, 240};       ///< block, sky; 0..240
+  glm::ivec2 eyeBrightness{0, 240};  ///< block, sky; 0..240
   glm::vec2 eyeBrightnessSmooth{0, 240};
   float wetness = 0;
   float centerDepthSmooth = 1;
-  int isEyeInWater = 0;                   ///< 0 none, 1 water, 2 lava
+  int isEyeInWater = 0;  ///< 0 none, 1 water, 2 lava
 };
 
 /// What a frame sees of the world besides blocks that are drawn.
@@ -48,7 +48,7 @@ struct FrameInput {
   Camera camera;
   Environment environment;
   EyeSurroundings eye;
-  float centerDepth = 1;       ///< depth under the screen centre, last frame
+  float centerDepth = 1;  ///< depth under the screen centre, last frame
   float frameTime = 1.0f / 60;
 };
 FrameState nextFrameState(const FrameInput& input, const PackDirectives& directives,

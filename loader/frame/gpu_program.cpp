@@ -9,12 +9,18 @@ namespace {
 
 unsigned stageEnum(Stage stage) {
   switch (stage) {
-    case Stage::Vertex: return GL_VERTEX_SHADER;
-    case Stage::TessControl: return GL_TESS_CONTROL_SHADER;
-    case Stage::TessEvaluation: return GL_TESS_EVALUATION_SHADER;
-    case Stage::Geometry: return GL_GEOMETRY_SHADER;
-    case Stage::Fragment: return GL_FRAGMENT_SHADER;
-    case Stage::Compute: return GL_COMPUTE_SHADER;
+    case Stage::Vertex:
+      return GL_VERTEX_SHADER;
+    case Stage::TessControl:
+      return GL_TESS_CONTROL_SHADER;
+    case Stage::TessEvaluation:
+      return GL_TESS_EVALUATION_SHADER;
+    case Stage::Geometry:
+      return GL_GEOMETRY_SHADER;
+    case Stage::Fragment:
+      return GL_FRAGMENT_SHADER;
+    case Stage::Compute:
+      return GL_COMPUTE_SHADER;
   }
   return 0;
 }
@@ -35,19 +41,37 @@ void uploadValue(int location, unsigned type, const Value& value) {
     i[k] = integer ? value.i[k] : static_cast<int>(std::clamp(value.f[k], -2.0e9f, 2.0e9f));
   }
   switch (type) {
-    case GL_FLOAT: gl::Uniform1f(location, f[0]); break;
-    case GL_FLOAT_VEC2: gl::Uniform2f(location, f[0], f[1]); break;
-    case GL_FLOAT_VEC3: gl::Uniform3f(location, f[0], f[1], f[2]); break;
-    case GL_FLOAT_VEC4: gl::Uniform4f(location, f[0], f[1], f[2], f[3]); break;
+    case GL_FLOAT:
+      gl::Uniform1f(location, f[0]);
+      break;
+    case GL_FLOAT_VEC2:
+      gl::Uniform2f(location, f[0], f[1]);
+      break;
+    case GL_FLOAT_VEC3:
+      gl::Uniform3f(location, f[0], f[1], f[2]);
+      break;
+    case GL_FLOAT_VEC4:
+      gl::Uniform4f(location, f[0], f[1], f[2], f[3]);
+      break;
     case GL_INT:
-    case GL_BOOL: gl::Uniform1i(location, i[0]); break;
+    case GL_BOOL:
+      gl::Uniform1i(location, i[0]);
+      break;
     case GL_INT_VEC2:
-    case GL_BOOL_VEC2: gl::Uniform2i(location, i[0], i[1]); break;
+    case GL_BOOL_VEC2:
+      gl::Uniform2i(location, i[0], i[1]);
+      break;
     case GL_INT_VEC3:
-    case GL_BOOL_VEC3: gl::Uniform3i(location, i[0], i[1], i[2]); break;
+    case GL_BOOL_VEC3:
+      gl::Uniform3i(location, i[0], i[1], i[2]);
+      break;
     case GL_INT_VEC4:
-    case GL_BOOL_VEC4: gl::Uniform4i(location, i[0], i[1], i[2], i[3]); break;
-    case GL_UNSIGNED_INT: gl::Uniform1ui(location, static_cast<unsigned>(i[0])); break;
+    case GL_BOOL_VEC4:
+      gl::Uniform4i(location, i[0], i[1], i[2], i[3]);
+      break;
+    case GL_UNSIGNED_INT:
+      gl::Uniform1ui(location, static_cast<unsigned>(i[0]));
+      break;
     case GL_FLOAT_MAT3:
       if (value.type == ValueType::Mat3)
         gl::UniformMatrix3fv(location, 1, GL_FALSE, value.f.data());
@@ -56,7 +80,8 @@ void uploadValue(int location, unsigned type, const Value& value) {
       if (value.type == ValueType::Mat4)
         gl::UniformMatrix4fv(location, 1, GL_FALSE, value.f.data());
       break;
-    default: break;
+    default:
+      break;
   }
 }
 

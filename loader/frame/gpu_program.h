@@ -16,7 +16,7 @@ struct UniformBinding {
   int location = -1;
   unsigned type = 0;  ///< GL enum of the declaration
   const UniformRow* row = nullptr;
-  int custom = -1;    ///< index into CustomUniforms::values()
+  int custom = -1;  ///< index into CustomUniforms::values()
   std::string name;
 };
 

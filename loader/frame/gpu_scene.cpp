@@ -63,7 +63,8 @@ constexpr std::array<glm::vec2, 4> kUnitUv = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
 
 QuadRange addSkyDisc(ShapeList& shapes) {
   const size_t start = shapes.vertices.size();
-  const std::array<glm::vec2, 4> center = {{{0.5f, 0.5f}, {0.5f, 0.5f}, {0.5f, 0.5f}, {0.5f, 0.5f}}};
+  const std::array<glm::vec2, 4> center = {
+      {{0.5f, 0.5f}, {0.5f, 0.5f}, {0.5f, 0.5f}, {0.5f, 0.5f}}};
   constexpr int kSegments = 8;
   const auto rim = [](int i) {
     const float a = static_cast<float>(i) * 2 * 3.14159265f / kSegments;
@@ -81,7 +82,8 @@ QuadRange addStars(ShapeList& shapes) {
     const float y = unitFloat(random) * 2 - 1, angle = unitFloat(random) * 6.2831853f;
     const float size = 0.15f + unitFloat(random) * 0.1f, r = std::sqrt(1 - y * y);
     const glm::vec3 d(r * std::cos(angle), y, r * std::sin(angle));
-    const glm::vec3 side = glm::normalize(glm::cross(d, std::abs(d.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0)));
+    const glm::vec3 side = glm::normalize(
+        glm::cross(d, std::abs(d.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0)));
     const glm::vec3 up = glm::cross(side, d);
     const glm::vec3 c = d * 100.0f;
     shapes.quad({{c - (side + up) * size, c + (side - up) * size, c + (side + up) * size,
@@ -103,13 +105,15 @@ Image8 celestialImage() {
   Image8 image(64, 32, 4);
   for (int y = 0; y < 32; ++y)
     for (int x = 0; x < 64; ++x) {
-      const float dx = (static_cast<float>(x % 32) - 15.5f) / 8, dy = (static_cast<float>(y) - 15.5f) / 8;
+      const float dx = (static_cast<float>(x % 32) - 15.5f) / 8,
+                  dy = (static_cast<float>(y) - 15.5f) / 8;
       const bool inside = std::max(std::abs(dx), std::abs(dy)) < 1;
       const bool blotch = hashOf(static_cast<std::uint32_t>(y / 4 * 16 + x / 4)) % 3 == 0;
-      const std::array<int, 3> color = x < 32 ? std::array{255, 250, 220}
-                                              : blotch ? std::array{150, 155, 170}
-                                                       : std::array{190, 195, 210};
-      for (int c = 0; c < 3; ++c) image.at(x, y)[c] = static_cast<std::uint8_t>(inside ? color[c] : 0);
+      const std::array<int, 3> color = x < 32   ? std::array{255, 250, 220}
+                                       : blotch ? std::array{150, 155, 170}
+                                                : std::array{190, 195, 210};
+      for (int c = 0; c < 3; ++c)
+        image.at(x, y)[c] = static_cast<std::uint8_t>(inside ? color[c] : 0);
       image.at(x, y)[3] = 255;
     }
   return image;
@@ -146,7 +150,8 @@ void GpuScene::buildShapes() {
   stars = addStars(shapes);
   sun = addCelestialQuad(shapes, 100, 30, 0);
   moon = addCelestialQuad(shapes, -100, 20, 0.5f);
-  shapes_ = gl::createBuffer(shapes.vertices.size() * sizeof(GpuVertex), shapes.vertices.data(), "shapes");
+  shapes_ = gl::createBuffer(shapes.vertices.size() * sizeof(GpuVertex), shapes.vertices.data(),
+                             "shapes");
 }
 
 void GpuScene::uploadMesh(const SceneData& scene, const std::vector<int>& blockIds,
@@ -161,7 +166,8 @@ void GpuScene::uploadMesh(const SceneData& scene, const std::vector<int>& blockI
   indices.reserve(size_t{most} * 6);
   for (std::uint32_t i = 0; i < most; ++i)
     for (const std::uint32_t corner : {0u, 1u, 2u, 2u, 3u, 0u}) indices.push_back(i * 4 + corner);
-  indices_ = gl::createBuffer(indices.size() * sizeof(std::uint32_t), indices.data(), "quad indices");
+  indices_ =
+      gl::createBuffer(indices.size() * sizeof(std::uint32_t), indices.data(), "quad indices");
 }
 
 void GpuScene::updateLightmap(const FrameState& state) {
@@ -172,7 +178,8 @@ void GpuScene::updateLightmap(const FrameState& state) {
     for (int block = 0; block < 16; ++block) {
       const float s = levelBrightness(sky) * day, b = levelBrightness(block) * 1.4f;
       // Torches are warm: green and blue fall faster than red, as in the game.
-      const float rgb[3] = {b + s, b * ((b * 0.6f + 0.4f) * 0.6f + 0.4f) + s, b * (b * b * 0.6f + 0.4f) + s};
+      const float rgb[3] = {b + s, b * ((b * 0.6f + 0.4f) * 0.6f + 0.4f) + s,
+                            b * (b * b * 0.6f + 0.4f) + s};
       for (int c = 0; c < 3; ++c)
         pixels[(sky * 16 + block) * 4 + c] = static_cast<std::uint8_t>(
             std::lround(std::clamp(rgb[c] * 0.96f + 0.03f, 0.0f, 1.0f) * 255));
@@ -201,7 +208,8 @@ void GpuScene::drawQuads(const QuadRange& range, bool patches) const {
 gl::Texture makeNoiseTexture(int resolution) {
   Image8 image(resolution, resolution, 4);
   for (size_t i = 0; i < image.pixels.size(); ++i)
-    image.pixels[i] = i % 4 == 3 ? 255 : static_cast<std::uint8_t>(hashOf(static_cast<std::uint32_t>(i)));
+    image.pixels[i] =
+        i % 4 == 3 ? 255 : static_cast<std::uint8_t>(hashOf(static_cast<std::uint32_t>(i)));
   gl::Texture texture = uploadImage(image, 1, "noisetex");
   gl::setParameters(texture, {.linear = true, .repeat = true});
   return texture;

@@ -41,7 +41,8 @@ class GpuScene {
  public:
   GpuScene(const SceneData& scene, const std::vector<int>& blockIds, const VertexStyle& style);
   /// New vertices for the same world.
-  void uploadMesh(const SceneData& scene, const std::vector<int>& blockIds, const VertexStyle& style);
+  void uploadMesh(const SceneData& scene, const std::vector<int>& blockIds,
+                  const VertexStyle& style);
 
   const gl::Texture& atlas() const { return atlas_; }
   const gl::Texture& normals() const { return normals_; }

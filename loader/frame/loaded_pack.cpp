@@ -1,9 +1,9 @@
 #include "frame/loaded_pack.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-
-#include <fmt/format.h>
 
 #include "frame/builtin_program.h"
 #include "gl/functions.h"
@@ -26,7 +26,8 @@ std::vector<const StageText*> pointersTo(const std::vector<StageText>& stages) {
 std::string keyOf(const std::vector<const StageText*>& stages) {
   std::string key;
   for (const StageText* stage : stages)
-    key += fmt::format("{}:{};", stageName(stage->stage), std::hash<std::string>()(stage->text.text));
+    key +=
+        fmt::format("{}:{};", stageName(stage->stage), std::hash<std::string>()(stage->text.text));
   return key;
 }
 
@@ -53,7 +54,8 @@ std::array<unsigned, 3> groupCounts(const ComputeSource& compute, const std::vec
   }
   const auto scale = compute.directives.workGroupsRender.value_or(std::array<float, 2>{1, 1});
   for (int i = 0; i < 2; ++i) {
-    const float local = localSize.size() == 3 ? static_cast<float>(std::max(1, localSize[i])) : 1.0f;
+    const float local =
+        localSize.size() == 3 ? static_cast<float>(std::max(1, localSize[i])) : 1.0f;
     groups[i] = static_cast<unsigned>(std::ceil(std::ceil(size[i] * scale[i]) / local));
   }
   return groups;
@@ -77,7 +79,8 @@ FrameRenderer::Loaded::Loaded(const ShaderPack& pack, const Schedule& schedule,
       previous != nullptr && previous->blockIds_ == blockIds_ && previous->style_ == style_;
   scene = sameScene ? previous->scene : std::make_shared<GpuScene>(sceneData, blockIds_, style_);
   resources = std::make_unique<PackResources>(pack, schedule.width, schedule.height, diagnostics);
-  if (schedule.noisetex) noise = makeNoiseTexture(std::clamp(pack.directives.noiseTextureResolution, 1, 4096));
+  if (schedule.noisetex)
+    noise = makeNoiseTexture(std::clamp(pack.directives.noiseTextureResolution, 1, 4096));
   if (previous == nullptr || freshTargets) return;
   resources->clearImages(true);
 }
@@ -92,12 +95,13 @@ void FrameRenderer::Loaded::buildPrograms(const ShaderPack& pack, const Schedule
     const ProgramSource& source = pack.programs[index];
     if (!source.stages.empty()) {
       const auto stages = pointersTo(source.stages);
-      programs[index] = program(source.name, keyOf(stages), stages, lines, previous, report, diagnostics);
+      programs[index] =
+          program(source.name, keyOf(stages), stages, lines, previous, report, diagnostics);
     }
     for (size_t i = 0; i < source.computes.size(); ++i) {
       const std::vector<const StageText*> stages = {&source.computes[i].text};
-      computes[{index, static_cast<int>(i)}] =
-          program(source.computes[i].name, keyOf(stages), stages, lines, previous, report, diagnostics);
+      computes[{index, static_cast<int>(i)}] = program(
+          source.computes[i].name, keyOf(stages), stages, lines, previous, report, diagnostics);
     }
   }
   const auto needsBuiltin = [&](bool sky) {
@@ -112,8 +116,8 @@ void FrameRenderer::Loaded::buildPrograms(const ShaderPack& pack, const Schedule
     if (!needsBuiltin(sky)) continue;
     const auto stages = builtinProgram(sky);
     (sky ? builtinSky : builtinTerrain) =
-        program(sky ? "built-in sky" : "built-in terrain", keyOf(pointersTo(stages)), pointersTo(stages),
-                lines, previous, report, diagnostics);
+        program(sky ? "built-in sky" : "built-in terrain", keyOf(pointersTo(stages)),
+                pointersTo(stages), lines, previous, report, diagnostics);
   }
 }
 

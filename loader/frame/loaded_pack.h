@@ -13,15 +13,16 @@ namespace orris {
 struct FrameRenderer::Loaded {
   Loaded(const ShaderPack& pack, const Schedule& schedule, const SceneData& scene, bool floatScreen,
          Loaded* previous, LoadReport& report, Diagnostics& diagnostics);
-  void resize(const ShaderPack& pack, const Schedule& schedule, bool floatScreen, Diagnostics& diagnostics);
+  void resize(const ShaderPack& pack, const Schedule& schedule, bool floatScreen,
+              Diagnostics& diagnostics);
   void makeBinder(const PackDirectives& directives);
   void copyDepth(const gl::Texture& from, const gl::Texture& to);
   void blit(const gl::Texture& from, const gl::Framebuffer& to);
 
   SceneContents contents;
-  std::map<int, std::shared_ptr<GpuProgram>> programs;                     ///< by pack program index
-  std::map<std::pair<int, int>, std::shared_ptr<GpuProgram>> computes;     ///< program, compute
-  std::map<std::string, std::shared_ptr<GpuProgram>> byText;               ///< cache key -> program
+  std::map<int, std::shared_ptr<GpuProgram>> programs;                  ///< by pack program index
+  std::map<std::pair<int, int>, std::shared_ptr<GpuProgram>> computes;  ///< program, compute
+  std::map<std::string, std::shared_ptr<GpuProgram>> byText;            ///< cache key -> program
   std::shared_ptr<GpuProgram> builtinTerrain, builtinSky;
   std::shared_ptr<RenderTargets> targets;
   std::shared_ptr<GpuScene> scene;
@@ -29,8 +30,8 @@ struct FrameRenderer::Loaded {
   gl::Texture noise;
   CustomUniforms custom;
   std::unique_ptr<SamplerBinder> binder;
-  bool freshTargets = false;      ///< targets were made by this load and hold nothing yet
-  bool storesFromShaders = false; ///< images or storage buffers are in use
+  bool freshTargets = false;       ///< targets were made by this load and hold nothing yet
+  bool storesFromShaders = false;  ///< images or storage buffers are in use
 
  private:
   void buildPrograms(const ShaderPack& pack, const Schedule& schedule, Loaded* previous,

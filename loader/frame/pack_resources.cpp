@@ -1,9 +1,9 @@
 #include "frame/pack_resources.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
-
-#include <fmt/format.h>
 
 #include "gl/functions.h"
 #include "image/image.h"
@@ -59,7 +59,8 @@ gl::Texture loadPng(const std::string& bytes, const std::string& path, Diagnosti
 
 int dimensionsOfRaw(const std::string& type) {
   std::string upper = type;
-  std::transform(upper.begin(), upper.end(), upper.begin(), [](unsigned char c) { return std::toupper(c); });
+  std::transform(upper.begin(), upper.end(), upper.begin(),
+                 [](unsigned char c) { return std::toupper(c); });
   return upper == "TEXTURE_1D" ? 1 : upper == "TEXTURE_3D" ? 3 : 2;
 }
 
@@ -73,9 +74,10 @@ gl::Texture loadRaw(const std::string& bytes, const TextureBinding& b, Diagnosti
          "use names such as RGBA16F RGBA HALF_FLOAT");
     return {};
   }
-  const long long needed = 1LL * b.size[0] * b.size[1] * b.size[2] *
-                           gl::componentsOf(*pixelFormat) * pixelType->second;
-  if (b.size[0] < 1 || b.size[1] < 1 || b.size[2] < 1 || needed > static_cast<long long>(bytes.size())) {
+  const long long needed =
+      1LL * b.size[0] * b.size[1] * b.size[2] * gl::componentsOf(*pixelFormat) * pixelType->second;
+  if (b.size[0] < 1 || b.size[1] < 1 || b.size[2] < 1 ||
+      needed > static_cast<long long>(bytes.size())) {
     warn(diagnostics, "texture-size", b.at,
          fmt::format("{} has {} bytes, the declared size needs {}", b.path, bytes.size(), needed),
          "correct the size or the file");
@@ -91,21 +93,30 @@ gl::Texture loadRaw(const std::string& bytes, const TextureBinding& b, Diagnosti
 
 std::string textureStageOf(ProgramGroup group) {
   switch (group) {
-    case ProgramGroup::Setup: return "setup";
-    case ProgramGroup::Begin: return "begin";
-    case ProgramGroup::ShadowComp: return "shadowcomp";
-    case ProgramGroup::Prepare: return "prepare";
-    case ProgramGroup::Deferred: return "deferred";
+    case ProgramGroup::Setup:
+      return "setup";
+    case ProgramGroup::Begin:
+      return "begin";
+    case ProgramGroup::ShadowComp:
+      return "shadowcomp";
+    case ProgramGroup::Prepare:
+      return "prepare";
+    case ProgramGroup::Deferred:
+      return "deferred";
     case ProgramGroup::Composite:
-    case ProgramGroup::Final: return "composite";
-    default: return "gbuffers";
+    case ProgramGroup::Final:
+      return "composite";
+    default:
+      return "gbuffers";
   }
 }
 
 PackResources::PackResources(const ShaderPack& pack, int width, int height,
                              Diagnostics& diagnostics) {
-  for (const TextureBinding& binding : pack.properties.textures) addTexture(pack, binding, diagnostics);
-  for (const CustomImage& image : pack.properties.images) addImage(image, width, height, diagnostics);
+  for (const TextureBinding& binding : pack.properties.textures)
+    addTexture(pack, binding, diagnostics);
+  for (const CustomImage& image : pack.properties.images)
+    addImage(image, width, height, diagnostics);
   for (const BufferObject& buffer : pack.properties.bufferObjects)
     addBuffer(pack, buffer, width, height, diagnostics);
 }
@@ -129,7 +140,8 @@ void PackResources::addTexture(const ShaderPack& pack, const TextureBinding& bin
   bound.linear = raw;
   bound.repeat = !raw;
   readMeta(*pack.source, binding.path, bound);
-  bound.texture = raw ? loadRaw(*bytes, binding, diagnostics) : loadPng(*bytes, binding.path, diagnostics);
+  bound.texture =
+      raw ? loadRaw(*bytes, binding, diagnostics) : loadPng(*bytes, binding.path, diagnostics);
   if (bound.texture.id() == 0) return;
   gl::setParameters(bound.texture, {.linear = bound.linear, .repeat = bound.repeat});
   textures_.push_back(std::move(bound));
@@ -142,21 +154,25 @@ void PackResources::addImage(const CustomImage& plan, int width, int height,
   image.format = gl::findFormat(plan.internalFormat);
   if (image.format == nullptr || !image.format->imageLoadStore) {
     warn(diagnostics, "image-format", plan.at,
-         fmt::format("image.{}: {} cannot be used for image load and store", plan.name, plan.internalFormat),
+         fmt::format("image.{}: {} cannot be used for image load and store", plan.name,
+                     plan.internalFormat),
          "use a format such as RGBA16F, R32UI or RGBA8", Severity::Error);
     return;
   }
   const float window[3] = {static_cast<float>(width), static_cast<float>(height), 1};
   int size[3] = {1, 1, 1};
   for (int i = 0; i < plan.dimensions; ++i)
-    size[i] = std::clamp(static_cast<int>(plan.relative ? plan.size[i] * window[i] : plan.size[i]), 1, 16384);
+    size[i] = std::clamp(static_cast<int>(plan.relative ? plan.size[i] * window[i] : plan.size[i]),
+                         1, 16384);
   if (1LL * size[0] * size[1] * size[2] * image.format->bytesPerPixel > kMostBufferBytes) {
     warn(diagnostics, "image-size", plan.at,
-         fmt::format("image.{} of {}x{}x{} is larger than 1 GiB", plan.name, size[0], size[1], size[2]),
+         fmt::format("image.{} of {}x{}x{} is larger than 1 GiB", plan.name, size[0], size[1],
+                     size[2]),
          "make it smaller", Severity::Error);
     return;
   }
-  image.texture = gl::createTexture(plan.dimensions, *image.format, size[0], size[1], size[2], 1, plan.name);
+  image.texture =
+      gl::createTexture(plan.dimensions, *image.format, size[0], size[1], size[2], 1, plan.name);
   gl::setParameters(image.texture, {.linear = !image.format->isInteger()});
   images_.push_back(std::move(image));
 }
@@ -178,7 +194,8 @@ void PackResources::addBuffer(const ShaderPack& pack, const BufferObject& plan, 
     return;
   }
   contents.resize(static_cast<size_t>(bytes), '\0');
-  buffers_[plan.index] = gl::createBuffer(contents.size(), contents.data(), fmt::format("bufferObject.{}", plan.index));
+  buffers_[plan.index] = gl::createBuffer(contents.size(), contents.data(),
+                                          fmt::format("bufferObject.{}", plan.index));
 }
 
 const BoundTexture* PackResources::find(const std::string& stage, const std::string& sampler,
@@ -212,7 +229,8 @@ void PackResources::bindBuffers() const {
 void PackResources::clearImages(bool all) const {
   for (const ImageResource& image : images_)
     if (all || image.plan.clear)
-      gl::ClearTexImage(image.texture.id(), 0, image.format->pixelFormat, image.format->pixelType, nullptr);
+      gl::ClearTexImage(image.texture.id(), 0, image.format->pixelFormat, image.format->pixelType,
+                        nullptr);
 }
 
 unsigned PackResources::buffer(int index) const {

@@ -34,9 +34,10 @@ class PackResources {
 
   /// The texture bound to `sampler` for programs of texture stage `stage` ("gbuffers", ...), or
   /// nullptr. `dimensions` of the declaration must fit a raw texture.
-  const BoundTexture* find(const std::string& stage, const std::string& sampler, int dimensions) const;
-  const ImageResource* image(const std::string& name) const;        ///< by image uniform name
-  const ImageResource* imageSampler(const std::string& name) const; ///< by its sampler name
+  const BoundTexture* find(const std::string& stage, const std::string& sampler,
+                           int dimensions) const;
+  const ImageResource* image(const std::string& name) const;         ///< by image uniform name
+  const ImageResource* imageSampler(const std::string& name) const;  ///< by its sampler name
   const std::vector<ImageResource>& images() const { return images_; }
   bool hasBuffers() const { return !buffers_.empty(); }
   void bindBuffers() const;

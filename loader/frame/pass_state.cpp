@@ -27,9 +27,9 @@ constexpr NamedEnum kFactors[] = {{"ZERO", GL_ZERO},
                                   {"ONE_MINUS_DST_ALPHA", GL_ONE_MINUS_DST_ALPHA},
                                   {"SRC_ALPHA_SATURATE", GL_SRC_ALPHA_SATURATE}};
 constexpr NamedEnum kFunctions[] = {
-    {"NEVER", GL_NEVER},   {"LESS", GL_LESS},         {"EQUAL", GL_EQUAL},
-    {"LEQUAL", GL_LEQUAL}, {"GREATER", GL_GREATER},   {"NOTEQUAL", GL_NOTEQUAL},
-    {"GEQUAL", GL_GEQUAL}, {"ALWAYS", GL_ALWAYS},     {"GL_ALWAYS", GL_ALWAYS}};
+    {"NEVER", GL_NEVER},   {"LESS", GL_LESS},       {"EQUAL", GL_EQUAL},
+    {"LEQUAL", GL_LEQUAL}, {"GREATER", GL_GREATER}, {"NOTEQUAL", GL_NOTEQUAL},
+    {"GEQUAL", GL_GEQUAL}, {"ALWAYS", GL_ALWAYS},   {"GL_ALWAYS", GL_ALWAYS}};
 
 template <size_t N>
 unsigned lookup(const NamedEnum (&table)[N], const std::string& name, unsigned fallback) {
@@ -39,7 +39,8 @@ unsigned lookup(const NamedEnum (&table)[N], const std::string& name, unsigned f
 }
 
 constexpr glm::ivec4 kNoBlend(0);
-constexpr glm::ivec4 kTranslucent(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+constexpr glm::ivec4 kTranslucent(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE,
+                                  GL_ONE_MINUS_SRC_ALPHA);
 constexpr glm::ivec4 kAdditive(GL_SRC_ALPHA, GL_ONE, GL_ONE, GL_ZERO);
 
 glm::ivec4 factorsOf(const BlendMode& mode) {
@@ -76,10 +77,13 @@ void applyBufferBlend(const Step& step, const ProgramSource& program) {
 glm::ivec4 defaultBlend(const Step& step) {
   if (step.kind == Step::Kind::DrawShadow) return kNoBlend;
   switch (step.geometry) {
-    case Geometry::Translucent: return kTranslucent;
+    case Geometry::Translucent:
+      return kTranslucent;
     case Geometry::Stars:
-    case Geometry::SunMoon: return kAdditive;
-    default: return kNoBlend;
+    case Geometry::SunMoon:
+      return kAdditive;
+    default:
+      return kNoBlend;
   }
 }
 
@@ -118,12 +122,18 @@ glm::mat4 fullscreenProjection() {
 
 int renderStageOf(Geometry geometry) {
   switch (geometry) {
-    case Geometry::Sky: return 1;
-    case Geometry::SunMoon: return 4;
-    case Geometry::Stars: return 6;
-    case Geometry::Solid: return 8;
-    case Geometry::Cutout: return 10;
-    case Geometry::Translucent: return 17;
+    case Geometry::Sky:
+      return 1;
+    case Geometry::SunMoon:
+      return 4;
+    case Geometry::Stars:
+      return 6;
+    case Geometry::Solid:
+      return 8;
+    case Geometry::Cutout:
+      return 10;
+    case Geometry::Translucent:
+      return 17;
   }
   return 0;
 }
@@ -153,7 +163,8 @@ void setGeometryState(const Step& step, const ProgramSource* program, DrawState&
     gl::Disable(GL_CULL_FACE);
   gl::CullFace(GL_BACK);
   gl::FrontFace(GL_CCW);
-  draw.blendFunc = program != nullptr && program->blend ? factorsOf(*program->blend) : defaultBlend(step);
+  draw.blendFunc =
+      program != nullptr && program->blend ? factorsOf(*program->blend) : defaultBlend(step);
   applyBlend(draw.blendFunc);
   if (program != nullptr) applyBufferBlend(step, *program);
   setAlphaTest(step, program, draw);
@@ -163,8 +174,9 @@ void setGeometryState(const Step& step, const ProgramSource* program, DrawState&
 void loadMatrices(const glm::mat4& modelView, const glm::mat4& projection, bool lightmapMatrix) {
   // uniforms.csv: raw light level 16 L becomes (16 L + 8) / 256.
   const glm::mat4 light =
-      lightmapMatrix ? glm::scale(glm::translate(glm::mat4(1), glm::vec3(1.0f / 32)), glm::vec3(1.0f / 256))
-                     : glm::mat4(1);
+      lightmapMatrix
+          ? glm::scale(glm::translate(glm::mat4(1), glm::vec3(1.0f / 32)), glm::vec3(1.0f / 256))
+          : glm::mat4(1);
   loadTextureMatrix(0, glm::mat4(1));
   loadTextureMatrix(1, light);
   loadTextureMatrix(2, light);

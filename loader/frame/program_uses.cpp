@@ -32,7 +32,8 @@ std::optional<int> numberAfter(std::string_view name, std::string_view prefix) {
   const std::string_view digits = name.substr(prefix.size());
   int value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (error != std::errc() || end != digits.data() + digits.size() || value < 0) return std::nullopt;
+  if (error != std::errc() || end != digits.data() + digits.size() || value < 0)
+    return std::nullopt;
   return value;
 }
 
@@ -48,8 +49,10 @@ ProgramUses usesOf(const ProgramSource& program) {
 std::optional<BufferName> parseBufferName(std::string_view name, bool watershadow) {
   using Kind = BufferName::Kind;
   static const std::unordered_map<std::string_view, BufferName> kAliases = {
-      {"gdepthtex", {Kind::Depth, 0, false}},        {"watershadow", {Kind::ShadowDepth, 0, false}},
-      {"shadowcolor", {Kind::ShadowColor, 0, false}}, {"shadowtex0HW", {Kind::ShadowDepth, 0, false}},
+      {"gdepthtex", {Kind::Depth, 0, false}},
+      {"watershadow", {Kind::ShadowDepth, 0, false}},
+      {"shadowcolor", {Kind::ShadowColor, 0, false}},
+      {"shadowtex0HW", {Kind::ShadowDepth, 0, false}},
       {"shadowtex1HW", {Kind::ShadowDepth, 1, false}}};
   if (name == "shadow") return BufferName{Kind::ShadowDepth, watershadow ? 1 : 0, false};
   if (const auto it = kAliases.find(name); it != kAliases.end()) return it->second;
@@ -61,9 +64,9 @@ std::optional<BufferName> parseBufferName(std::string_view name, bool watershado
     int count;
   };
   static constexpr Prefix kPrefixes[] = {
-      {"colortex", Kind::Color, false, 16},      {"colorimg", Kind::Color, true, 16},
+      {"colortex", Kind::Color, false, 16},         {"colorimg", Kind::Color, true, 16},
       {"shadowcolor", Kind::ShadowColor, false, 8}, {"shadowcolorimg", Kind::ShadowColor, true, 8},
-      {"depthtex", Kind::Depth, false, 3},       {"shadowtex", Kind::ShadowDepth, false, 2}};
+      {"depthtex", Kind::Depth, false, 3},          {"shadowtex", Kind::ShadowDepth, false, 2}};
   for (const Prefix& prefix : kPrefixes)
     if (const auto index = numberAfter(canonical, prefix.text); index && *index < prefix.count)
       return BufferName{prefix.kind, *index, prefix.image};

@@ -21,15 +21,15 @@ std::unique_ptr<RenderSession> RenderSession::create(gl::Context& context, Sessi
                                                      World world, Diagnostics& diagnostics) {
   request.load.environment = environmentFor(context.driver());
   if (request.time) world.environment.time = *request.time;
-  auto session = std::unique_ptr<RenderSession>(
-      new RenderSession(context, std::move(request), SceneData()));
+  auto session =
+      std::unique_ptr<RenderSession>(new RenderSession(context, std::move(request), SceneData()));
   const auto pack = session->loadPack(diagnostics);
   if (pack == nullptr) return nullptr;
-  session->scene_ = buildScene(std::move(world), pack->directives.ambientOcclusionLevel, diagnostics);
+  session->scene_ =
+      buildScene(std::move(world), pack->directives.ambientOcclusionLevel, diagnostics);
   session->renderer_ = std::make_unique<FrameRenderer>(context, session->request_.renderer);
   SessionReload start{0, "start", false, {}};
-  start.succeeded =
-      session->renderer_->setPack(pack, session->scene_, start.report, diagnostics);
+  start.succeeded = session->renderer_->setPack(pack, session->scene_, start.report, diagnostics);
   session->reloads_.push_back(start);
   return start.succeeded ? std::move(session) : nullptr;
 }
@@ -78,7 +78,8 @@ bool RenderSession::setProfile(const std::string& name, Diagnostics& diagnostics
 void RenderSession::applyEvents(Diagnostics& diagnostics) {
   bool blocksChanged = false;
   World& world = scene_.world;
-  for (; nextEvent_ < world.events.size() && world.events[nextEvent_].frame <= frame_; ++nextEvent_) {
+  for (; nextEvent_ < world.events.size() && world.events[nextEvent_].frame <= frame_;
+       ++nextEvent_) {
     const auto& action = world.events[nextEvent_].action;
     if (const auto* block = std::get_if<SetBlock>(&action)) {
       world.blocks.set(block->at, world.blocks.paletteIndex(block->state));

@@ -16,18 +16,18 @@ using PackOpener = std::function<std::shared_ptr<const FileSource>(Diagnostics&)
 
 struct SessionRequest {
   PackOpener openPack;
-  LoadRequest load;            ///< options, profile, dimension; the environment is filled in
+  LoadRequest load;  ///< options, profile, dimension; the environment is filled in
   RendererOptions renderer;
   Camera camera;
-  std::optional<int> time;     ///< overrides the world's
+  std::optional<int> time;  ///< overrides the world's
   unsigned seed = 0;
-  float frameTime = 1.0f / 60; ///< fixed, for equal bytes on every run
+  float frameTime = 1.0f / 60;  ///< fixed, for equal bytes on every run
 };
 
 /// A (re)load that happened before a frame.
 struct SessionReload {
   int frame = 0;
-  std::string cause;           ///< "start", "event: GI_METHOD=NONE", "files changed"
+  std::string cause;  ///< "start", "event: GI_METHOD=NONE", "files changed"
   bool succeeded = false;
   LoadReport report;
 };

@@ -1,9 +1,9 @@
 #include "frame/render_targets.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstring>
-
-#include <fmt/format.h>
 
 #include "gl/functions.h"
 
@@ -23,7 +23,8 @@ RenderTarget makeTarget(const TargetPlan& plan, const char* kind, Diagnostics& d
   if (target.format == nullptr || !target.format->renderable) {
     Diagnostic d;
     d.id = "target-format";
-    d.message = fmt::format("{}{} cannot be drawn to with format {}", kind, plan.index, plan.format);
+    d.message =
+        fmt::format("{}{} cannot be drawn to with format {}", kind, plan.index, plan.format);
     d.hint = "use a renderable format such as RGBA16F";
     diagnostics.push_back(std::move(d));
     target.format = gl::findFormat("RGBA8");
@@ -74,8 +75,7 @@ RenderTarget* RenderTargets::find(bool shadow, int index) {
 }
 
 const gl::Framebuffer& RenderTargets::framebuffer(const Step& step, std::string& error) {
-  const bool shadow =
-      step.group == ProgramGroup::Shadow || step.group == ProgramGroup::ShadowComp;
+  const bool shadow = step.group == ProgramGroup::Shadow || step.group == ProgramGroup::ShadowComp;
   const bool geometry = step.kind == Step::Kind::Draw || step.kind == Step::Kind::DrawShadow;
   std::string key = fmt::format("{}{}", shadow ? "s" : "c", geometry ? "d" : "");
   std::vector<const gl::Texture*> colors;

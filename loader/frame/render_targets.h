@@ -15,7 +15,7 @@ namespace orris {
 struct RenderTarget {
   TargetPlan plan;
   const gl::TextureFormat* format = nullptr;
-  gl::Texture sides[2];              ///< main, alt (alt only when the plan needs it)
+  gl::Texture sides[2];                ///< main, alt (alt only when the plan needs it)
   bool mipmapped[2] = {false, false};  ///< mipmaps built since the frame began
   const gl::Texture& side(bool alt) const { return sides[alt && plan.needsAlt ? 1 : 0]; }
 };

@@ -102,9 +102,12 @@ SamplerBinder::Choice SamplerBinder::chooseFallback(const Step& step) {
   if (!isGeometry(step)) return colorChoice(false, 0, altSide(step, false, 0));
   switch (step.geometry) {
     case Geometry::Sky:
-    case Geometry::Stars: return {&scene_.white(), {}};
-    case Geometry::SunMoon: return {&scene_.celestial(), {}};
-    default: return {&scene_.atlas(), {false, false, true, false, false}};
+    case Geometry::Stars:
+      return {&scene_.white(), {}};
+    case Geometry::SunMoon:
+      return {&scene_.celestial(), {}};
+    default:
+      return {&scene_.atlas(), {false, false, true, false, false}};
   }
 }
 
@@ -113,16 +116,21 @@ SamplerBinder::Choice SamplerBinder::choose(const SamplerBinding& sampler, const
                                 (step.flippedInGroup >> sampler.buffer->index & 1u) != 0;
   const std::string stage = textureStageOf(step.group);
   if (!replacementEnded)
-    if (const BoundTexture* own = resources_.find(stage, sampler.name, gl::dimensionsOf(sampler.type))) {
+    if (const BoundTexture* own =
+            resources_.find(stage, sampler.name, gl::dimensionsOf(sampler.type))) {
       if (own->resource == "atlas") return {&scene_.atlas(), {false, false, true, false, false}};
-      if (own->resource == "normals") return {&scene_.normals(), {false, false, true, false, false}};
-      if (own->resource == "specular") return {&scene_.specular(), {false, false, true, false, false}};
-      if (own->resource == "lightmap") return {&scene_.lightmap(), {true, false, false, false, false}};
+      if (own->resource == "normals")
+        return {&scene_.normals(), {false, false, true, false, false}};
+      if (own->resource == "specular")
+        return {&scene_.specular(), {false, false, true, false, false}};
+      if (own->resource == "lightmap")
+        return {&scene_.lightmap(), {true, false, false, false, false}};
       if (own->resource == "white") return {&scene_.white(), {}};
       return {&own->texture, {own->linear, own->repeat, false, false, false}};
     }
   if (const ImageResource* image = resources_.imageSampler(sampler.name))
-    return {&image->texture, {!image->format->isInteger(), false, false, false, image->format->isInteger()}};
+    return {&image->texture,
+            {!image->format->isInteger(), false, false, false, image->format->isInteger()}};
   bool found = false;
   if (sampler.buffer)
     if (const Choice choice = chooseBuffer(sampler, step, found); found) return choice;
@@ -161,11 +169,13 @@ void SamplerBinder::bind(const GpuProgram& program, const Step& step) {
 void SamplerBinder::unbind(const GpuProgram& program) {
   for (const SamplerBinding& sampler : program.samplers) {
     gl::ActiveTexture(GL_TEXTURE0 + static_cast<unsigned>(sampler.unit));
-    for (unsigned target : {GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_3D}) gl::BindTexture(target, 0);
+    for (unsigned target : {GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_3D})
+      gl::BindTexture(target, 0);
     gl::BindSampler(static_cast<unsigned>(sampler.unit), 0);
   }
   for (const SamplerBinding& image : program.images)
-    gl::BindImageTexture(static_cast<unsigned>(image.unit), 0, 0, GL_FALSE, 0, GL_READ_ONLY, GL_RGBA8);
+    gl::BindImageTexture(static_cast<unsigned>(image.unit), 0, 0, GL_FALSE, 0, GL_READ_ONLY,
+                         GL_RGBA8);
 }
 
 }  // namespace orris

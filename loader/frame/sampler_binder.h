@@ -22,7 +22,11 @@ class SamplerBinder {
  public:
   SamplerBinder(RenderTargets& targets, const GpuScene& scene, const PackResources& resources,
                 const PackDirectives& directives, const gl::Texture& noise)
-      : targets_(targets), scene_(scene), resources_(resources), directives_(directives), noise_(noise) {}
+      : targets_(targets),
+        scene_(scene),
+        resources_(resources),
+        directives_(directives),
+        noise_(noise) {}
 
   /// Binds everything `program` samples or loads during `step`, units from 0.
   void bind(const GpuProgram& program, const Step& step);

@@ -1,10 +1,10 @@
 #include "frame/schedule.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
-
-#include <fmt/format.h>
 
 #include "frame/program_uses.h"
 
@@ -105,7 +105,8 @@ class Builder {
   }
 
   bool gbuffersDrawn(const ProgramSource& program) const {
-    for (const auto* passes : {&kSky[0], &kSky[1], &kSky[2], &kOpaque[0], &kOpaque[1], &kTranslucent[0]})
+    for (const auto* passes :
+         {&kSky[0], &kSky[1], &kSky[2], &kOpaque[0], &kOpaque[1], &kTranslucent[0]})
       if (scene_.*passes->needed && pack_.resolve(passes->program) == &program) return true;
     return false;
   }
@@ -124,14 +125,16 @@ class Builder {
     if (it == pack_.properties.flip.end()) return;
     for (const auto& [buffer, flip] : it->second)
       if (const auto name = parseBufferName(buffer, false); flip && name)
-        (name->kind == BufferName::Kind::ShadowColor ? shadowFlipped_ : flipped_) ^=
-            1u << name->index;
+        (name->kind == BufferName::Kind::ShadowColor ? shadowFlipped_ : flipped_) ^= 1u
+                                                                                     << name->index;
   }
 
   void addGroup(ProgramGroup group, std::vector<Step>& steps) {
     static const std::map<ProgramGroup, std::string> kPrefix = {
-        {ProgramGroup::Begin, "begin"},         {ProgramGroup::ShadowComp, "shadowcomp"},
-        {ProgramGroup::Prepare, "prepare"},     {ProgramGroup::Deferred, "deferred"},
+        {ProgramGroup::Begin, "begin"},
+        {ProgramGroup::ShadowComp, "shadowcomp"},
+        {ProgramGroup::Prepare, "prepare"},
+        {ProgramGroup::Deferred, "deferred"},
         {ProgramGroup::Composite, "composite"}};
     if (const auto it = kPrefix.find(group); it != kPrefix.end()) preFlip(it->second);
     groupFlips_ = 0;
@@ -194,9 +197,12 @@ class Builder {
   bool wanted(const GeometryPass& pass) const {
     const auto& p = pack_.properties;
     switch (pass.geometry) {
-      case Geometry::Sky: return p.flag("sky", true);
-      case Geometry::Stars: return p.flag("stars", true);
-      case Geometry::SunMoon: return p.flag("sun", true) || p.flag("moon", true);
+      case Geometry::Sky:
+        return p.flag("sky", true);
+      case Geometry::Stars:
+        return p.flag("stars", true);
+      case Geometry::SunMoon:
+        return p.flag("sun", true) || p.flag("moon", true);
       case Geometry::Solid:
       case Geometry::Cutout:
         return !pass.program.starts_with("shadow") || p.flag("shadowTerrain", true);
@@ -247,9 +253,15 @@ class Builder {
           // colortex0..3 in geometry programs are the atlas (contract: "Samplers nobody binds").
           if (!geometry || buffer->image || buffer->index >= 4) touched.color.insert(buffer->index);
           break;
-        case BufferName::Kind::ShadowColor: touched.shadowColor.insert(buffer->index); break;
-        case BufferName::Kind::Depth: touched.depth[buffer->index] = true; break;
-        case BufferName::Kind::ShadowDepth: touched.shadowDepth[buffer->index] = true; break;
+        case BufferName::Kind::ShadowColor:
+          touched.shadowColor.insert(buffer->index);
+          break;
+        case BufferName::Kind::Depth:
+          touched.depth[buffer->index] = true;
+          break;
+        case BufferName::Kind::ShadowDepth:
+          touched.shadowDepth[buffer->index] = true;
+          break;
       }
     }
   }
@@ -302,7 +314,8 @@ class Builder {
     plan.height = schedule_.height;
     if (index == 1) plan.clearColor = {1, 1, 1, 1};
     plan.clearToFog = index == 0;
-    if (const auto it = pack_.directives.colortex.find(index); it != pack_.directives.colortex.end())
+    if (const auto it = pack_.directives.colortex.find(index);
+        it != pack_.directives.colortex.end())
       applySettings(it->second, plan);
     else
       plan.format = TargetSettings().format;
@@ -391,9 +404,12 @@ class Builder {
       for (int buffer : step.writes) {
         const TargetPlan* plan = schedule_.target(false, buffer);
         const bool window = plan->width == schedule_.width && plan->height == schedule_.height;
-        if (step.kind == Kind::Draw && !window) report(step, *plan, "a gbuffers program needs window-sized buffers");
+        if (step.kind == Kind::Draw && !window)
+          report(step, *plan, "a gbuffers program needs window-sized buffers");
         else if (plan->width != first->width || plan->height != first->height)
-          report(step, *plan, fmt::format("colortex{} of the same program is {}x{}", first->index, first->width, first->height));
+          report(step, *plan,
+                 fmt::format("colortex{} of the same program is {}x{}", first->index, first->width,
+                             first->height));
       }
     }
   }

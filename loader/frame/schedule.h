@@ -16,14 +16,14 @@ namespace orris {
 /// One colortex or shadowcolor.
 struct TargetPlan {
   int index = 0;
-  std::string format;              ///< name as in contract/formats.csv
+  std::string format;  ///< name as in contract/formats.csv
   int width = 0, height = 0;
   bool clear = true;
   std::array<float, 4> clearColor{};
-  bool clearToFog = false;         ///< colortex0 without ClearColor: fog colour, alpha 1
-  bool needsAlt = false;           ///< some pass writes or flips it
-  bool mipmaps = false;            ///< some pass reads it with mipmaps
-  bool history = false;            ///< alt is copied into main at frame end
+  bool clearToFog = false;  ///< colortex0 without ClearColor: fog colour, alpha 1
+  bool needsAlt = false;    ///< some pass writes or flips it
+  bool mipmaps = false;     ///< some pass reads it with mipmaps
+  bool history = false;     ///< alt is copied into main at frame end
   bool operator==(const TargetPlan&) const = default;
 };
 
@@ -32,28 +32,28 @@ enum class Geometry { Sky, Stars, SunMoon, Solid, Cutout, Translucent };
 
 struct Step {
   enum class Kind {
-    ClearImages,        ///< custom images with clear=true
-    ClearShadow,        ///< shadow depth to 1, shadowcolor to its colour
-    ClearColor,         ///< colortex with clear=true, both sides; depth to 1
-    Compute,            ///< the computes of `program`
+    ClearImages,  ///< custom images with clear=true
+    ClearShadow,  ///< shadow depth to 1, shadowcolor to its colour
+    ClearColor,   ///< colortex with clear=true, both sides; depth to 1
+    Compute,      ///< the computes of `program`
     Fullscreen,
-    Draw,               ///< `geometry` from the camera
-    DrawShadow,         ///< `geometry` from the light
-    CopyShadowDepth,    ///< shadowtex0 -> shadowtex1
+    Draw,             ///< `geometry` from the camera
+    DrawShadow,       ///< `geometry` from the light
+    CopyShadowDepth,  ///< shadowtex0 -> shadowtex1
     ShadowMipmaps,
     SampleCenterDepth,
-    CopyDepth,          ///< depthtex0 -> depthtex<index>
-    Present,            ///< the final program, or a copy of colortex0
+    CopyDepth,  ///< depthtex0 -> depthtex<index>
+    Present,    ///< the final program, or a copy of colortex0
   };
   Kind kind = Kind::Fullscreen;
-  std::string name;                ///< "composite3", "gbuffers_terrain_solid"
-  int program = -1;                ///< index into ShaderPack::programs, -1: built-in
+  std::string name;  ///< "composite3", "gbuffers_terrain_solid"
+  int program = -1;  ///< index into ShaderPack::programs, -1: built-in
   ProgramGroup group = ProgramGroup::Composite;
   Geometry geometry = Geometry::Solid;
-  int index = 0;                   ///< CopyDepth: destination
-  std::vector<int> writes;         ///< colortex (shadow groups: shadowcolor) in slot order
+  int index = 0;                     ///< CopyDepth: destination
+  std::vector<int> writes;           ///< colortex (shadow groups: shadowcolor) in slot order
   bool writesAlt(int buffer) const;  ///< side this step writes, see `flipped`
-  std::vector<int> mipmaps;        ///< buffers whose read side gets mipmaps first
+  std::vector<int> mipmaps;          ///< buffers whose read side gets mipmaps first
   /// Bit n: colortex n (shadowcolor n) is read from its alt side during this step.
   std::uint32_t flipped = 0, shadowFlipped = 0;
   /// Colortex that earlier programs of the same group flipped: a texture.* that replaces one of them
@@ -63,13 +63,13 @@ struct Step {
 
 struct Schedule {
   int width = 0, height = 0;
-  int shadowResolution = 0;            ///< 0: no shadow targets at all
+  int shadowResolution = 0;  ///< 0: no shadow targets at all
   std::vector<TargetPlan> colortex, shadowcolor;
   bool shadowtex1 = false, depthtex1 = false, depthtex2 = false, noisetex = false;
   bool centerDepth = false;
-  std::vector<Step> setup;             ///< once after load and resize
+  std::vector<Step> setup;  ///< once after load and resize
   std::vector<Step> frame;
-  std::set<int> programs;              ///< indices of programs that must be compiled
+  std::set<int> programs;  ///< indices of programs that must be compiled
   /// Side of each buffer that holds the last image at frame end.
   std::uint32_t finalFlipped = 0, finalShadowFlipped = 0;
 

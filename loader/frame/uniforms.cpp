@@ -52,8 +52,21 @@ bool isEnd(const FrameState& s) { return s.environment.dimension == "minecraft:t
 
 using S = const FrameState&;
 using D = const DrawState&;
-#define FRAME(name, type, expr) {name, ValueType::type, false, [](S s, D) -> Value { (void)s; return expr; }}
-#define DRAW(name, type, expr) {name, ValueType::type, true, [](S s, D d) -> Value { (void)s; (void)d; return expr; }}
+#define FRAME(name, type, expr)                         \
+  {                                                     \
+    name, ValueType::type, false, [](S s, D) -> Value { \
+      (void)s;                                          \
+      return expr;                                      \
+    }                                                   \
+  }
+#define DRAW(name, type, expr)                           \
+  {                                                      \
+    name, ValueType::type, true, [](S s, D d) -> Value { \
+      (void)s;                                           \
+      (void)d;                                           \
+      return expr;                                       \
+    }                                                    \
+  }
 
 // clang-format off
 std::vector<UniformRow> makeTable() {
@@ -246,8 +259,9 @@ std::span<const UniformRow> uniformTable() {
 
 const UniformRow* findUniform(std::string_view name) {
   const auto table = uniformTable();
-  const auto it = std::lower_bound(table.begin(), table.end(), name,
-                                   [](const UniformRow& r, std::string_view n) { return r.name < n; });
+  const auto it =
+      std::lower_bound(table.begin(), table.end(), name,
+                       [](const UniformRow& r, std::string_view n) { return r.name < n; });
   return it != table.end() && it->name == name ? &*it : nullptr;
 }
 

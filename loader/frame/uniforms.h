@@ -15,7 +15,7 @@ struct DrawState {
   glm::vec3 chunkOffset{0};
   glm::ivec2 atlasSize{0}, gtextureSize{0};
   glm::ivec4 blendFunc{0};
-  int renderStage = 0;       ///< MC_RENDER_STAGE_*
+  int renderStage = 0;  ///< MC_RENDER_STAGE_*
   float alphaTestRef = 0.1f;
   bool fullscreen = false;
 };

@@ -56,9 +56,9 @@ struct ConstantRow {
 constexpr ConstantRow kConstants[] = {{"vaUV1", {0, 10, 0, 1}}, {"mc_chunkFade", {-1, 0, 0, 1}}};
 
 bool isIntegerAttribute(unsigned type) {
-  static constexpr unsigned kTypes[] = {GL_INT,          GL_INT_VEC2,          GL_INT_VEC3,
-                                        GL_INT_VEC4,     GL_UNSIGNED_INT,      GL_UNSIGNED_INT_VEC2,
-                                        GL_UNSIGNED_INT_VEC3, GL_UNSIGNED_INT_VEC4};
+  static constexpr unsigned kTypes[] = {
+      GL_INT,          GL_INT_VEC2,          GL_INT_VEC3,          GL_INT_VEC4,
+      GL_UNSIGNED_INT, GL_UNSIGNED_INT_VEC2, GL_UNSIGNED_INT_VEC3, GL_UNSIGNED_INT_VEC4};
   return std::find(std::begin(kTypes), std::end(kTypes), type) != std::end(kTypes);
 }
 

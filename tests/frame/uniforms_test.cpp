@@ -1,0 +1,63 @@
+#include "frame/uniforms.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+namespace orris {
+namespace {
+
+TEST(Uniforms, table_is_sorted_and_has_no_name_twice) {
+  const auto table = uniformTable();
+  for (size_t i = 1; i < table.size(); ++i) EXPECT_LT(table[i - 1].name, table[i].name);
+}
+
+TEST(Uniforms, values_have_the_type_their_row_states) {
+  const FrameState state = nextFrameState({.width = 4, .height = 4}, {}, nullptr);
+  for (const UniformRow& row : uniformTable()) {
+    const Value value = row.value(state, DrawState());
+    EXPECT_EQ(value.type, row.type) << row.name;
+  }
+}
+
+// First names of the contract rows: "a / b" and "a, b" name several.
+std::set<std::string> contractNames(std::ifstream& file) {
+  std::set<std::string> names;
+  std::string line;
+  std::getline(file, line);
+  while (std::getline(file, line)) {
+    const bool quoted = line.starts_with('"');
+    std::string field =
+        quoted ? line.substr(1, line.find('"', 1) - 1) : line.substr(0, line.find(','));
+    for (char& c : field)
+      if (c == ',' || c == '/') c = ' ';
+    std::istringstream words(field);
+    for (std::string word; words >> word;) names.insert(word);
+  }
+  return names;
+}
+
+TEST(Uniforms, every_row_of_the_contract_that_a_host_can_give_is_provided) {
+  std::ifstream file(ORRIS_SOURCE_DIR "/../shared/contract/uniforms.csv");
+  if (!file) GTEST_SKIP() << "the contract tables are not beside this checkout";
+  // Names that come from packs themselves, from OptiFine alone, or are fields of gl_Fog.
+  static const std::set<std::string> kNotOurs = {
+      "timeAngle",   "timeBrightness", "moonBrightness",  "shadowFade",   "rainStrengthS",
+      "blindFactor", "isEyeInCave",    "velocity",        "starter",      "frameTimeSmooth",
+      "eyeBrightnessM", "inSwamp",     "BiomeTemp",       "day",          "night",
+      "dawnDusk",    "bossBattle",     "instanceId",      "spriteBounds", "modelOffset",
+      "color",       "density",        "start",           "end",          "scale",
+      "dhMaterialId"};
+  for (const std::string& name : contractNames(file)) {
+    const bool glState = name.starts_with("gl_") || name.find('.') != std::string::npos;
+    const bool otherHost = name.starts_with("vx") || name.starts_with("vivecraft");
+    if (glState || otherHost || kNotOurs.contains(name)) continue;
+    EXPECT_NE(findUniform(name), nullptr) << name;
+  }
+}
+
+}  // namespace
+}  // namespace orris
