@@ -324,13 +324,6 @@ void DirectiveRunner::onError(const std::vector<Token>& tokens) {
 
 void DirectiveRunner::onIgnored(const std::vector<Token>&) {}
 
-void DirectiveRunner::requireVersion() {
-  if (stream_.version > 0) return;
-  report(Severity::Error, "version-missing", {0, 1, 0},
-         "no active #version; exactly one is required",
-         "begin the file with '#version 330 compatibility'");
-}
-
 void DirectiveRunner::finish() {
   for (const Conditionals::Open& open : conditionals_.unclosed()) {
     report(Severity::Error, "conditional-unbalanced", open.at,

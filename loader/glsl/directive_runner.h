@@ -23,8 +23,6 @@ class DirectiveRunner : public TokenSource {
 
   /// Reports what is still open at the end.
   void finish();
-  /// Reports that no #version was met (contract/README "Preprocessor": exactly one).
-  void requireVersion();
 
   /// Runs one directive; `tokens` starts with its name, comments are removed.
   void run(std::vector<Token> tokens, const Origin& hash);

@@ -17,8 +17,17 @@ TokenStream preprocess(const FlatSource& source, const MacroDefinitions& environ
     while (expander.next(token)) stream.tokens.push_back(std::move(token));
   }
   runner.finish();
-  runner.requireVersion();
   return stream;
+}
+
+void requireVersion(const TokenStream& stream, Diagnostics& diagnostics) {
+  if (stream.version > 0) return;
+  Diagnostic d;
+  d.id = "version-missing";
+  if (!stream.sites.empty()) d.at = {stream.sites.front().file, 1, 0};
+  d.message = "no active #version; exactly one is required";
+  d.hint = "begin the file with '#version 330 compatibility'";
+  diagnostics.push_back(std::move(d));
 }
 
 }  // namespace orris

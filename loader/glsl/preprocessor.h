@@ -18,10 +18,12 @@ using MacroDefinitions = std::vector<std::pair<std::string, std::string>>;
 /// is 0; #if is integer arithmetic; `\`-newline joins lines; ## and # work; __LINE__ etc. are
 /// ordinary names; #extension and #version of active branches are collected; comments survive as
 /// tokens. Errors (unbalanced conditionals, malformed directives, #error) are located diagnostics;
-/// preprocessing goes on after each. A source without an active #version is one such error
-/// ("version-missing") and keeps version 0.
+/// preprocessing goes on after each. A source without an active #version keeps version 0.
 TokenStream preprocess(const FlatSource& source, const MacroDefinitions& environment,
                        Diagnostics& diagnostics);
+
+/// Reports a stage without an active #version. Contract: "Exactly one active #version is required".
+void requireVersion(const TokenStream& stream, Diagnostics& diagnostics);
 
 /// The same over a *.properties text: directives are honoured where '#' opens the line and the word
 /// follows without a blank, other '#' and '!' lines are comments and vanish, '#' elsewhere is

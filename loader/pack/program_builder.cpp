@@ -82,7 +82,9 @@ class ProgramBuild {
       }
     }
     const FlatSource flat = flatten(context_.graph, context_.files, file, built_.diagnostics);
-    return preprocess(flat, context_.macros, built_.diagnostics);
+    TokenStream stream = preprocess(flat, context_.macros, built_.diagnostics);
+    requireVersion(stream, built_.diagnostics);
+    return stream;
   }
 
   void addStage(Stage stage, const std::string& file) {

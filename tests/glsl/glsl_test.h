@@ -58,12 +58,9 @@ inline SourceLines linesOf(const Files& files) {
   };
 }
 
-/// All diagnostics but the one that a snippet without #version always earns.
 inline std::string format(const Diagnostics& diagnostics) {
   std::string text;
-  for (const Diagnostic& d : diagnostics) {
-    if (d.id != "version-missing") text += formatDiagnostic(d) + "\n";
-  }
+  for (const Diagnostic& d : diagnostics) text += formatDiagnostic(d) + "\n";
   return text;
 }
 
@@ -71,8 +68,7 @@ inline std::string format(const Diagnostics& diagnostics) {
 inline std::string preprocessed(const std::string& text, const MacroDefinitions& environment = {}) {
   Diagnostics diagnostics;
   const std::string printed = print(preprocess(source(text), environment, diagnostics)).text;
-  const std::string problems = format(diagnostics);
-  return problems.empty() ? printed : printed + "---\n" + problems;
+  return diagnostics.empty() ? printed : printed + "---\n" + format(diagnostics);
 }
 
 /// Printed text after rewriting, without the version line when it is the usual one.
