@@ -114,7 +114,7 @@ TEST(cost, without_lights_and_shadows_no_voxels_floodfill_or_shadow_map_exist) {
   EXPECT_TRUE(schedule.shadowcolor.empty());
   EXPECT_FALSE(schedule.shadowtex1);
   for (const int target : {3, 4, 5}) EXPECT_FALSE(schedule.target(false, target)) << target;
-  for (const char* program : {"shadow", "prepare", "prepare1", "deferred"})
+  for (const char* program : {"shadow", "prepare", "deferred"})
     EXPECT_FALSE(mentions(schedule, renderer.pack(), program)) << program;
   EXPECT_TRUE(mentions(schedule, renderer.pack(), "deferred4"));
 }
