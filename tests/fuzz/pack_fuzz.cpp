@@ -1,0 +1,34 @@
+// libFuzzer target: a whole pack; a line "=== /path" starts each file.
+#include <cstddef>
+#include <cstdint>
+#include <sstream>
+#include <string>
+
+#include "pack/shader_pack.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace orris;
+  std::istringstream stream(std::string(reinterpret_cast<const char*>(data), size));
+  std::map<std::string, std::string> files;
+  std::string* file = &files["/composite.fsh"];
+  for (std::string line; std::getline(stream, line);) {
+    if (line.starts_with("=== ")) {
+      file = &files[line.substr(4)];
+    } else {
+      *file += line + "\n";
+    }
+  }
+  const std::shared_ptr<const FileSource> source = memorySource(std::move(files));
+  static const MacroDefinitions kEnvironment = standardMacros({});
+  for (const char* dimension : {"minecraft:overworld", "world-1"}) {
+    LoadRequest request{.dimension = dimension, .environment = kEnvironment};
+    Diagnostics diagnostics;
+    const auto pack = loadShaderPack(source, request, diagnostics);
+    for (const Diagnostic& diagnostic : diagnostics) formatDiagnostic(diagnostic);
+    if (!pack) continue;
+    pack->currentProfile();
+    pack->resolve("gbuffers_water");
+    pack->sourceLine("/shaders.properties", 1);
+  }
+  return 0;
+}
