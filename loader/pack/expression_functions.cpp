@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 namespace orris {
 namespace {
@@ -233,12 +234,13 @@ ValueType typeOf(char letter, char family) {
   }
 }
 
-/// The parameter types of a row for `count` arguments; empty when it takes another number.
-std::vector<ValueType> parametersOf(const Row& row, char family, size_t count) {
+/// The parameter types of a row for `count` arguments; nullopt when it takes another number.
+std::optional<std::vector<ValueType>> parametersOf(const Row& row, char family, size_t count) {
   std::string_view letters = row.parameters;
   const bool repeats = letters.ends_with('*');
   if (repeats) letters.remove_suffix(1);
-  if (repeats ? count < letters.size() || count > row.most : count != letters.size()) return {};
+  if (repeats ? count < letters.size() || count > row.most : count != letters.size())
+    return std::nullopt;
   std::vector<ValueType> types;
   for (size_t i = 0; i < count; ++i)
     types.push_back(typeOf(letters[std::min(i, letters.size() - 1)], family));
@@ -266,8 +268,8 @@ ExpressionOverload findOverload(std::string_view name, std::span<const ValueType
     if (row.name != name) continue;
     for (const char family : row.family.empty() ? std::string_view("f") : row.family) {
       auto parameters = parametersOf(row, family, arguments.size());
-      if (!accepts(parameters, arguments)) continue;
-      return {row.function, std::move(parameters), typeOf(row.result, family)};
+      if (!parameters || !accepts(*parameters, arguments)) continue;
+      return {row.function, std::move(*parameters), typeOf(row.result, family)};
     }
   }
   return {};

@@ -164,6 +164,13 @@ TEST(Expression, vectors_are_made_and_combined) {
   EXPECT_NE(problem("vec3(1, 2, 3) * 2", ValueType::Vec3), "");
 }
 
+TEST(Expression, number_of_arguments_is_checked) {
+  EXPECT_EQ(problem("clamp()"),
+            "custom uniform x is dropped: clamp does not take () (character 1 of the expression)");
+  EXPECT_NE(problem("sin(1, 2)"), "");
+  EXPECT_NE(problem("in(1)"), "");
+}
+
 TEST(Expression, what_does_not_parse_is_dropped_with_its_place) {
   EXPECT_EQ(
       problem("1 +"),

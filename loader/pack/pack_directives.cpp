@@ -1,0 +1,170 @@
+// What a stage says about the frame.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "pack/directive_values.h"
+#include "pack/directives.h"
+#include "pack/text.h"
+#include "pack/texture_format.h"
+
+namespace orris {
+namespace {
+
+/// Reads the const lines of one stage into the settings of the pack.
+class PackReader {
+ public:
+  PackReader(const std::vector<IncludeSite>& sites, PackDirectives& out, Diagnostics& diagnostics)
+      : sites_(sites), out_(out), diagnostics_(diagnostics) {}
+
+  void read(const ConstLine& line) {
+    if (const auto key = parseTargetKey(line.name)) return readTarget(*key, line);
+    if (line.type == "float") return readFloat(line);
+    if (line.type == "int") return readInt(line);
+    if (line.type == "bool") readBool(line);
+  }
+
+ private:
+  void report(Severity severity, std::string id, const ConstLine& line, std::string message,
+              std::string hint) {
+    diagnostics_.push_back({.severity = severity,
+                            .id = std::move(id),
+                            .at = locate(sites_, line.origin),
+                            .message = std::move(message),
+                            .includedFrom = includedFrom(sites_, line.origin.site),
+                            .sourceLine = line.sourceLine,
+                            .hint = std::move(hint)});
+  }
+
+  void readTarget(const TargetKey& key, const ConstLine& line) {
+    // Packs written for hosts with more buffers still run on this one.
+    if (key.index >= (key.shadow ? kShadowColorTargets : kColorTargets)) return;
+    auto& target = (key.shadow ? out_.shadowcolor : out_.colortex)[key.index];
+    if (key.suffix == "Format" && line.type == "int") {
+      readFormat(line, target);
+    } else if (key.suffix == "Clear" && line.type == "bool") {
+      if (const auto on = parseBoolean(line.value)) target.clear = *on;
+    } else if (key.suffix == "ClearColor" && line.type == "vec4") {
+      readClearColor(line, target);
+    } else if (key.shadow && line.type == "bool") {
+      const auto on = parseBoolean(line.value);
+      if (on && key.suffix == "Mipmap") target.mipmap = *on;
+      if (on && (key.suffix == "Nearest" || key.suffix == "MinMagNearest")) target.nearest = *on;
+    }
+  }
+
+  void readFormat(const ConstLine& line, TargetSettings& target) {
+    const std::string format = knownName(line.value, internalFormatNames());
+    if (!format.empty()) {
+      target.format = format;
+      return;
+    }
+    const std::string nearest = nearestName(line.value, internalFormatNames());
+    report(Severity::Error, "format-unknown", line,
+           fmt::format("{} is no texture format; {} keeps {}", line.value,
+                       line.name.substr(0, line.name.size() - 6), target.format),
+           nearest.empty() ? "see the list of formats, for example RGBA16F"
+                           : fmt::format("did you mean {}?", nearest));
+  }
+
+  void readClearColor(const ConstLine& line, TargetSettings& target) {
+    if (const auto color = parseVector(line.value, "vec4", 4)) {
+      target.clearColor = {(*color)[0], (*color)[1], (*color)[2], (*color)[3]};
+    } else {
+      report(Severity::Warning, "directive-value", line,
+             fmt::format("{} is no clear colour", line.value), "write vec4 with four numbers");
+    }
+  }
+
+  void readFloat(const ConstLine& line) {
+    const std::pair<std::string_view, float*> known[] = {
+        {"shadowDistance", &out_.shadowDistance},
+        {"shadowDistanceRenderMul", &out_.shadowDistanceRenderMul},
+        {"entityShadowDistanceMul", &out_.entityShadowDistanceMul},
+        {"shadowIntervalSize", &out_.shadowIntervalSize},
+        {"shadowNearPlane", &out_.shadowNearPlane},
+        {"shadowFarPlane", &out_.shadowFarPlane},
+        {"voxelDistance", &out_.voxelDistance},
+        {"sunPathRotation", &out_.sunPathRotation},
+        {"ambientOcclusionLevel", &out_.ambientOcclusionLevel},
+        {"wetnessHalflife", &out_.wetnessHalflife},
+        {"drynessHalflife", &out_.drynessHalflife},
+        {"eyeBrightnessHalflife", &out_.eyeBrightnessHalflife},
+        {"centerDepthHalflife", &out_.centerDepthHalflife}};
+    float fov = 0;
+    float* target = line.name == "shadowMapFov" ? &fov : nullptr;
+    for (const auto& [name, field] : known) target = line.name == name ? field : target;
+    if (!target) return;
+    const auto value = parseFloat(line.value);
+    if (!value) return notLiteral(line);
+    *target = *value;
+    if (target == &fov) out_.shadowMapFov = fov;
+    out_.ambientOcclusionLevel = std::clamp(out_.ambientOcclusionLevel, 0.0f, 1.0f);
+  }
+
+  void readInt(const ConstLine& line) {
+    if (line.name != "shadowMapResolution" && line.name != "noiseTextureResolution") return;
+    const auto value = parseInteger(line.value);
+    if (!value) return notLiteral(line);
+    constexpr int kLargest = 16384;
+    if (*value < 1 || *value > kLargest) {
+      report(Severity::Error, "directive-value", line,
+             fmt::format("{} is {}, expected 1 to {}", line.name, line.value, kLargest), "");
+      return;
+    }
+    (line.name.front() == 's' ? out_.shadowMapResolution : out_.noiseTextureResolution) =
+        static_cast<int>(*value);
+  }
+
+  void readBool(const ConstLine& line) {
+    struct Switch {
+      std::string_view name;
+      bool ShadowDepthSettings::*field;
+      int first, last;  ///< the shadowtex it applies to
+    };
+    static constexpr Switch kSwitches[] = {
+        {"shadowHardwareFiltering", &ShadowDepthSettings::hardwareFiltering, 0, 1},
+        {"shadowHardwareFiltering0", &ShadowDepthSettings::hardwareFiltering, 0, 0},
+        {"shadowHardwareFiltering1", &ShadowDepthSettings::hardwareFiltering, 1, 1},
+        {"generateShadowMipmap", &ShadowDepthSettings::mipmap, 0, 1},
+        {"shadowtexMipmap", &ShadowDepthSettings::mipmap, 0, 0},
+        {"shadowtex0Mipmap", &ShadowDepthSettings::mipmap, 0, 0},
+        {"shadowtex1Mipmap", &ShadowDepthSettings::mipmap, 1, 1},
+        {"shadowtexNearest", &ShadowDepthSettings::nearest, 0, 0},
+        {"shadowtex0Nearest", &ShadowDepthSettings::nearest, 0, 0},
+        {"shadow0MinMagNearest", &ShadowDepthSettings::nearest, 0, 0},
+        {"shadowtex1Nearest", &ShadowDepthSettings::nearest, 1, 1},
+        {"shadow1MinMagNearest", &ShadowDepthSettings::nearest, 1, 1}};
+    const auto on = parseBoolean(line.value);
+    if (!on) return;
+    for (const Switch& known : kSwitches) {
+      if (line.name != known.name) continue;
+      for (int i = known.first; i <= known.last; ++i)
+        out_.shadowtex[static_cast<size_t>(i)].*known.field = *on;
+    }
+    if (line.name == "generateShadowColorMipmap") {
+      for (int i = 0; i < kShadowColorTargets; ++i) out_.shadowcolor[i].mipmap = *on;
+    }
+  }
+
+  void notLiteral(const ConstLine& line) {
+    report(Severity::Warning, "directive-value", line,
+           fmt::format("{} has the value \"{}\", which is no number; the directive is ignored",
+                       line.name, line.value),
+           "the host reads literals only, no expressions");
+  }
+
+  const std::vector<IncludeSite>& sites_;
+  PackDirectives& out_;
+  Diagnostics& diagnostics_;
+};
+
+}  // namespace
+
+void readPackDirectives(const std::vector<ConstLine>& lines, const std::vector<IncludeSite>& sites,
+                        PackDirectives& directives, Diagnostics& diagnostics) {
+  PackReader reader(sites, directives, diagnostics);
+  for (const ConstLine& line : lines) reader.read(line);
+}
+
+}  // namespace orris
