@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <iostream>
 #include <thread>
+#include <utility>
 
 #include "app/inputs.h"
 #include "image/image.h"
@@ -32,6 +33,16 @@ double secondsBetween(std::chrono::steady_clock::time_point from,
   return std::chrono::duration<double>(to - from).count();
 }
 
+fs::path withoutEndSlash(const fs::path& path) {
+  return path.has_filename() ? path : path.parent_path();
+}
+
+// A pack's own option file lies beside it and is named like it.
+std::string optionFileOf(const PackOptions& options) {
+  if (!options.settingsFile.empty()) return options.settingsFile;
+  return withoutEndSlash(options.path).string() + ".txt";
+}
+
 // What of a pack can change its picture: all of a zip, and `shaders` of a folder.
 fs::path watchedPart(const std::string& packPath) {
   const fs::path shaders = fs::path(packPath) / "shaders";
@@ -48,11 +59,7 @@ std::string freeScreenshotName() {
 }  // namespace
 
 Viewer::Viewer(const ViewOptions& options)
-    : options_(options), report_(options.output), choices_(options.pack) {
-  openPack_ = [path = options.pack.path](Diagnostics& diagnostics) {
-    return std::shared_ptr<const FileSource>(openPack(path, diagnostics));
-  };
-}
+    : options_(options), report_(options.output), optionFile_(optionFileOf(options.pack)) {}
 
 int Viewer::run() {
   if (!open()) return status_;
@@ -99,32 +106,44 @@ bool Viewer::openWindow() {
 
 bool Viewer::openSession(World world, const Camera& camera) {
   watchFiles();
+  const auto load = readChoices(true);
+  if (!load) return false;
   SessionRequest request;
-  request.openPack = openPack_;
-  request.load.name = packNameOf(options_.pack.path);
-  request.load.profile = options_.pack.profile;
-  request.load.environment = environmentFor(context_->driver());
-  const std::string& dimension = options_.pack.dimension;
-  request.load.dimension = dimension.empty() ? world.environment.dimension : dimension;
-  const auto values = choices_.read(openPack_, request.load, true, report_);
-  status_ = report_.status();
-  if (!values) return false;
-  choices_.accept(*values);
-  request.load.values = *values;
+  request.openPack = [path = options_.pack.path](Diagnostics& diagnostics) {
+    return std::shared_ptr<const FileSource>(openPack(path, diagnostics));
+  };
+  request.load = *load;
+  if (options_.pack.dimension.empty()) request.load.dimension = world.environment.dimension;
   request.renderer = {.width = options_.image.width, .height = options_.image.height};
   request.camera = camera;
   request.seed = options_.scene.seed;
   Diagnostics diagnostics;
   session_ = RenderSession::create(*context_, std::move(request), std::move(world), diagnostics);
   report_.add(diagnostics);
-  status_ = session_ ? kClean : kProblems;
+  if (!session_) {
+    const auto files = openPackFiles(options_.pack.path, report_, status_);
+    status_ = files ? loadFailureStatus(files, *load) : kUsage;
+  }
   lastFrame_ = lastPoll_ = titleSince_ = Clock::now();
   return session_ != nullptr;
 }
 
+// The command line's choices with those of the option file as it is now; a pack need not have one.
+std::optional<LoadRequest> Viewer::readChoices(bool withOptionFile) {
+  PackOptions pack = options_.pack;
+  const bool wanted = withOptionFile && (!pack.settingsFile.empty() || fs::exists(optionFile_));
+  pack.settingsFile = wanted ? optionFile_ : "";
+  const auto files = openPackFiles(pack.path, report_, status_);
+  if (!files) return std::nullopt;
+  const MacroDefinitions environment = environmentFor(context_->driver());
+  auto request = makeLoadRequest(files, pack, environment, report_, status_);
+  if (request) request->name = withoutEndSlash(pack.path).filename().string();
+  return request;
+}
+
 // Before anything is read: an edit during loading is then seen afterwards.
 void Viewer::watchFiles() {
-  watch_.emplace(std::vector<fs::path>{watchedPart(options_.pack.path), choices_.optionFile()});
+  watch_.emplace(std::vector<fs::path>{watchedPart(options_.pack.path), optionFile_});
 }
 
 void Viewer::drawFrame() {
@@ -188,18 +207,14 @@ void Viewer::pollFiles() {
 void Viewer::reload(const std::string& cause, bool withOptionFile) {
   report_ = Report(options_.output);  // a mistake made again is told again
   LoadRequest& request = session_->loadRequest();
-  const OptionValues before = request.values;
-  const OptionValues fromEvents = choices_.setSince(before);
-  const auto values = choices_.read(openPack_, request, withOptionFile, report_);
+  const auto choices = readChoices(withOptionFile);
   bool succeeded = false;
-  if (values) {
-    request.values = *values;
-    for (const auto& [name, value] : fromEvents) request.values[name] = value;
+  if (choices) {
+    const OptionValues before = std::exchange(request.fileValues, choices->fileValues);
     Diagnostics diagnostics;
     succeeded = session_->reload(cause, diagnostics);
     report_.add(diagnostics);
-    if (succeeded) choices_.accept(*values);
-    if (!succeeded) request.values = before;
+    if (!succeeded) request.fileValues = before;
   }
   tellReload(succeeded);
 }

@@ -8,7 +8,6 @@
 
 #include "app/common.h"
 #include "app/file_watch.h"
-#include "app/pack_choices.h"
 #include "app/report.h"
 #include "app/view_window.h"
 #include "frame/render_session.h"
@@ -37,6 +36,7 @@ class Viewer {
   bool open();
   bool openWindow();
   bool openSession(World world, const Camera& camera);
+  std::optional<LoadRequest> readChoices(bool withOptionFile);
   void watchFiles();
   void drawFrame();
   void handle(const ViewInput& input, double seconds);
@@ -54,8 +54,7 @@ class Viewer {
   ViewOptions options_;
   Report report_;
   int status_ = 0;
-  PackOpener openPack_;
-  PackChoices choices_;
+  std::string optionFile_;
   std::unique_ptr<gl::Context> context_;
   std::optional<ViewWindow> window_;
   std::unique_ptr<RenderSession> session_;

@@ -300,14 +300,18 @@ def option_file_takes_effect(test):
     options = test.folder / "pack.txt"
     options.write_text("TINT=1\n")
     view.wait_for("reloaded (pack.txt changed): 1 programs built: composite, 3 kept")
-    options.write_text("TINT=7\n")
-    view.wait_for("not reloaded")
-    options.write_text("TINT=2\n")
+    options.write_text("TINT=2\nNO_SUCH_OPTION=1\n")
     view.wait_for("reloaded (pack.txt changed): 1 programs built: composite, 3 kept")
     view.end()
-    assert view.stderr().count("error:") == 1, view.stderr()
+    errors = view.stderr()
+    assert errors.count("warning:") == 1 and "pack.txt:2:1: warning:" in errors, errors
+    options.write_text("TINT=2\n")
     red, _, blue = mean(read_png(path))
     assert red < 0.4 * mean(before)[0] and abs(blue - mean(before)[2]) < 1
+    # What the command line gets wrong is no fault of the pack.
+    wrong = View(test, "--set", "TINT=9")
+    wrong.finish(status=2)
+    assert wrong.stderr().count("error:") == 1, wrong.stderr()
     # What is there at the start counts too, and the command line counts more.
     assert abs(mean(test.picture())[0] - red) < 1
     assert share_within_one(test.picture("--set", "TINT=0"), before) == 1
