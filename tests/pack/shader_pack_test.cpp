@@ -141,6 +141,14 @@ TEST(ShaderPack, profile_is_applied_before_values_and_detected) {
   EXPECT_EQ(mixed.pack->currentProfile(), "");
 }
 
+TEST(ShaderPack, profile_with_the_most_values_in_force_is_the_current_one) {
+  Files files = kOptions;
+  files["/shaders.properties"] =
+      "profile.A = BLOOM\nprofile.B = BLOOM Q=2\nprofile.C = Q=2 BLOOM\n";
+  EXPECT_EQ(load(files).pack->currentProfile(), "B");
+  EXPECT_EQ(load(files, {.values = {{"Q", "3"}}}).pack->currentProfile(), "A");
+}
+
 TEST(ShaderPack, file_values_come_first_and_need_not_be_listed) {
   const Loaded loaded =
       load(kOptions, {.fileValues = {{"Q", "17"}, {"GONE", "1"}, {"BLOOM", "perhaps"}}});
