@@ -78,10 +78,13 @@ void addImageFlags(CLI::App& command, ImageOptions& options) {
   command.add_option("--frames", options.frames, "frames to draw; the last one is the picture")
       ->capture_default_str()
       ->check(CLI::Range(1, 1000000));
+  addBackendFlag(command, options.backend);
+}
+
+void addBackendFlag(CLI::App& command, gl::Backend& backend) {
   command
       .add_option_function<std::string>(
-          "--backend",
-          [&options](const std::string& text) { parseBackendName(text, options.backend); },
+          "--backend", [&backend](const std::string& text) { parseBackendName(text, backend); },
           "GL context: auto, osmesa, egl or glfw")
       ->type_name("NAME");
 }

@@ -52,6 +52,7 @@ struct OutputOptions {
 void addPackFlags(CLI::App& command, PackOptions& options);    ///< all but the path
 void addSceneFlags(CLI::App& command, SceneOptions& options);  ///< all but the path
 void addImageFlags(CLI::App& command, ImageOptions& options);
+void addBackendFlag(CLI::App& command, gl::Backend& backend);
 void addOutputFlags(CLI::App& command, OutputOptions& options);
 /// The positional arguments PACK and WORLD.
 CLI::Option* addPackArgument(CLI::App& command, std::string& path);

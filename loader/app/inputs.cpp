@@ -86,7 +86,8 @@ std::optional<LoadRequest> makeLoadRequest(const std::shared_ptr<const FileSourc
                                            const PackOptions& options,
                                            const MacroDefinitions& environment, Report& report,
                                            int& status) {
-  LoadRequest request{.values = options.values, .profile = options.profile, .environment = environment};
+  LoadRequest request{
+      .values = options.values, .profile = options.profile, .environment = environment};
   if (!options.dimension.empty()) request.dimension = options.dimension;
   if (options.settingsFile.empty()) return request;
   const auto values = readSettings(files, request, options.settingsFile, report, status);
@@ -102,15 +103,11 @@ int loadFailureStatus(const std::shared_ptr<const FileSource>& files, const Load
 }
 
 std::optional<ShaderPack> loadPack(const std::shared_ptr<const FileSource>& files,
-                                   const PackOptions& options, const MacroDefinitions& environment,
-                                   bool buildSources, Report& report, int& status) {
-  auto request = makeLoadRequest(files, options, environment, report, status);
-  if (!request) return std::nullopt;
-  request->buildSources = buildSources;
+                                   const LoadRequest& request, Report& report, int& status) {
   Diagnostics diagnostics;
-  std::optional<ShaderPack> pack = loadShaderPack(files, *request, diagnostics);
+  std::optional<ShaderPack> pack = loadShaderPack(files, request, diagnostics);
   report.add(diagnostics);
-  if (!pack) status = loadFailureStatus(files, *request);
+  if (!pack) status = loadFailureStatus(files, request);
   return pack;
 }
 

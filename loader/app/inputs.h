@@ -27,12 +27,9 @@ std::optional<LoadRequest> makeLoadRequest(const std::shared_ptr<const FileSourc
 /// Why a load failed: kUsage when the pack loads without the chosen options, else kProblems.
 int loadFailureStatus(const std::shared_ptr<const FileSource>& files, const LoadRequest& request);
 
-/// One dimension of a pack, with profile, option file and --set applied in this order. With
-/// `buildSources` false only options, properties and screens are read. `environment` holds the
-/// host's macros (standardMacros).
+/// Loads one dimension of a pack.
 std::optional<ShaderPack> loadPack(const std::shared_ptr<const FileSource>& files,
-                                   const PackOptions& options, const MacroDefinitions& environment,
-                                   bool buildSources, Report& report, int& status);
+                                   const LoadRequest& request, Report& report, int& status);
 
 /// A world with --time and --dimension of the command line applied.
 std::optional<World> loadScene(const SceneOptions& options, const std::string& dimension,

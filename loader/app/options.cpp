@@ -115,8 +115,10 @@ int runOptions(const OptionsOptions& options) {
   int status = kClean;
   Report report(options.output);
   const auto files = openPackFiles(options.pack.path, report, status);
-  const auto pack = files ? loadPack(files, options.pack, standardMacros({}), true, report, status)
-                          : std::nullopt;
+  const auto request =
+      files ? makeLoadRequest(files, options.pack, standardMacros({}), report, status)
+            : std::nullopt;
+  const auto pack = request ? loadPack(files, *request, report, status) : std::nullopt;
   if (!pack) {
     printJson(nlohmann::json::object(), report);
     return status;

@@ -10,8 +10,10 @@
 #include <thread>
 
 #include "app/commands.h"
+#include "app/draw_check.h"
 #include "app/inputs.h"
 #include "app/program_check.h"
+#include "frame/render_session.h"
 
 namespace orris {
 namespace {
@@ -23,6 +25,8 @@ struct ValidateOptions {
   std::vector<std::string> dimensions{"all"};
   int jobs = std::max(1, int(std::thread::hardware_concurrency()));
   std::string format = "text";
+  bool draw = false;
+  gl::Backend backend = gl::Backend::Auto;
   OutputOptions output;
 };
 
@@ -47,37 +51,75 @@ std::vector<std::string> chosen(const std::vector<std::string>& request,
   return result;
 }
 
-void checkOne(const ShaderPack& pack, int jobs, Verdicts& verdicts, PackVerdict& verdict,
-              Report& report) {
-  Diagnostics diagnostics = ruleNotes(pack);
-  checkWithGlslang(pack, jobs, verdicts, diagnostics);
-  report.add(diagnostics);
-  verdict.dimensions.insert(pack.folder);
-  for (const ProgramUnit& unit : programUnits(pack)) {
-    verdict.programs.insert(unit.name);
-    if (!verdicts[unit.hash]) verdict.failed.insert(unit.name);
+/// Checks shared by all packs of a run: the driver's context (with --draw), and what was checked.
+struct Checker {
+  int jobs = 1;
+  std::unique_ptr<gl::Context> context;
+  Verdicts glslang, driver;
+
+  MacroDefinitions environment() const {
+    return context ? environmentFor(context->driver()) : standardMacros({});
   }
+  bool passed(std::uint64_t hash) const {
+    return glslang.at(hash) && (!context || driver.at(hash));
+  }
+};
+
+bool openContext(const ValidateOptions& options, Checker& checker) {
+  Report report(options.output);
+  Diagnostics diagnostics;
+  checker.context = gl::createContext({.backend = options.backend}, diagnostics);
+  report.add(diagnostics);
+  return checker.context != nullptr;
 }
 
-PackVerdict validatePack(const std::string& path, const ValidateOptions& options, Report& report) {
+void checkPrograms(const ShaderPack& pack, Checker& checker, Diagnostics& diagnostics) {
+  checkWithGlslang(pack, checker.jobs, checker.glslang, diagnostics);
+  if (!checker.context) return;
+  // What glslang refuses has been told; the driver would tell it again in other words.
+  for (const auto& [hash, good] : checker.glslang) {
+    if (!good) checker.driver[hash] = false;
+  }
+  checkWithDriver(pack, checker.driver, diagnostics);
+}
+
+void checkOne(const std::shared_ptr<const FileSource>& files, const LoadRequest& request,
+              Checker& checker, PackVerdict& verdict, Report& report) {
+  const auto pack = loadPack(files, request, report, verdict.status);
+  if (!pack) return;
+  Diagnostics diagnostics = ruleNotes(*pack);
+  checkPrograms(*pack, checker, diagnostics);
+  verdict.dimensions.insert(pack->folder);
+  verdict.profiles.insert(request.profile);
+  for (const ProgramUnit& unit : programUnits(*pack)) {
+    verdict.programs.insert(unit.name);
+    if (!checker.passed(unit.hash)) verdict.failed.insert(unit.name);
+  }
+  if (checker.context && verdict.failed.empty()) {
+    drawOneFrame(*checker.context, files, request, diagnostics);
+  }
+  report.add(diagnostics);
+}
+
+PackVerdict validatePack(const std::string& path, const ValidateOptions& options, Checker& checker,
+                         Report& report) {
   PackVerdict verdict{.path = path};
   const auto files = openPackFiles(path, report, verdict.status);
   if (!files) return verdict;
-  const MacroDefinitions environment = standardMacros({});
-  const auto outline = loadPack(files, options.pack, environment, false, report, verdict.status);
+  auto request =
+      makeLoadRequest(files, options.pack, checker.environment(), report, verdict.status);
+  if (!request) return verdict;
+  request->buildSources = false;
+  const auto outline = loadPack(files, *request, report, verdict.status);
   if (!outline) return verdict;
 
-  Verdicts verdicts;
-  PackOptions request = options.pack;
+  request->buildSources = true;
   for (const std::string& profile :
        chosen(options.profiles, namesOf(outline->properties.profiles))) {
-    if (!profile.empty()) request.profile = profile;
+    if (!profile.empty()) request->profile = profile;
     for (const std::string& dimension : chosen(options.dimensions, outline->dimensions)) {
-      request.dimension = dimension;
-      const auto pack = loadPack(files, request, environment, true, report, verdict.status);
-      if (!pack) return verdict;
-      verdict.profiles.insert(profile);
-      checkOne(*pack, options.jobs, verdicts, verdict, report);
+      request->dimension = dimension;
+      checkOne(files, *request, checker, verdict, report);
     }
   }
   return verdict;
@@ -100,12 +142,13 @@ nlohmann::json toJson(const PackVerdict& verdict) {
 
 int runValidate(const ValidateOptions& options) {
   int status = kClean;
-  Diagnostics all;
+  Checker checker{.jobs = options.jobs};
+  if (options.draw && !openContext(options, checker)) return kHostFailed;
   nlohmann::json packs = nlohmann::json::array();
   for (const std::string& path : options.paths) {
     // A report of its own for each pack: equal messages of two packs are two problems.
     Report report(options.output);
-    PackVerdict verdict = validatePack(path, options, report);
+    PackVerdict verdict = validatePack(path, options, checker, report);
     verdict.status = std::max<int>(verdict.status, report.status());
     status = std::max(status, verdict.status);
     if (!options.output.json) printText(verdict);
@@ -131,6 +174,9 @@ void addValidateCommand(CLI::App& app, int& status) {
   command->add_option("--dimensions", options->dimensions, "check these folders: all, or NAME,...")
       ->delimiter(',')
       ->allow_extra_args(false);
+  command->add_flag("--draw", options->draw,
+                    "compile and link with the GL driver too, and draw one frame");
+  addBackendFlag(*command, options->backend);
   command->add_option("--jobs", options->jobs, "threads")->check(CLI::Range(1, 256));
   command->add_option("--format", options->format, "text or json")
       ->check(CLI::IsMember({"text", "json"}));

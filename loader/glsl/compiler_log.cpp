@@ -7,6 +7,7 @@
 #include <cctype>
 #include <charconv>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace orris {
@@ -263,8 +264,11 @@ void mapDriverLog(const std::string& log, Severity fallback, const StageText& st
                   const SourceLines& lines, Diagnostics& diagnostics) {
   LogEntry unlocated;
   unlocated.severity = Severity::Note;
+  std::set<int> linesInError;
   for (const LogEntry& entry : parseCompilerLog(log, fallback)) {
     if (entry.line > 0) {
+      // Compilers go on after an error; what they then find on its line follows from it.
+      if (entry.severity == Severity::Error && !linesInError.insert(entry.line).second) continue;
       diagnostics.push_back(locateLogEntry(entry, "driver-compile", stage, lines));
       continue;
     }

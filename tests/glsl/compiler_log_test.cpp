@@ -39,11 +39,17 @@ TEST(compiler_log, mesa_candidates_become_notes_of_their_message) {
   EXPECT_EQ(mapped("0:3(23): error: no matching function; candidates are:\n"
                    "0:3(23): error:    float mix(float, float)\n"
                    "0:3(23): error:    vec2 mix(vec2, vec2)\n"
-                   "0:3(23): error: type mismatch\n"),
+                   "0:3(23): warning: type mismatch\n"),
             "/a.fsh:3:23: error: no matching function; candidates are:" + kFoo +
                 "  note: float mix(float, float)\n  note: vec2 mix(vec2, vec2)\n"
-                "/a.fsh:3:23: error: type mismatch" +
+                "/a.fsh:3:23: warning: type mismatch" +
                 kFoo);
+}
+
+TEST(compiler_log, errors_that_follow_on_the_same_line_are_left_out) {
+  EXPECT_EQ(mapped("0:3(23): error: `foo' undeclared\n"
+                   "0:3(15): error: could not implicitly convert error to int\n"),
+            "/a.fsh:3:23: error: `foo' undeclared" + kFoo);
 }
 
 TEST(compiler_log, nvidia_gives_a_line_and_quotes_the_word) {

@@ -1,0 +1,47 @@
+#include "app/draw_check.h"
+
+#include "frame/render_session.h"
+#include "world/world.h"
+
+namespace orris {
+namespace {
+
+constexpr int kWidth = 64, kHeight = 36;
+
+World smallWorld(const std::string& dimension) {
+  World world;
+  world.name = "built-in";
+  world.blocks = BlockWorld({0, 0, 0}, {8, 4, 8});
+  const auto set = [&](const char* state, glm::ivec3 from, glm::ivec3 to) {
+    world.blocks.fill(from, to, world.blocks.paletteIndex(*parseBlockState(state)));
+  };
+  set("stone", {0, 0, 0}, {7, 0, 7});
+  set("glowstone", {4, 1, 4}, {4, 1, 4});
+  set("oak_leaves", {2, 1, 2}, {2, 2, 2});
+  set("glass", {5, 1, 2}, {5, 2, 2});
+  set("water", {2, 0, 5}, {4, 0, 6});
+  world.cameras = defaultCameras(world.blocks);
+  world.environment.dimension = dimension;
+  return world;
+}
+
+}  // namespace
+
+void drawOneFrame(gl::Context& context, const std::shared_ptr<const FileSource>& files,
+                  const LoadRequest& load, Diagnostics& diagnostics) {
+  World world = smallWorld(load.dimension);
+  SessionRequest request;
+  request.openPack = [&files](Diagnostics&) { return files; };
+  request.load = load;
+  request.renderer = {.width = kWidth, .height = kHeight};
+  request.camera = world.cameras.front();
+  const auto session = RenderSession::create(context, request, std::move(world), diagnostics);
+  if (session) session->renderFrame(diagnostics);
+  for (const std::string& message : context.takeErrors()) {
+    Diagnostic& diagnostic = diagnostics.emplace_back();
+    diagnostic.id = "gl-error";
+    diagnostic.message = "drawing one frame: " + message;
+  }
+}
+
+}  // namespace orris

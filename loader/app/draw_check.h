@@ -1,0 +1,18 @@
+// One frame of a pack on a few blocks: what only shows when something is drawn.
+#pragma once
+
+#include <memory>
+
+#include "core/diagnostic.h"
+#include "core/file_source.h"
+#include "gl/context.h"
+#include "pack/shader_pack.h"
+
+namespace orris {
+
+/// Draws one small frame of a built-in scene with solid, cutout, translucent and glowing blocks; GL
+/// errors become diagnostics.
+void drawOneFrame(gl::Context& context, const std::shared_ptr<const FileSource>& files,
+                  const LoadRequest& load, Diagnostics& diagnostics);
+
+}  // namespace orris
