@@ -28,7 +28,8 @@ constexpr std::array<StageNames, 6> kStages = {{
 constexpr void (*kRules[])(RewriteContext&) = {
     ruleExtensions,    ruleAttributeVarying, ruleTextureFunctions, ruleTextureName,
     ruleReservedNames, ruleStraySemicolon,   ruleUnusedFunctions,  ruleGlobalConst,
-    ruleMixBool,       ruleOutColor,         ruleHostNames,        ruleVersion,
+    ruleMixBool,       ruleZeroInit,         ruleOutColor,         ruleHostNames,
+    ruleVersion,
 };
 
 bool writesFragData(const TokenStream& stream, Stage stage) {

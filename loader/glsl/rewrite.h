@@ -39,6 +39,7 @@ struct RewriteResult {
 /// - unused-functions: functions named nowhere else are dropped
 /// - global-const: `const` is dropped from globals whose initialiser is not constant
 /// - mix-bool: mix(vecN, vecN, bool) -> orris_mix with its overloads
+/// - zero-init: variables declared without a value, small arrays and structs included, are zero
 /// - out-color: an output outColorN without layout gets location N
 /// - host-names: names Iris provides (entityId, vaPosition, ...) used without declaration
 /// - version: "450 compatibility"; compute: the pack's version, at least 430

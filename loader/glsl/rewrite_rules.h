@@ -67,6 +67,7 @@ void ruleStraySemicolon(RewriteContext& context);
 void ruleUnusedFunctions(RewriteContext& context);
 void ruleGlobalConst(RewriteContext& context);
 void ruleMixBool(RewriteContext& context);
+void ruleZeroInit(RewriteContext& context);
 void ruleOutColor(RewriteContext& context);
 void ruleHostNames(RewriteContext& context);
 void ruleVersion(RewriteContext& context);
