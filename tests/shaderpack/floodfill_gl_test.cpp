@@ -97,20 +97,24 @@ TEST(floodfill, closed_wall_lets_nothing_through) {
   EXPECT_EQ(light.red(cellOf({2, 2, 5}, {2, 2, 10})), 0);
 }
 
-TEST(floodfill, lamp_in_the_top_layer_lights_no_other_tile) {
+TEST(floodfill, lamp_at_an_edge_of_the_volume_lights_no_other_tile) {
   const char* const world = R"({
     "size": [1, 1, 1],
     "blocks": [{"box": "glowstone", "min": [0, 0, 0], "max": [0, 0, 0]}],
-    "cameras": [{"name": "eye", "position": [0.5, -30.5, 0.5], "yaw": 0, "pitch": -90}],
+    "cameras": [{"name": "eye", "position": [-30.5, 0.5, -30.5], "yaw": 0, "pitch": 0}],
     "environment": {"time": 18000}
   })";
   PackSession pack(world, {{"FLOODFILL_INTERVAL", "1"}});
   pack.renderFrames(12);
   const CellField light = pack.light();
-  ASSERT_GT(light.red({32, 63, 32}), 0) << "the lamp is in the top layer";
-  for (int layer = 0; layer < 40; ++layer)
-    for (int z = 0; z < 64; ++z)
-      for (int x = 0; x < 64; ++x) ASSERT_EQ(light.red({x, layer, z}), 0) << layer;
+  ASSERT_GT(light.red({63, 32, 63}), 0) << "the lamp is in the last row and column of its tile";
+  EXPECT_EQ(light.red({0, 33, 63}), 0) << "next tile in the row";
+  EXPECT_EQ(light.red({63, 48, 0}), 0) << "next tile in the column";
+  int lit = 0;  // what the front reaches in 12 steps
+  for (int y = 20; y < 45; ++y)
+    for (int z = 48; z < 64; ++z)
+      for (int x = 48; x < 64; ++x) lit += light.red({x, y, z}) > 0;
+  EXPECT_EQ(light.countLit(), lit);
 }
 
 }  // namespace

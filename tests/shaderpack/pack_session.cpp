@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "world/world_json.h"
 
 namespace orris::test {
@@ -71,6 +73,26 @@ PackSession PackSession::ofWorld(const std::string& name, const OptionValues& op
   std::optional<World> world = loadWorld(ORRIS_SOURCE_DIR "/worlds/" + name, 0, diagnostics);
   expectClean(diagnostics);
   return PackSession(std::move(world).value(), options, width, height);
+}
+
+void PackSession::look(glm::dvec3 from, glm::dvec3 to) {
+  const glm::dvec3 way = to - from;
+  Camera camera;
+  camera.name = "test";
+  camera.position = from;
+  camera.yaw = static_cast<float>(glm::degrees(std::atan2(-way.x, way.z)));
+  camera.pitch = static_cast<float>(glm::degrees(std::atan2(-way.y, std::hypot(way.x, way.z))));
+  camera.fov = 8;
+  session_->setCamera(camera);
+}
+
+glm::dvec3 PackSession::meanRadiance() {
+  const ImageF image = dump("colortex0");
+  glm::dvec3 sum(0);
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      sum += glm::dvec3(image.at(x, y)[0], image.at(x, y)[1], image.at(x, y)[2]);
+  return sum / static_cast<double>(image.width * image.height);
 }
 
 void PackSession::renderFrames(int count) {

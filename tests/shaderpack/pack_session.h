@@ -40,11 +40,15 @@ class PackSession {
   /// A world of ours by folder name.
   static PackSession ofWorld(const std::string& name, const OptionValues& options, int width,
                              int height);
+  /// Looks from one point to another, with a narrow field of view, from the next frame on.
+  void look(glm::dvec3 from, glm::dvec3 to);
   void renderFrames(int count);
   CellField light(AtlasLayout layout = {}) { return {dump("colortex4"), layout}; }
   /// Voxels as stored: red, green, blue, code / 255.
   CellField voxels(AtlasLayout layout = {}) { return {dump("shadowcolor0"), layout}; }
   ImageF dump(const std::string& buffer);
+  /// Mean of the lit scene, colortex0.
+  glm::dvec3 meanRadiance();
   RenderSession& session() { return *session_; }
 
  private:

@@ -8,6 +8,98 @@
 namespace orris::test {
 namespace {
 
+// Middles of two faces of the cornell world's blocks and of eyes that see them: the tall block's face
+// toward the red wall and the short one's toward the green wall.
+const glm::dvec3 kRedSide(3, 3, 5), kRedEye(1.4, 3.2, 9.5);
+const glm::dvec3 kGreenSide(13, 2, 9), kGreenEye(14.5, 2.2, 13);
+
+/// Red over green of one face, over that of the other: 1 without colour bleeding.
+double colourBleeding(const std::string& method) {
+  PackSession pack = PackSession::ofWorld("cornell", {{"GI_METHOD", method}}, 32, 32);
+  const auto redOverGreen = [&pack](glm::dvec3 eye, glm::dvec3 face) {
+    pack.look(eye, face);
+    pack.renderFrames(60);
+    const glm::dvec3 mean = pack.meanRadiance();
+    return mean.r / mean.g;
+  };
+  return redOverGreen(kRedEye, kRedSide) / redOverGreen(kGreenEye, kGreenSide);
+}
+
+TEST(picture, floodfill_bleeds_the_walls_onto_the_blocks) {
+  EXPECT_GT(colourBleeding("FLOODFILL"), 1.5);
+}
+
+TEST(picture, four_bounces_bleed_more) { EXPECT_GT(colourBleeding("BOUNCE_4"), 3); }
+
+TEST(picture, lightmap_alone_does_not_bleed) { EXPECT_NEAR(colourBleeding("NONE"), 1, 0.1); }
+
+// A floor under a low sun, which every shadow bias must leave unshadowed, and a wall on it.
+const char* const kSunWorld = R"({
+  "size": [64, 4, 64],
+  "blocks": [{"box": "white_concrete", "min": [0, 0, 0], "max": [63, 0, 63]},
+             {"box": "stone", "min": [40, 1, 0], "max": [40, 2, 20]}],
+  "cameras": [{"name": "eye", "position": [30, 6, 50], "yaw": 180, "pitch": 60}],
+  "environment": {"time": 700}
+})";
+
+glm::dvec3 floorRadiance(const OptionValues& options, glm::dvec3 eye, glm::dvec3 floor) {
+  OptionValues all = options;
+  all.emplace("GI_METHOD", "NONE");
+  PackSession pack(kSunWorld, all);
+  pack.look(eye, floor);
+  pack.renderFrames(1);
+  return pack.meanRadiance();
+}
+
+TEST(picture, no_bias_puts_shadows_on_an_open_floor) {
+  const glm::dvec3 eye(30, 6, 50), floor(30, 1, 46);
+  const double lit = floorRadiance({{"SHADOW_METHOD", "NONE"}}, eye, floor).g;
+  for (const char* method : {"MAP", "MAP_PCF"})
+    for (const char* bias : {"PUBLISHED", "NORMAL_OFFSET"})
+      EXPECT_NEAR(
+          floorRadiance({{"SHADOW_METHOD", method}, {"SHADOW_BIAS", bias}}, eye, floor).g / lit, 1,
+          1e-4)
+          << method << ' ' << bias;
+}
+
+TEST(picture, published_bias_detaches_the_shadow_of_a_wall) {
+  // The sun is in the east (+x): west of the wall, at its foot.
+  const glm::dvec3 eye(36, 4, 14), floor(39.5, 1, 10);
+  const double lit = floorRadiance({{"SHADOW_METHOD", "NONE"}}, eye, floor).g;
+  EXPECT_LT(floorRadiance({{"SHADOW_BIAS", "NORMAL_OFFSET"}}, eye, floor).g / lit, 0.9);
+  EXPECT_NEAR(floorRadiance({{"SHADOW_BIAS", "PUBLISHED"}}, eye, floor).g / lit, 1, 1e-4);
+}
+
+// A floor under one lamp in the dark, found by rays that hit it.
+const char* const kNoiseWorld = R"({
+  "size": [9, 6, 9],
+  "blocks": [{"hollow": "stone", "min": [0, 0, 0], "max": [8, 5, 8]},
+             {"box": "glowstone", "min": [3, 5, 3], "max": [5, 5, 5]}],
+  "cameras": [{"name": "eye", "position": [4.5, 3, 4.5], "yaw": 0, "pitch": 90, "fov": 8}],
+  "environment": {"time": 18000}
+})";
+
+/// Variance over the pixels of the gathered light, in squares of its mean.
+double relativeVariance(PackSession& pack) {
+  const ImageF image = pack.dump("colortex3");
+  double sum = 0, squares = 0;
+  const int count = image.width * image.height;
+  for (int i = 0; i < count; ++i) {
+    const double value = image.pixels[static_cast<size_t>(i) * image.channels];
+    sum += value;
+    squares += value * value;
+  }
+  return squares * count / (sum * sum) - 1;
+}
+
+TEST(picture, a_still_camera_averages_independent_frames) {
+  PackSession pack(kNoiseWorld, {{"GI_METHOD", "BOUNCE_1"}, {"TEMPORAL_FRAMES", "64"}}, 64, 64);
+  pack.renderFrames(1);
+  const double once = relativeVariance(pack);
+  pack.renderFrames(63);
+  EXPECT_NEAR(relativeVariance(pack) * 64 / once, 1, 0.15);
+}
+
 bool mentions(const Schedule& schedule, const ShaderPack& pack, const std::string& program) {
   return std::any_of(schedule.programs.begin(), schedule.programs.end(),
                      [&](int index) { return pack.programs[index].name == program; });
@@ -22,7 +114,7 @@ TEST(cost, without_lights_and_shadows_no_voxels_floodfill_or_shadow_map_exist) {
   EXPECT_TRUE(schedule.shadowcolor.empty());
   EXPECT_FALSE(schedule.shadowtex1);
   for (const int target : {3, 4, 5}) EXPECT_FALSE(schedule.target(false, target)) << target;
-  for (const char* program : {"shadow", "prepare", "prepare1", "deferred"})
+  for (const char* program : {"shadow", "prepare", "deferred"})
     EXPECT_FALSE(mentions(schedule, renderer.pack(), program)) << program;
   EXPECT_TRUE(mentions(schedule, renderer.pack(), "deferred4"));
 }

@@ -44,7 +44,8 @@ float lamp_level(int id) {
 /// Light level of a vertex's block: at_midBlock.w where it means that, else by id.
 float block_emission(int id, float given) {
 #if defined IRIS_FEATURE_BLOCK_EMISSION_ATTRIBUTE
-    return given;
+    // An attribute that a draw lacks reads (0, 0, 0, 1), which is no lamp.
+    return given > 1.5 ? given : 0.0;
 #else
     return lamp_level(id);
 #endif

@@ -10,7 +10,7 @@
 // colortex3    RGBA16F   window  keep   deferred                      deferred (next frame), deferred1
 //   rgb mean incoming radiance over the hemisphere, a number of frames in it;
 //   RGBA32F from 256 frames on, where half floats stop moving
-// colortex4    RGBA16F   atlas   keep   prepare, prepare1             prepare, deferred, translucent
+// colortex4    RGBA16F   atlas   keep   prepare                       prepare, deferred, translucent
 //   floodfill light by cell (include/voxel/volume.glsl)
 // colortex5    RGBA16F   window  keep   deferred                      deferred (next frame), filter
 //   the plane that colortex3 belongs to (include/plane.glsl)

@@ -3,8 +3,9 @@
 //   I' = alpha/6 * (sum over the open neighbours of I^gamma)^(1/gamma)
 //
 // The power is taken before the sum, so the scheme is linear in I^gamma; it stays bounded while
-// alpha < 6^(1 - 1/gamma). Reads one side of colortex4 and writes the other; p1_floodfill_keep
-// brings the result back, so frames between the steps leave it bit for bit as it is.
+// alpha < 6^(1 - 1/gamma). Reads one side of colortex4 and writes the other. Both sides are equal
+// when a frame begins, as the target is not cleared, so a frame without a step discards everything
+// and leaves the light bit for bit as it is.
 #include "/settings.glsl"
 
 #if defined VERTEX_STAGE
