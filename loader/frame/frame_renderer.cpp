@@ -287,10 +287,15 @@ void FrameRenderer::drawSky(const Step& step, const GpuProgram& program, const F
     scene.drawQuads(scene.stars, program.patches);
   } else {
     setConstantColor(program.program, glm::vec4(1, 1, 1, 1 - state.environment.rain));
-    if (pack_->properties.flag("sun", true)) scene.drawQuads(scene.sun, program.patches);
+    // A world without ground below the camera would show the body that the game's ground hides.
+    constexpr float kLowest = -0.3f;
+    const float sunHeight = sunDirection(state.skyAngle, pack_->directives.sunPathRotation).y;
+    if (sunHeight > kLowest && pack_->properties.flag("sun", true))
+      scene.drawQuads(scene.sun, program.patches);
     draw.renderStage = 5;  // MC_RENDER_STAGE_MOON
     uploadUniforms(program.drawUniforms, state, draw, loaded_->custom);
-    if (pack_->properties.flag("moon", true)) scene.drawQuads(scene.moon, program.patches);
+    if (-sunHeight > kLowest && pack_->properties.flag("moon", true))
+      scene.drawQuads(scene.moon, program.patches);
   }
   unbindVertices(program.program);
   SamplerBinder::unbind(program);

@@ -53,6 +53,7 @@ class FrameRenderer {
   void render(const FrameState& state);
 
   const ShaderPack& pack() const { return *pack_; }
+  const std::shared_ptr<const ShaderPack>& sharedPack() const { return pack_; }
   const Schedule& schedule() const { return schedule_; }
   /// Depth under the screen centre in the last frame, if a program asked for it.
   float centerDepth() const { return centerDepth_; }

@@ -92,8 +92,19 @@ void RenderSession::applyEvents(Diagnostics& diagnostics) {
       world.environment.time = time->time;
     }
   }
-  if (!blocksChanged) return;
+  if (blocksChanged) rebuildScene(diagnostics);
+}
+
+void RenderSession::rebuildScene(Diagnostics& diagnostics) {
+  const SceneContents before = scene_.contents();
   rebuildMesh(scene_, renderer_->pack().directives.ambientOcclusionLevel);
+  // The first glass pane brings a translucent pass with it, the last one takes it away.
+  if (scene_.contents() != before) {
+    SessionReload reload{frame_, "blocks changed", false, {}};
+    reload.succeeded =
+        renderer_->setPack(renderer_->sharedPack(), scene_, reload.report, diagnostics);
+    reloads_.push_back(reload);
+  }
   renderer_->updateScene(scene_);
 }
 

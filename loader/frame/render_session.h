@@ -60,6 +60,7 @@ class RenderSession {
   RenderSession(gl::Context& context, SessionRequest request, SceneData scene);
   std::shared_ptr<const ShaderPack> loadPack(Diagnostics& diagnostics);
   void applyEvents(Diagnostics& diagnostics);
+  void rebuildScene(Diagnostics& diagnostics);
 
   gl::Context& context_;
   SessionRequest request_;

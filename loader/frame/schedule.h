@@ -82,6 +82,7 @@ struct Schedule {
 struct SceneContents {
   bool solid = true, cutout = true, translucent = true;
   bool sky = true;
+  bool operator==(const SceneContents&) const = default;
 };
 
 /// Problems (draw buffers of unequal size, unknown formats, missing required feature) are

@@ -1,0 +1,242 @@
+#include <gmock/gmock.h>
+
+#include "frame/frame_renderer.h"
+#include "frame/render_fixture.h"
+
+namespace orris {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::FloatNear;
+using ::testing::HasSubstr;
+
+class FrameRendererGL : public RenderTest {};
+
+const char* kPass =
+    "uniform sampler2D colortex0;\nvoid main() { gl_FragColor = texture2D(colortex0, uv); }\n";
+
+TEST_F(FrameRendererGL, colortex0_is_cleared_to_the_fog_colour) {
+  addProgram("final", kPass);
+  files_["/shaders.properties"] = "sky=false\nstars=false\nsun=false\nmoon=false\n";
+  World world = floorWorld();
+  world.blocks = BlockWorld({0, 0, 0}, {1, 1, 1});
+  world.environment.fogColor = {0.25f, 0.5f, 0.75f};
+  ASSERT_TRUE(start(world)) << messages();
+  draw();
+  EXPECT_THAT(pixel("colortex0", 5, 5), ElementsAre(FloatNear(0.25f, .01f), FloatNear(0.5f, .01f),
+                                                    FloatNear(0.75f, .01f), 1));
+}
+
+TEST_F(FrameRendererGL, programs_read_what_the_last_one_wrote) {
+  // Each composite adds its own digit; a wrong side loses one.
+  files_["/shaders.properties"] = "skipAllRendering=true\n";
+  const std::string add = R"(
+/* RENDERTARGETS: 4 */
+/*
+const int colortex4Format = R32F;
+*/
+uniform sampler2D colortex4;
+void main() { gl_FragColor = vec4(texture2D(colortex4, uv).r * 10.0 + float(DIGIT)); }
+)";
+  const auto digit = [&](int d) { return "#define DIGIT " + std::to_string(d) + "\n" + add; };
+  addProgram("composite", digit(1));
+  addProgram("composite1", digit(2));
+  addProgram("composite2", digit(3));
+  addProgram("final", kPass);
+  ASSERT_TRUE(start(floorWorld())) << messages();
+  draw(3);
+  EXPECT_THAT(pixel("colortex4", 3, 3), ElementsAre(123));
+}
+
+TEST_F(FrameRendererGL, an_uncleared_buffer_counts_frames) {
+  files_["/shaders.properties"] = "skipAllRendering=true\n";
+  files_["/composite.vsh"] = kVertex;
+  files_["/composite.fsh"] = R"(#version 330 compatibility
+in vec2 uv;
+/* RENDERTARGETS: 4 */
+/*
+const int colortex4Format = R32F;
+*/
+const bool colortex4Clear = false;
+uniform sampler2D colortex4;
+void main() { gl_FragColor = vec4(texture2D(colortex4, uv).r + 1.0); }
+)";
+  addProgram("final", kPass);
+  ASSERT_TRUE(start(floorWorld())) << messages();
+  draw(5);
+  EXPECT_THAT(pixel("colortex4", 0, 0), ElementsAre(5));
+}
+
+TEST_F(FrameRendererGL, block_ids_and_vertex_attributes_reach_the_shader) {
+  files_["/block.properties"] = "block.1234=minecraft:stone\n";
+  files_["/gbuffers_terrain.vsh"] = R"(#version 330 compatibility
+in vec4 mc_Entity;
+in vec3 at_midBlock;
+out vec4 data;
+void main() {
+  gl_Position = ftransform();
+  data = vec4(mc_Entity.x, gl_MultiTexCoord1.y, at_midBlock.y, gl_Normal.y);
+}
+)";
+  files_["/gbuffers_terrain.fsh"] = R"(#version 330 compatibility
+in vec4 data;
+/* RENDERTARGETS: 3 */
+/*
+const int colortex3Format = RGBA32F;
+*/
+void main() { gl_FragData[0] = data; }
+)";
+  addProgram("final", kPass);
+  ASSERT_TRUE(start(floorWorld())) << messages();
+  draw();
+  // Top faces: full sky light, half a block above the centre, which midBlock points back to.
+  EXPECT_THAT(pixel("colortex3", 16, 16),
+              ElementsAre(1234, 240, FloatNear(-32, 0.01f), FloatNear(1, 0.01f)));
+}
+
+TEST_F(FrameRendererGL, depth_copies_leave_out_translucent_blocks) {
+  World world = floorWorld();
+  world.blocks.set({0, 2, 0},
+                   world.blocks.paletteIndex(*parseBlockState("minecraft:red_stained_glass")));
+  addProgram(
+      "final",
+      "uniform sampler2D depthtex0;\nuniform sampler2D depthtex1;\n"
+      "void main() { gl_FragColor = texture2D(depthtex0, uv) + texture2D(depthtex1, uv); }\n");
+  ASSERT_TRUE(start(world)) << messages();
+  draw();
+  EXPECT_LT(pixel("depthtex0", 16, 16)[0], pixel("depthtex1", 16, 16)[0]);
+  EXPECT_EQ(pixel("depthtex0", 2, 2)[0], pixel("depthtex1", 2, 2)[0]);
+}
+
+TEST_F(FrameRendererGL, alpha_test_discards_the_holes_of_cutout_blocks) {
+  World world = floorWorld();
+  world.blocks.fill({-1, 1, -1}, {1, 1, 1},
+                    world.blocks.paletteIndex(*parseBlockState("minecraft:oak_leaves")));
+  addProgram("gbuffers_terrain",
+             "uniform sampler2D gtexture;\n/* RENDERTARGETS: 0 */\n"
+             "void main() { gl_FragData[0] = vec4(1.0, 0.0, 0.0, texture2D(gtexture, uv).a); }\n");
+  addProgram("final", kPass);
+  ASSERT_TRUE(start(world, 64, 64)) << messages();
+  draw();
+  const auto image = session_->renderer().dump("depthtex0");
+  float nearest = 1, farthest = 0;
+  for (int y = 28; y < 36; ++y)
+    for (int x = 28; x < 36; ++x) {
+      nearest = std::min(nearest, image->at(x, y)[0]);
+      farthest = std::max(farthest, image->at(x, y)[0]);
+    }
+  EXPECT_LT(nearest, farthest);  // some pixels see the floor through the leaves
+}
+
+TEST_F(FrameRendererGL, custom_uniforms_and_images_and_buffers_work_together) {
+  files_["/shaders.properties"] = R"(skipAllRendering=true
+iris.features.required=CUSTOM_IMAGES SSBO COMPUTE_SHADERS
+uniform.float.doubled = viewWidth * 2.0
+image.store = storeSampler RED R32F FLOAT false false 4 4
+bufferObject.0 = 16
+)";
+  files_["/begin.csh"] = R"(#version 430 compatibility
+layout(local_size_x = 4, local_size_y = 4) in;
+const ivec3 workGroups = ivec3(1, 1, 1);
+layout(r32f) uniform image2D store;
+layout(std430, binding = 0) buffer Counter { uint count; };
+uniform float doubled;
+void main() {
+  atomicAdd(count, 1u);
+  imageStore(store, ivec2(gl_LocalInvocationID.xy), vec4(doubled));
+}
+)";
+  addProgram("final", R"(
+uniform sampler2D storeSampler;
+layout(std430, binding = 0) buffer Counter { uint count; };
+void main() { gl_FragColor = vec4(texelFetch(storeSampler, ivec2(1), 0).r, float(count), 0.0, 1.0); }
+)");
+  files_["/final.fsh"].replace(0, files_["/final.fsh"].find('\n'), "#version 430 compatibility");
+  ASSERT_TRUE(start(floorWorld())) << messages();
+  draw(2);
+  EXPECT_THAT(pixel("store", 0, 0), ElementsAre(64));
+}
+
+TEST_F(FrameRendererGL, shadow_map_holds_the_casters_and_its_copy_the_opaque_ones) {
+  World world = floorWorld();
+  world.blocks.set({0, 3, 0},
+                   world.blocks.paletteIndex(*parseBlockState("minecraft:red_stained_glass")));
+  addProgram("shadow",
+             "const int shadowMapResolution = 64;\nconst float shadowDistance = 16.0;\n"
+             "void main() { gl_FragData[0] = vec4(1.0); }\n");
+  addProgram(
+      "final",
+      "uniform sampler2D shadowtex0;\nuniform sampler2D shadowtex1;\n"
+      "void main() { gl_FragColor = texture2D(shadowtex0, uv) - texture2D(shadowtex1, uv); }\n");
+  ASSERT_TRUE(start(world)) << messages();
+  draw();
+  const auto all = session_->renderer().dump("shadowtex0"),
+             opaque = session_->renderer().dump("shadowtex1");
+  ASSERT_EQ(all->width, 64);
+  int nearer = 0, floor = 0;
+  for (size_t i = 0; i < all->pixels.size(); ++i) {
+    nearer += all->pixels[i] < opaque->pixels[i];
+    floor += opaque->pixels[i] < 1;
+  }
+  EXPECT_EQ(floor, 32 * 32);  // 16 blocks of 32 across
+  EXPECT_GE(nearer, 4);
+  EXPECT_LE(nearer, 9);
+}
+
+TEST_F(FrameRendererGL, errors_name_the_line_and_the_last_good_pack_keeps_running) {
+  addProgram("composite",
+             "/* RENDERTARGETS: 0 */\nvoid main() { gl_FragColor = vec4(0.0, 1.0, 0.0, 1.0); }\n");
+  addProgram("final", kPass);
+  ASSERT_TRUE(start(floorWorld())) << messages();
+  draw();
+  files_["/composite.fsh"] =
+      "#version 330 compatibility\nin vec2 uv;\n\nvoid main() { gl_FragColor = vec4(missing); }\n";
+  EXPECT_FALSE(session_->reload("edit", diagnostics_));
+  EXPECT_THAT(messages(), HasSubstr("/composite.fsh:4:"));
+  EXPECT_THAT(messages(), HasSubstr("missing"));
+  draw();
+  EXPECT_THAT(pixel("colortex0", 4, 4), ElementsAre(0, 1, 0, 1));
+}
+
+TEST_F(FrameRendererGL, a_reload_builds_only_the_programs_that_changed) {
+  files_["/settings.glsl"] = "#define SHADE 1.0 // [0.0 0.5 1.0]\n";
+  addProgram("composite",
+             "#include \"/settings.glsl\"\n/* RENDERTARGETS: 0 */\n"
+             "void main() { gl_FragColor = vec4(SHADE); }\n");
+  addProgram("composite1", "/* RENDERTARGETS: 1 */\nvoid main() { gl_FragColor = vec4(0.3); }\n");
+  addProgram("final", kPass);
+  World world = floorWorld();
+  world.events = {{2, SetOption{"SHADE", "0.5"}}};
+  ASSERT_TRUE(start(world)) << messages();
+  draw(3);
+  ASSERT_EQ(session_->reloads().size(), 2u);
+  EXPECT_EQ(session_->reloads()[1].cause, "SHADE=0.5");
+  EXPECT_THAT(session_->reloads()[1].report.built, ElementsAre("composite"));
+  EXPECT_NEAR(pixel("colortex0", 1, 1)[0], 0.5f, 0.01f);
+}
+
+TEST_F(FrameRendererGL, block_events_change_the_mesh_and_the_passes) {
+  addProgram("final", kPass);
+  World world = floorWorld();
+  world.events = {{1, SetBlock{{0, 2, 0}, *parseBlockState("minecraft:red_stained_glass")}}};
+  ASSERT_TRUE(start(world)) << messages();
+  draw();
+  const float floor = pixel("depthtex0", 16, 16)[0];
+  draw();
+  EXPECT_LT(pixel("depthtex0", 16, 16)[0], floor);
+}
+
+TEST_F(FrameRendererGL, fifty_edits_leave_no_gl_error_and_reuse_the_targets) {
+  addProgram("final", kPass);
+  ASSERT_TRUE(start(floorWorld())) << messages();
+  for (int i = 0; i < 50; ++i) {
+    addProgram("composite", "/* RENDERTARGETS: 0 */\nvoid main() { gl_FragColor = vec4(" +
+                                std::to_string(i) + ".0 / 50.0); }\n");
+    ASSERT_TRUE(session_->reload("edit", diagnostics_)) << messages();
+    draw();
+    EXPECT_NEAR(pixel("colortex0", 1, 1)[0], static_cast<float>(i) / 50, 0.01f);
+  }
+}
+
+}  // namespace
+}  // namespace orris
