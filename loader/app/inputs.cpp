@@ -50,8 +50,8 @@ std::string dimensionName(const std::string& request) {
 }
 
 void reportUnwritable(const std::string& path, Report& report, int& status) {
-  report.error("file-unwritable", fmt::format("{}: cannot be written", path),
-               "name a file in a folder that exists and may be written");
+  report.error("file-unwritable", "cannot be written",
+               "name a file in a folder that exists and may be written", path);
   status = kUsage;
 }
 
@@ -144,7 +144,7 @@ std::optional<std::string> readWholeFile(const std::string& path, Report& report
   std::ostringstream text;
   // Reading an empty file sets failbit, reading a folder does too: ask for the folder by itself.
   if (!file || std::filesystem::is_directory(path) || (text << file.rdbuf()).bad()) {
-    report.error("file-unreadable", fmt::format("{}: cannot be read", path));
+    report.error("file-unreadable", "cannot be read", "", path);
     status = kUsage;
     return std::nullopt;
   }
@@ -165,8 +165,8 @@ bool checkPicturePath(const std::string& path, Report& report, int& status) {
   if (kExtensions.contains(std::filesystem::path(path).extension())) {
     return checkWritable(path, report, status);
   }
-  report.error("picture-format-unknown", fmt::format("{}: no picture format has this ending", path),
-               fmt::format("use {}", fmt::join(kExtensions, ", ")));
+  report.error("picture-format-unknown", "no picture format has this ending",
+               fmt::format("use {}", fmt::join(kExtensions, ", ")), path);
   status = kUsage;
   return false;
 }

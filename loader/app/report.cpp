@@ -41,11 +41,13 @@ void Report::add(Diagnostics& diagnostics) {
   diagnostics.clear();
 }
 
-void Report::error(const std::string& id, const std::string& message, const std::string& hint) {
+void Report::error(const std::string& id, const std::string& message, const std::string& hint,
+                   const std::string& path) {
   Diagnostics one(1);
   one[0].id = id;
   one[0].message = message;
   one[0].hint = hint;
+  one[0].at.file = path;
   add(one);
 }
 

@@ -21,8 +21,9 @@ class Report {
   /// kProblems when an error was added, else kClean.
   ExitStatus status() const { return hasErrors(all_) ? kProblems : kClean; }
   const Diagnostics& all() const { return all_; }
-  /// Adds one error without a place (a wrong flag, a file that cannot be written).
-  void error(const std::string& id, const std::string& message, const std::string& hint = "");
+  /// Adds one error about the command line, or about the file `path` as a whole.
+  void error(const std::string& id, const std::string& message, const std::string& hint = "",
+             const std::string& path = "");
 
  private:
   OutputOptions output_;

@@ -152,6 +152,45 @@ WORLDS = [
          stdout=["size", "lights +[1-9]", "unknown +0", "camera "]),
 ]
 
+COMPOSITE = VERSION + """#define TONE 1 // [1 2 3]
+void main() { gl_FragData[0] = vec4(TONE * 0.25); }
+"""
+LITTLE_WORLD = """{ "size": [4, 4, 4], "blocks": [{ "block": "stone", "at": [1, 1, 1] }],
+  "cameras": [{ "name": "a", "position": [3, 3, 3] }],
+  "events": [{ "frame": 1, "option": { "name": "TONE", "value": "3" } }] }"""
+SMALL = "-o out.png --size 16x16"
+OUTPUTS = [
+    Case("render_writes_what_is_asked",
+         [f"render pack {CORNELL} {SMALL} --frames 2 --dump colortex0=a.exr depthtex0=b.png "
+          "--timings t.csv --patched final"], 0, PACK,
+         creates=["out.png", "a.exr", "b.png", "t.csv", "final/final.vsh", "final/final.fsh"]),
+    Case("render_flags_before_the_pack", [f"render {SMALL} --frames 1 --set TONE=2 pack {CORNELL}"],
+         0, pack({"composite.fsh": COMPOSITE}), creates=["out.png"]),
+    Case("unknown_buffer", [f"render pack {CORNELL} {SMALL} --frames 1 --dump colortex31=a.exr"], 2,
+         PACK, ["--dump colortex31"]),
+    Case("unknown_camera", [f"render pack {CORNELL} {SMALL} --camera none",
+                            f"render pack {CORNELL} {SMALL} --camera 1,2,3"], 2, PACK,
+         ["--camera: "], ["hint: use one of front"]),
+    Case("unwritable_output", [f"render pack {CORNELL} -o {path} --frames 1"
+                               for path in ("none/out.png", "pack", "out.gif", "out")],
+         2, PACK, ["^(none/out.png|pack|out.gif|out): error: "]),
+    Case("unwritable_dump", [f"render pack {CORNELL} {SMALL} --dump colortex0=none/a.exr"], 2, PACK,
+         ["none/a.exr"]),
+    Case("event_rebuilds_what_its_option_reaches",
+         [f"render pack world {SMALL} --frames 3 --json"], 0,
+         {**pack({"composite.fsh": COMPOSITE}), "world/world.json": LITTLE_WORLD},
+         stdout=[r'"cause": ".*TONE=3"', r'"frame": 1,',
+                 r'"programsBuilt": \[\n\s+"composite"\n\s+\],\n\s+"programsReused": [1-9]'],
+         creates=["out.png"]),
+    Case("settings_file_then_set", ["options pack --settings mine.txt --set TONE=2"], 0,
+         {**pack({"composite.fsh": COMPOSITE}), "mine.txt": "TONE=3\n"}, stdout=["^TONE = 2"]),
+    Case("settings_file", ["options pack --settings mine.txt"], 0,
+         {**pack({"composite.fsh": COMPOSITE}), "mine.txt": "TONE=3\n"}, stdout=["^TONE = 3"]),
+    Case("settings_file_missing", ["options pack --settings none.txt",
+                                   "render pack world -o out.png --settings none.txt"], 2,
+         {**PACK, "world/world.json": LITTLE_WORLD}, ["none.txt"]),
+]
+
 PICTURES = {"grey.png": png(20, 16, (100, 100, 100)), "same.png": png(20, 16, (100, 100, 100)),
             "red.png": png(20, 16, (151, 100, 100)), "small.png": png(8, 8, (100, 100, 100)),
             "text.png": "no picture\n"}
@@ -174,4 +213,4 @@ COMPARISONS = [
          [r"diff\.png"]),
 ]
 
-CASES = USAGE + PACKS + WORLDS + COMPARISONS
+CASES = USAGE + PACKS + WORLDS + OUTPUTS + COMPARISONS
