@@ -24,17 +24,16 @@ bool refuse(Diagnostics& diagnostics, std::string_view action) {
 
 class GlfwContext final : public Context {
  public:
-  // Only one window at a time is ever open, so the library ends with it.
+  // GLFW stays started until the process ends: stopping it unloads the driver, which like the other
+  // two may leave threads and exit handlers behind that still need its code.
   ~GlfwContext() override {
     if (window_ != nullptr) glfwDestroyWindow(window_);
-    if (started_) glfwTerminate();
   }
   Backend backend() const override { return Backend::Glfw; }
   GLFWwindow* window() const override { return window_; }
 
   bool create(const ContextRequest& request, Diagnostics& diagnostics) {
-    started_ = glfwInit() == GLFW_TRUE;
-    if (!started_) return refuse(diagnostics, "start GLFW");
+    if (glfwInit() != GLFW_TRUE) return refuse(diagnostics, "start GLFW");
     for (const GlVersion& version : kVersions) {
       glfwDefaultWindowHints();
       glfwWindowHint(GLFW_VISIBLE, request.visible ? GLFW_TRUE : GLFW_FALSE);
@@ -55,7 +54,6 @@ class GlfwContext final : public Context {
 
  private:
   GLFWwindow* window_ = nullptr;
-  bool started_ = false;
 };
 
 }  // namespace
