@@ -65,6 +65,29 @@ TEST(floodfill, steady_light_falls_off_as_the_lattice_predicts) {
         << distance;
 }
 
+TEST(floodfill, removed_lamp_fades_in_the_predicted_steps) {
+  const char* const world = R"({
+    "size": [1, 1, 1],
+    "blocks": [{"box": "glowstone", "min": [0, 0, 0], "max": [0, 0, 0]}],
+    "cameras": [{"name": "eye", "position": [0.5, 0.5, 10.5], "yaw": 180}],
+    "environment": {"time": 18000},
+    "events": [{"frame": 60, "set": {"at": [0, 0, 0], "block": "air"}}]
+  })";
+  PackSession pack(world, {{"FLOODFILL_INTERVAL", "1"}});
+  pack.renderFrames(60);
+  const float lamp = pack.light().red(kLamp);
+  const auto steps = [&pack, lamp](double share) {
+    for (int step = 1; step <= 60; ++step) {
+      pack.renderFrames(1);
+      if (pack.light().brightest() < share * lamp) return step;
+    }
+    return 0;
+  };
+  const int onePercent = steps(0.01);
+  EXPECT_NEAR(onePercent, 29, 1);
+  EXPECT_NEAR(onePercent + steps(0.001), 52, 1);
+}
+
 TEST(floodfill, two_lamps_add_in_the_power_not_in_light) {
   const char* const world = R"({
     "size": [5, 1, 1],

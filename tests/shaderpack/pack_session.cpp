@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "world/world_json.h"
@@ -46,6 +47,13 @@ int CellField::countLit() const {
   int lit = 0;
   for (size_t i = 0; i < atlas_.pixels.size(); i += atlas_.channels) lit += atlas_.pixels[i] != 0;
   return lit;
+}
+
+float CellField::brightest() const {
+  float largest = 0;
+  for (size_t i = 0; i < atlas_.pixels.size(); i += atlas_.channels)
+    largest = std::max(largest, atlas_.pixels[i]);
+  return largest;
 }
 
 PackSession::PackSession(World world, const OptionValues& options, int width, int height) {

@@ -22,6 +22,7 @@ class CellField {
   /// The four channels of a cell, 0..volume-1 on each axis.
   std::array<float, 4> at(glm::ivec3 cell) const;
   float red(glm::ivec3 cell) const { return at(cell)[0]; }
+  float brightest() const;  ///< largest red
   /// Cells whose red is not 0.
   int countLit() const;
   bool operator==(const CellField& other) const { return atlas_.pixels == other.atlas_.pixels; }

@@ -1,4 +1,5 @@
 // What the options do to pictures, and that unused methods cost nothing.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -68,6 +69,25 @@ TEST(picture, published_bias_detaches_the_shadow_of_a_wall) {
   const double lit = floorRadiance({{"SHADOW_METHOD", "NONE"}}, eye, floor).g;
   EXPECT_LT(floorRadiance({{"SHADOW_BIAS", "NORMAL_OFFSET"}}, eye, floor).g / lit, 0.9);
   EXPECT_NEAR(floorRadiance({{"SHADOW_BIAS", "PUBLISHED"}}, eye, floor).g / lit, 1, 1e-4);
+}
+
+// Radiance is constant along a ray: a block within walls of lamps receives theirs, however far.
+TEST(picture, furnace_of_any_size_gives_the_radiance_of_its_walls) {
+  for (const int size : {5, 25}) {
+    const std::string world = fmt::format(R"({{
+      "size": [{0}, {0}, {0}],
+      "blocks": [{{"hollow": "glowstone", "min": [0, 0, 0], "max": [{1}, {1}, {1}]}},
+                 {{"box": "stone", "min": [{2}, {2}, {2}], "max": [{2}, {2}, {2}]}}],
+      "cameras": [{{"name": "eye", "position": [{2}.5, {2}.5, {3}.9], "yaw": 180, "fov": 8}}],
+      "environment": {{"time": 18000}}
+    }})",
+                                          size, size - 1, size / 2, size / 2 + 1);
+    PackSession pack(world, {{"GI_METHOD", "BOUNCE_1"}, {"EMISSION_STRENGTH", "16.0"}});
+    pack.renderFrames(1);
+    const ImageF radiance = pack.dump("colortex3");
+    for (int i = 0; i < radiance.width * radiance.height; ++i)
+      ASSERT_NEAR(radiance.pixels[static_cast<size_t>(i) * radiance.channels], 16, 0.16) << size;
+  }
 }
 
 // A floor under one lamp in the dark, found by rays that hit it.
