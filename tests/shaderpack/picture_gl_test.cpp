@@ -71,6 +71,20 @@ TEST(picture, published_bias_detaches_the_shadow_of_a_wall) {
   EXPECT_NEAR(floorRadiance({{"SHADOW_BIAS", "PUBLISHED"}}, eye, floor).g / lit, 1, 1e-4);
 }
 
+TEST(picture, sun_stays_out_of_a_closed_room_without_shadows) {
+  const char* const world = R"({
+    "size": [7, 7, 7],
+    "blocks": [{"hollow": "white_concrete", "min": [0, 0, 0], "max": [6, 6, 6]}],
+    "cameras": [{"name": "eye", "position": [3.5, 4, 3.5], "yaw": 0, "pitch": 90}],
+    "environment": {"time": 6000}
+  })";
+  for (const char* method : {"NONE", "FLOODFILL"}) {
+    PackSession pack(world, {{"SHADOW_METHOD", "NONE"}, {"GI_METHOD", method}});
+    pack.renderFrames(1);
+    EXPECT_LT(pack.meanRadiance().g, 0.01) << method;
+  }
+}
+
 // Radiance is constant along a ray: a block within walls of lamps receives theirs, however far.
 TEST(picture, furnace_of_any_size_gives_the_radiance_of_its_walls) {
   for (const int size : {5, 25}) {

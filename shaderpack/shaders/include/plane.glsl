@@ -1,5 +1,5 @@
-// Two pixels of the same face lie in one plane: that, rather than depth, says whether they may share
-// their light. xyz normal, w its distance from the camera along the normal.
+// Two pixels of the same face lie in one plane: that, rather than depth, says whether they may
+// share their light. xyz normal, w its distance from the camera along the normal.
 #if !defined INCLUDED_PLANE
 #define INCLUDED_PLANE
 

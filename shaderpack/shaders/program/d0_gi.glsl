@@ -39,11 +39,11 @@ uniform sampler2D colortex5;
 layout(location = 0) out vec4 out_radiance;
 layout(location = 1) out vec4 out_plane;
 
-/// Sun or moon light that a hit reflects, without its albedo.
-vec3 sun_at(Hit hit, vec3 light) {
+/// Sun or moon light that a hit reflects, without its albedo. `sky`: level where the ray began.
+vec3 sun_at(Hit hit, vec3 light, float sky) {
     vec3 player = from_volume(hit.position);
     return light_irradiance() * (max(dot(hit.normal, light), 0.0) / pi) *
-           light_visibility(player, hit.normal, light, 0);
+           light_visibility(player, hit.normal, light, 0, sky);
 }
 
 /// One sample of the mean incoming radiance.
@@ -69,7 +69,7 @@ vec3 gather(Surface s, vec3 light) {
         normal = hit.normal;
         origin = hit.position + normal * ray_offset;
         throughput *= hit.voxel.color;
-        radiance += throughput * sun_at(hit, light);
+        radiance += throughput * sun_at(hit, light, s.light.y);
 #if GI_METHOD == FLOODFILL
         radiance += throughput * light_at_face(hit.position, normal, next_random().xy) *
                     FLOODFILL_STRENGTH;
@@ -81,7 +81,8 @@ vec3 gather(Surface s, vec3 light) {
 #ifdef TEMPORAL_ACCUMULATION
 
 bool camera_is_still() {
-    return cameraPosition == previousCameraPosition && gbufferModelView == gbufferPreviousModelView &&
+    return cameraPosition == previousCameraPosition &&
+           gbufferModelView == gbufferPreviousModelView &&
            gbufferProjection == gbufferPreviousProjection;
 }
 
@@ -91,7 +92,8 @@ vec4 history(Surface s) {
     vec4 clip = gbufferPreviousProjection * (gbufferPreviousModelView * vec4(player, 1.0));
     vec2 uv = clip.xy / clip.w * 0.5 + 0.5;
     ivec2 pixel = ivec2(floor(uv * vec2(viewWidth, viewHeight)));
-    bool on_screen = clip.w > 0.0 && all(greaterThanEqual(uv, vec2(0.0))) && all(lessThan(uv, vec2(1.0)));
+    bool on_screen = clip.w > 0.0 && all(greaterThanEqual(uv, vec2(0.0))) &&
+                     all(lessThan(uv, vec2(1.0)));
     if (!on_screen) return vec4(0.0);
 
     vec4 before = texelFetch(colortex5, pixel, 0);

@@ -20,7 +20,8 @@ void main() {
     uv = (gl_TextureMatrix[0] * gl_MultiTexCoord0).xy;
     tint = gl_Color;
     // Texture coordinates of the lightmap back to levels.
-    light = clamp(((gl_TextureMatrix[1] * gl_MultiTexCoord1).xy - 1.0 / 32.0) * 16.0 / 15.0, 0.0, 1.0);
+    vec2 lightmap = (gl_TextureMatrix[1] * gl_MultiTexCoord1).xy;
+    light = clamp((lightmap - 1.0 / 32.0) * 16.0 / 15.0, 0.0, 1.0);
     normal = normalize(mat3(gbufferModelViewInverse) * (gl_NormalMatrix * gl_Normal));
 
     int id = int(floor(mc_Entity.x + 0.5));

@@ -18,7 +18,8 @@ void main() {
     gl_Position = ftransform();
     uv = (gl_TextureMatrix[0] * gl_MultiTexCoord0).xy;
     tint = gl_Color;
-    light = clamp(((gl_TextureMatrix[1] * gl_MultiTexCoord1).xy - 1.0 / 32.0) * 16.0 / 15.0, 0.0, 1.0);
+    vec2 lightmap = (gl_TextureMatrix[1] * gl_MultiTexCoord1).xy;
+    light = clamp((lightmap - 1.0 / 32.0) * 16.0 / 15.0, 0.0, 1.0);
     player = (gbufferModelViewInverse * (gl_ModelViewMatrix * gl_Vertex)).xyz;
     normal = normalize(mat3(gbufferModelViewInverse) * (gl_NormalMatrix * gl_Normal));
     is_water = float(int(floor(mc_Entity.x + 0.5)) == block_water);
@@ -67,7 +68,7 @@ void main() {
     vec3 n = dot(normal, v) < 0.0 ? -normal : normal;
     vec3 l = light_direction();
     vec3 radiance = albedo * indirect_radiance(n);
-    radiance += light_irradiance() * light_visibility(player, n, l, shadow_radius) *
+    radiance += light_irradiance() * light_visibility(player, n, l, shadow_radius, light.y) *
                 reflect_direct(albedo, n, v, l);
 
     // Water mirrors the sky where the sky reaches it. Fresnel: Schlick, reflectance 0.02.

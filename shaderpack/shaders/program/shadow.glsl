@@ -59,7 +59,8 @@ uniform sampler2D gtexture;
 /// Mean linear colour of the quad, weighted by alpha: 16 taps over its part of the atlas.
 vec3 face_color() {
     vec2 mid = vertex_mid_uv[0];
-    vec2 half_size = max(abs(vertex_uv[0] - mid), max(abs(vertex_uv[1] - mid), abs(vertex_uv[2] - mid)));
+    vec2 half_size = abs(vertex_uv[0] - mid);
+    half_size = max(half_size, max(abs(vertex_uv[1] - mid), abs(vertex_uv[2] - mid)));
     vec4 sum = vec4(0.0);
     for (int i = 0; i < 16; ++i) {
         vec2 tap = vec2(i & 3, i >> 2) * 0.5 - 0.75;
@@ -90,7 +91,8 @@ vec4 block_voxel(int id, float emission) {
 void emit_voxel() {
     // Quads arrive as pairs of triangles: the second would write the same again.
     bool second = (gl_PrimitiveIDIn & 1) == 1;
-    bool block = renderStage != MC_RENDER_STAGE_ENTITIES && renderStage != MC_RENDER_STAGE_BLOCK_ENTITIES;
+    bool block = renderStage != MC_RENDER_STAGE_ENTITIES &&
+                 renderStage != MC_RENDER_STAGE_BLOCK_ENTITIES;
     ivec3 cell = ivec3(floor(to_volume(vertex_center[0])));
     if (second || !block || !in_volume(cell)) return;
     voxel = block_voxel(int(floor(vertex_id[0] + 0.5)), vertex_emission[0]);

@@ -4,6 +4,9 @@
 
 #include "/include/lighting/shadow_space.glsl"
 
+/// Where no map tells: the sky's level, 0..1, keeps the sun out of caves.
+float unmapped_visibility(float sky) { return smoothstep(0.3, 0.6, sky); }
+
 #if SHADOW_MAP
 
 uniform sampler2D shadowtex1;
@@ -39,8 +42,8 @@ bool lit_at(ivec2 texel, float depth) {
     return depth <= texelFetch(shadowtex1, texel + ivec2(0, shadow_map_bottom), 0).r;
 }
 
-/// Share of the light that arrives, 0..1. Everything outside of the map is lit.
-float light_visibility(vec3 player, vec3 normal, vec3 light, int radius) {
+/// Share of the light that arrives, 0..1.
+float light_visibility(vec3 player, vec3 normal, vec3 light, int radius, float sky) {
     vec4 receiver = shadow_receiver(player, normal, light, radius);
     bool outside = any(lessThan(receiver.xyz, vec3(0.0))) ||
                    any(greaterThan(receiver.xyz, vec3(shadow_map_size, 1.0)));
@@ -50,14 +53,16 @@ float light_visibility(vec3 player, vec3 normal, vec3 light, int radius) {
         for (int x = -radius; x <= radius; ++x)
             lit += float(lit_at(texel + ivec2(x, y), receiver.z - receiver.w));
     float taps = float((2 * radius + 1) * (2 * radius + 1));
-    return outside ? 1.0 : lit / taps;
+    return outside ? unmapped_visibility(sky) : lit / taps;
 }
 
 #else
 
 const int shadow_radius = 0;
 
-float light_visibility(vec3 player, vec3 normal, vec3 light, int radius) { return 1.0; }
+float light_visibility(vec3 player, vec3 normal, vec3 light, int radius, float sky) {
+    return unmapped_visibility(sky);
+}
 
 #endif
 
