@@ -100,15 +100,16 @@ QuadRange addCelestialQuad(ShapeList& shapes, float y, float size, float u0) {
   return shapes.since(start);
 }
 
-// A white disc for the sun and a dimmer, blotched one for the moon.
+// A white square for the sun and a dimmer, blotched one for the moon; each fills the middle quarter
+// of its half, as in the game.
 Image8 celestialImage() {
   Image8 image(64, 32, 4);
   for (int y = 0; y < 32; ++y)
     for (int x = 0; x < 64; ++x) {
-      const float dx = (static_cast<float>(x % 32) - 15.5f) / 8,
-                  dy = (static_cast<float>(y) - 15.5f) / 8;
+      const float dx = (static_cast<float>(x % 32) - 15.5f) / 4,
+                  dy = (static_cast<float>(y) - 15.5f) / 4;
       const bool inside = std::max(std::abs(dx), std::abs(dy)) < 1;
-      const bool blotch = hashOf(static_cast<std::uint32_t>(y / 4 * 16 + x / 4)) % 3 == 0;
+      const bool blotch = hashOf(static_cast<std::uint32_t>(y / 2 * 16 + x / 2)) % 3 == 0;
       const std::array<int, 3> color = x < 32   ? std::array{255, 250, 220}
                                        : blotch ? std::array{150, 155, 170}
                                                 : std::array{190, 195, 210};

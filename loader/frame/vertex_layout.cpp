@@ -10,6 +10,10 @@
 namespace orris {
 namespace {
 
+// A sample at exactly the far edge of a tile would read the next one; the game shrinks its quads'
+// coordinates towards their middle for the same reason. 1/250 texel of a 16-texel tile.
+constexpr float kUvInset = 1.0f / 2048;
+
 std::int8_t snorm(float v) {
   return static_cast<std::int8_t>(std::lround(std::clamp(v, -1.0f, 1.0f) * 127));
 }
@@ -112,7 +116,7 @@ std::vector<GpuVertex> packVertices(const BlockMesh& mesh, const std::vector<int
       v.midBlock[k] = in.midBlock[k];
     }
     for (int k = 0; k < 2; ++k) {
-      v.uv[k] = in.uv[k];
+      v.uv[k] = in.uv[k] + (in.midUv[k] - in.uv[k]) * kUvInset;
       v.midUv[k] = in.midUv[k];
       v.light[k] = in.light[k];
     }
