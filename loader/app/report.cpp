@@ -8,22 +8,10 @@
 namespace orris {
 namespace {
 
-const char* nameOf(Severity severity) {
-  switch (severity) {
-    case Severity::Note:
-      return "note";
-    case Severity::Warning:
-      return "warning";
-    case Severity::Error:
-      break;
-  }
-  return "error";
-}
-
 // The chain of includes is left out: one mistake in a shared file is one problem, however many
 // programs include it.
 std::string keyOf(const Diagnostic& diagnostic) {
-  return fmt::format("{} {}:{}:{} {}", nameOf(diagnostic.severity), diagnostic.at.file,
+  return fmt::format("{} {}:{}:{} {}", severityName(diagnostic.severity), diagnostic.at.file,
                      diagnostic.at.line, diagnostic.at.column, diagnostic.message);
 }
 
@@ -59,7 +47,7 @@ nlohmann::json toJson(const Diagnostics& diagnostics) {
   nlohmann::json list = nlohmann::json::array();
   for (const Diagnostic& diagnostic : diagnostics) {
     nlohmann::json entry = toJson(diagnostic.at);
-    entry["severity"] = nameOf(diagnostic.severity);
+    entry["severity"] = severityName(diagnostic.severity);
     entry["id"] = diagnostic.id;
     entry["message"] = diagnostic.message;
     entry["includedFrom"] = nlohmann::json::array();

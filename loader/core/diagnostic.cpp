@@ -9,18 +9,6 @@
 namespace orris {
 namespace {
 
-const char* severityName(Severity severity) {
-  switch (severity) {
-    case Severity::Note:
-      return "note";
-    case Severity::Warning:
-      return "warning";
-    case Severity::Error:
-      break;
-  }
-  return "error";
-}
-
 std::string formatLocation(const SourceLocation& at) {
   if (at.line <= 0) return at.file;
   if (at.column <= 0) return fmt::format("{}:{}", at.file, at.line);
@@ -41,6 +29,18 @@ std::string caretLine(const std::string& line, int column) {
 }
 
 }  // namespace
+
+const char* severityName(Severity severity) {
+  switch (severity) {
+    case Severity::Note:
+      return "note";
+    case Severity::Warning:
+      return "warning";
+    case Severity::Error:
+      break;
+  }
+  return "error";
+}
 
 bool hasErrors(const Diagnostics& diagnostics) {
   return std::any_of(diagnostics.begin(), diagnostics.end(),

@@ -8,6 +8,7 @@
 namespace orris {
 
 enum class Severity { Note, Warning, Error };
+const char* severityName(Severity severity);  ///< "note", "warning", "error"
 
 /// A place in a file as its author sees it. `file` is a pack path ("/lib/sky.glsl") or the path the
 /// user typed; `line` and `column` start at 1, 0 means unknown.

@@ -223,14 +223,20 @@ void FrameRenderer::drawTerrain(const Step& step, const GpuProgram& program,
     if (shadow ? glm::length(nearest) > reach : frustum.outside(lo - 1.0f, hi + 1.0f)) continue;
     visible.emplace_back(glm::length((lo + hi) * 0.5f), &section);
   }
-  if (step.geometry == Geometry::Translucent)
+  const bool sorted = step.geometry == Geometry::Translucent && !shadow;
+  if (sorted) {
+    loaded_->scene->sortTranslucent(state.cameraPosition);
     std::stable_sort(visible.begin(), visible.end(),
                      [](const auto& a, const auto& b) { return a.first > b.first; });
+  }
   for (const auto& [distance, section] : visible) {
     draw.chunkOffset = glm::vec3(glm::dvec3(section->origin) - state.cameraPosition);
     loadModelView(glm::translate(view, draw.chunkOffset));
     uploadUniforms(program.drawUniforms, state, draw, loaded_->custom);
-    loaded_->scene->drawQuads({section->first, section->count / 4}, program.patches);
+    if (sorted)
+      loaded_->scene->drawSorted(*section, program.patches);
+    else
+      loaded_->scene->drawQuads({section->first, section->count / 4}, program.patches);
   }
   unbindVertices(program.program);
   SamplerBinder::unbind(program);

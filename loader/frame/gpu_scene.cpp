@@ -120,6 +120,10 @@ Image8 celestialImage() {
   return image;
 }
 
+void appendQuad(std::uint32_t first, std::vector<std::uint32_t>& indices) {
+  for (const std::uint32_t corner : {0u, 1u, 2u, 2u, 3u, 0u}) indices.push_back(first + corner);
+}
+
 // The game's brightness curve of a light level 0..15.
 float levelBrightness(int level) {
   const float f = static_cast<float>(level) / 15;
@@ -165,10 +169,52 @@ void GpuScene::uploadMesh(const SceneData& scene, const std::vector<int>& blockI
   for (const MeshSection& section : sections_) most = std::max(most, section.count / 4);
   std::vector<std::uint32_t> indices;
   indices.reserve(size_t{most} * 6);
-  for (std::uint32_t i = 0; i < most; ++i)
-    for (const std::uint32_t corner : {0u, 1u, 2u, 2u, 3u, 0u}) indices.push_back(i * 4 + corner);
+  for (std::uint32_t i = 0; i < most; ++i) appendQuad(i * 4, indices);
   indices_ =
       gl::createBuffer(indices.size() * sizeof(std::uint32_t), indices.data(), "quad indices");
+  collectTranslucent(scene.mesh);
+}
+
+// Sections come sorted by layer, so the translucent vertices are one run at the end.
+void GpuScene::collectTranslucent(const BlockMesh& mesh) {
+  sortedFor_.reset();
+  translucentCenters_.clear();
+  const auto first = std::find_if(sections_.begin(), sections_.end(), [](const MeshSection& s) {
+    return s.layer == RenderLayer::Translucent;
+  });
+  if (first == sections_.end()) return;
+  firstTranslucent_ = first->first;
+  for (size_t v = firstTranslucent_; v + 3 < mesh.vertices.size(); v += 4)
+    translucentCenters_.push_back((mesh.vertices[v].position + mesh.vertices[v + 2].position) *
+                                  0.5f);
+}
+
+void GpuScene::sortTranslucent(const glm::dvec3& eye) {
+  if (translucentCenters_.empty() || sortedFor_ == eye) return;
+  sortedFor_ = eye;
+  std::vector<std::uint32_t> indices;
+  indices.reserve(translucentCenters_.size() * 6);
+  for (const MeshSection& section : sections_) {
+    if (section.layer != RenderLayer::Translucent) continue;
+    const glm::vec3 local(eye - glm::dvec3(section.origin));
+    std::vector<std::pair<float, std::uint32_t>> quads;
+    for (std::uint32_t v = section.first; v < section.first + section.count; v += 4) {
+      const glm::vec3 d = translucentCenters_[(v - firstTranslucent_) / 4] - local;
+      quads.emplace_back(-glm::dot(d, d), v);
+    }
+    std::sort(quads.begin(), quads.end());
+    for (const auto& [distance, v] : quads) appendQuad(v, indices);
+  }
+  sortedIndices_ =
+      gl::createBuffer(indices.size() * sizeof(std::uint32_t), indices.data(), "sorted quads");
+}
+
+void GpuScene::drawSorted(const MeshSection& section, bool patches) const {
+  gl::BindBuffer(GL_ELEMENT_ARRAY_BUFFER, sortedIndices_.id());
+  if (patches) gl::PatchParameteri(GL_PATCH_VERTICES, 3);
+  const size_t offset = size_t{section.first - firstTranslucent_} / 4 * 6 * sizeof(std::uint32_t);
+  gl::DrawElements(patches ? GL_PATCHES : GL_TRIANGLES, static_cast<int>(section.count / 4 * 6),
+                   GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset));
 }
 
 void GpuScene::updateLightmap(const FrameState& state) {

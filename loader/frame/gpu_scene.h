@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "frame/frame_state.h"
@@ -56,6 +57,11 @@ class GpuScene {
   void updateLightmap(const FrameState& state);
   void bindTerrain() const;
   void bindShapes() const;
+  /// Orders the translucent quads of each section from far to near as seen from `eye` (world blocks),
+  /// as blending needs; free while neither eye nor mesh has moved.
+  void sortTranslucent(const glm::dvec3& eye);
+  /// Draws a translucent section in that order; the terrain must be bound.
+  void drawSorted(const MeshSection& section, bool patches) const;
   /// Draws quads of the bound buffer; `patches` for tessellation.
   void drawQuads(const QuadRange& range, bool patches) const;
 
@@ -63,9 +69,14 @@ class GpuScene {
 
  private:
   void buildShapes();
+  void collectTranslucent(const BlockMesh& mesh);
   gl::Texture atlas_, normals_, specular_, lightmap_, white_, celestial_;
-  gl::Buffer terrain_, shapes_, indices_;
+  gl::Buffer terrain_, shapes_, indices_, sortedIndices_;
   std::vector<MeshSection> sections_;
+  std::vector<glm::vec3>
+      translucentCenters_;         ///< of each translucent quad, relative to its section
+  unsigned firstTranslucent_ = 0;  ///< vertex
+  std::optional<glm::dvec3> sortedFor_;
 };
 
 /// The noise texture of packs: independent bytes, the same every run, alpha 255.

@@ -108,6 +108,39 @@ TEST_F(FrameRendererGL, depth_copies_leave_out_translucent_blocks) {
   EXPECT_EQ(pixel("depthtex0", 2, 2)[0], pixel("depthtex1", 2, 2)[0]);
 }
 
+TEST_F(FrameRendererGL, translucent_quads_blend_from_far_to_near) {
+  files_["/block.properties"] =
+      "block.1=minecraft:red_stained_glass\nblock.2=minecraft:blue_stained_glass\n";
+  files_["/shaders.properties"] = "sky=false\nstars=false\nsun=false\nmoon=false\n";
+  files_["/gbuffers_water.vsh"] =
+      "#version 330 compatibility\nin vec4 mc_Entity;\nflat out int id;\n"
+      "void main() { gl_Position = ftransform(); id = int(mc_Entity.x); }\n";
+  files_["/gbuffers_water.fsh"] =
+      "#version 330 compatibility\nflat in int id;\n/* RENDERTARGETS: 0 */\n"
+      "void main() { gl_FragData[0] = vec4(id == 1, 0.0, id == 2, 0.75); }\n";
+  addProgram("final", kPass);
+  for (const bool fromSouth : {true, false}) {
+    World world;
+    world.blocks = BlockWorld({0, 0, 0}, {16, 16, 16});
+    const auto place = [&](int z, const char* state) {
+      world.blocks.set({8, 8, z}, world.blocks.paletteIndex(*parseBlockState(state)));
+    };
+    place(6, "minecraft:red_stained_glass");
+    place(9, "minecraft:blue_stained_glass");
+    Camera camera;
+    camera.position = {8.5, 8.5, fromSouth ? 14.0 : 1.0};
+    camera.yaw = fromSouth ? 180 : 0;
+    world.cameras = {camera};
+    ASSERT_TRUE(start(world)) << messages();
+    draw();
+    const auto color = pixel("colortex0", 16, 16);
+    if (fromSouth)
+      EXPECT_GT(color[2], 2 * color[0]);  // the blue pane is nearer
+    else
+      EXPECT_GT(color[0], 2 * color[2]);
+  }
+}
+
 TEST_F(FrameRendererGL, alpha_test_discards_the_holes_of_cutout_blocks) {
   World world = floorWorld();
   world.blocks.fill({-1, 1, -1}, {1, 1, 1},
