@@ -5,7 +5,7 @@
 
 #include "app/commands.h"
 #include "app/inputs.h"
-#include "app/program_check.h"
+#include "check/program_check.h"
 #include "app/progress.h"
 #include "app/render_output.h"
 #include "frame/render_session.h"

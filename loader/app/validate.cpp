@@ -12,7 +12,8 @@
 #include "app/commands.h"
 #include "app/draw_check.h"
 #include "app/inputs.h"
-#include "app/program_check.h"
+#include "check/pack_checks.h"
+#include "check/program_check.h"
 #include "frame/render_session.h"
 
 namespace orris {
@@ -83,12 +84,24 @@ void checkPrograms(const ShaderPack& pack, Checker& checker, Diagnostics& diagno
   checkWithDriver(pack, checker.driver, diagnostics);
 }
 
-void checkOne(const std::shared_ptr<const FileSource>& files, const LoadRequest& request,
-              Checker& checker, PackVerdict& verdict, Report& report) {
-  const auto pack = loadPack(files, request, report, verdict.status);
-  if (!pack) return;
+// The size decides nothing that the checks look at but sizes given in pixels.
+constexpr int kScheduleWidth = 1920, kScheduleHeight = 1080;
+
+void checkFrame(const ShaderPack& pack, Diagnostics& diagnostics) {
+  const Schedule schedule = buildSchedule(pack, kScheduleWidth, kScheduleHeight, {}, diagnostics);
+  const Diagnostics found =
+      checkFolder({.pack = pack, .schedule = schedule, .target = targetTable().front()});
+  diagnostics.insert(diagnostics.end(), found.begin(), found.end());
+}
+
+std::optional<ShaderPack> checkOne(const std::shared_ptr<const FileSource>& files,
+                                   const LoadRequest& request, Checker& checker,
+                                   PackVerdict& verdict, Report& report) {
+  auto pack = loadPack(files, request, report, verdict.status);
+  if (!pack) return std::nullopt;
   Diagnostics diagnostics = ruleNotes(*pack);
   checkPrograms(*pack, checker, diagnostics);
+  checkFrame(*pack, diagnostics);
   verdict.dimensions.insert(pack->folder);
   verdict.profiles.insert(request.profile);
   for (const ProgramUnit& unit : programUnits(*pack)) {
@@ -99,6 +112,7 @@ void checkOne(const std::shared_ptr<const FileSource>& files, const LoadRequest&
     drawOneFrame(*checker.context, files, request, diagnostics);
   }
   report.add(diagnostics);
+  return pack;
 }
 
 PackVerdict validatePack(const std::string& path, const ValidateOptions& options, Checker& checker,
@@ -117,9 +131,15 @@ PackVerdict validatePack(const std::string& path, const ValidateOptions& options
   for (const std::string& profile :
        chosen(options.profiles, namesOf(outline->properties.profiles))) {
     if (!profile.empty()) request->profile = profile;
+    std::vector<ShaderPack> folders;
     for (const std::string& dimension : chosen(options.dimensions, outline->dimensions)) {
       request->dimension = dimension;
-      checkOne(files, *request, checker, verdict, report);
+      auto pack = checkOne(files, *request, checker, verdict, report);
+      if (pack) folders.push_back(std::move(*pack));
+    }
+    if (folders.size() == outline->dimensions.size()) {
+      Diagnostics diagnostics = checkWholePack(folders);
+      report.add(diagnostics);
     }
   }
   return verdict;

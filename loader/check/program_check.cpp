@@ -1,4 +1,4 @@
-#include "app/program_check.h"
+#include "check/program_check.h"
 
 #include <fmt/format.h>
 
