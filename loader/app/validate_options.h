@@ -1,0 +1,25 @@
+// What the command line asks of `orris validate`.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "app/common.h"
+
+namespace orris {
+
+struct ValidateOptions {
+  std::vector<std::string> paths;
+  PackOptions pack;
+  std::vector<std::string> profiles;  ///< {"all"}, names, or none: the values as they are
+  std::vector<std::string> dimensions{"all"};
+  int jobs = std::max(1, int(std::thread::hardware_concurrency()));
+  std::string format = "text";
+  bool draw = false;
+  gl::Backend backend = gl::Backend::Auto;
+  OutputOptions output;
+};
+
+}  // namespace orris
