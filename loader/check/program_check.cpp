@@ -61,8 +61,9 @@ std::vector<ProgramUnit> programUnits(const ShaderPack& pack) {
     units.push_back({unitName(program, name), hash, std::move(stages)});
   };
   for (const ProgramSource& program : pack.programs) {
+    // A fullscreen program and a compute shader may share their name.
     for (const ComputeSource& compute : program.computes)
-      add(program, compute.name, {&compute.text});
+      add(program, compute.name + ".csh", {&compute.text});
     std::vector<const StageText*> stages;
     for (const StageText& stage : program.stages) stages.push_back(&stage);
     if (!stages.empty()) add(program, program.name, std::move(stages));

@@ -13,7 +13,7 @@ namespace orris {
 
 /// A set of stages that link together: a program, or one of its compute shaders.
 struct ProgramUnit {
-  std::string name;  ///< "/world0/composite3"
+  std::string name;  ///< "/world0/composite3", of a compute shader "/world0/composite3_a.csh"
   std::uint64_t hash = 0;
   std::vector<const StageText*> stages;
 };
