@@ -7,6 +7,7 @@
 #include "app/inputs.h"
 #include "check/program_check.h"
 #include "app/progress.h"
+#include "app/patched_sources.h"
 #include "app/render_output.h"
 #include "frame/render_session.h"
 

@@ -85,22 +85,6 @@ bool checkBuffers(const RenderOutputs& outputs, const FrameRenderer& renderer, R
   return good;
 }
 
-bool writePatched(const std::string& folder, const ShaderPack& pack, Report& report, int& status) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  const auto write = [&](const std::string& name, const StageText& stage) {
-    return writeWholeFile(fmt::format("{}/{}.{}", folder, name, stageExtension(stage.stage)),
-                          stage.text.text, report, status);
-  };
-  for (const ProgramSource& program : pack.programs) {
-    for (const StageText& stage : program.stages)
-      if (!write(program.name, stage)) return false;
-    for (const ComputeSource& compute : program.computes)
-      if (!write(compute.name, compute.text)) return false;
-  }
-  return true;
-}
-
 bool writeOutputs(const RenderOutputs& outputs, const FrameRenderer& renderer,
                   const std::vector<FrameStepTime>& times, Report& report, int& status) {
   bool good = isLinear(outputs.picture)

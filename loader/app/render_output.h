@@ -32,8 +32,6 @@ bool checkPaths(const RenderOutputs& outputs, Report& report, int& status);
 bool checkBuffers(const RenderOutputs& outputs, const FrameRenderer& renderer, Report& report,
                   int& status);
 
-/// The sources as the driver gets them, one file a stage.
-bool writePatched(const std::string& folder, const ShaderPack& pack, Report& report, int& status);
 /// The picture, the buffers and the times.
 bool writeOutputs(const RenderOutputs& outputs, const FrameRenderer& renderer,
                   const std::vector<FrameStepTime>& times, Report& report, int& status);

@@ -47,6 +47,8 @@ void addValidateCommand(CLI::App& app, int& status) {
   command->add_flag("--draw", options->draw,
                     "compile and link with the GL driver too, and draw one frame");
   addBackendFlag(*command, options->backend);
+  command->add_option("--patched", options->patched,
+                      "write the sources as the driver gets them, and where each line is from");
   command->add_option("--jobs", options->jobs, "threads")->check(CLI::Range(1, 256));
   command->add_option("--format", options->format, "text or json")
       ->check(CLI::IsMember({"text", "json"}));

@@ -17,6 +17,7 @@ struct ValidateOptions {
   std::vector<std::string> dimensions{"all"};
   int jobs = std::max(1, int(std::thread::hardware_concurrency()));
   std::string format = "text";
+  std::string patched;  ///< folder
   bool draw = false;
   gl::Backend backend = gl::Backend::Auto;
   OutputOptions output;

@@ -2,6 +2,7 @@
 
 #include "app/draw_check.h"
 #include "app/inputs.h"
+#include "app/patched_sources.h"
 #include "check/pack_checks.h"
 #include "frame/render_session.h"
 
@@ -101,7 +102,11 @@ PackVerdict validatePack(const std::string& path, const ValidateOptions& options
     for (const std::string& dimension : chosen(options.dimensions, outline->dimensions)) {
       request->dimension = dimension;
       auto pack = checkOne(files, *request, checker, verdict, report);
-      if (pack) folders.push_back(std::move(*pack));
+      if (!pack) continue;
+      if (!options.patched.empty()) {
+        writePatchedWithMap(options.patched, *pack, report, verdict.status);
+      }
+      folders.push_back(std::move(*pack));
     }
     if (folders.size() == outline->dimensions.size()) {
       Diagnostics diagnostics = checkWholePack(folders);

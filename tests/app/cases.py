@@ -164,6 +164,9 @@ OUTPUTS = [
          [f"render pack {CORNELL} {SMALL} --frames 2 --dump colortex0=a.exr depthtex0=b.png "
           "--timings t.csv --patched final"], 0, PACK,
          creates=["out.png", "a.exr", "b.png", "t.csv", "final/final.vsh", "final/final.fsh"]),
+    Case("validate_writes_sources_and_where_they_are_from", ["validate pack --patched final"], 0,
+         PACK, creates=["final/final.vsh", "final/final.vsh.map", "final/final.fsh",
+                        "final/final.fsh.map"]),
     Case("render_flags_before_the_pack", [f"render {SMALL} --frames 1 --set TONE=2 pack {CORNELL}"],
          0, pack({"composite.fsh": COMPOSITE}), creates=["out.png"]),
     Case("unknown_buffer", [f"render pack {CORNELL} {SMALL} --frames 1 --dump colortex31=a.exr"], 2,
