@@ -1,23 +1,35 @@
 #include "check/rules.h"
 
 #include <algorithm>
-#include <array>
+#include <vector>
+
+#include "check/rule_tables.h"
 
 namespace orris {
 namespace {
 
-constexpr std::array<Rule, 1> kRules{{
-    {"glsl-compile", Severity::Error, "a stage does not compile"},
-}};
+std::vector<Rule> sortedRules() {
+  std::vector<Rule> rules;
+  for (const std::span<const Rule> table :
+       {frameRules(), glslRules(), hostRules(), idRules(), interfaceRules(), matrixRules(),
+        optionRules(), propertyRules(), reportRules(), targetRules(), textRules()}) {
+    rules.insert(rules.end(), table.begin(), table.end());
+  }
+  std::ranges::sort(rules, {}, &Rule::id);
+  return rules;
+}
 
 }  // namespace
 
-std::span<const Rule> ruleTable() { return kRules; }
+std::span<const Rule> ruleTable() {
+  static const std::vector<Rule> kRules = sortedRules();
+  return kRules;
+}
 
 const Rule* findRule(std::string_view id) {
-  const auto found =
-      std::find_if(kRules.begin(), kRules.end(), [&](const Rule& rule) { return rule.id == id; });
-  return found == kRules.end() ? nullptr : &*found;
+  const auto rules = ruleTable();
+  const auto found = std::ranges::lower_bound(rules, id, {}, &Rule::id);
+  return found == rules.end() || found->id != id ? nullptr : &*found;
 }
 
 }  // namespace orris

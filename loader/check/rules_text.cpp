@@ -1,0 +1,33 @@
+// Includes and preprocessing.
+#include <vector>
+
+#include "check/rule_tables.h"
+
+namespace orris {
+
+std::span<const Rule> textRules() {
+  static const std::vector<Rule> kRules = {
+      {"comment-unclosed", Severity::Error, "a block comment is not closed"},
+      {"condition-empty", Severity::Warning, "the condition of #if or #elif is empty"},
+      {"condition-malformed", Severity::Error, "the condition of #if or #elif cannot be computed"},
+      {"conditional-unbalanced", Severity::Error, "#if, #else and #endif do not match"},
+      {"directive-malformed", Severity::Error, "a preprocessor directive is not complete"},
+      {"directive-trailing-text", Severity::Warning, "there is text after the end of a directive"},
+      {"directive-unknown", Severity::Error, "a preprocessor directive does not exist"},
+      {"include-cycle", Severity::Error, "files include each other in a circle"},
+      {"include-escape", Severity::Error, "an include leads out of the shaders folder"},
+      {"include-missing", Severity::Error, "an include names a file that is not in the pack"},
+      {"include-syntax", Severity::Error, "an include is not one path in quotes"},
+      {"include-too-deep", Severity::Error, "includes are nested too deeply"},
+      {"macro-arguments", Severity::Error, "a macro is called with the wrong number of arguments"},
+      {"macro-expansion-limit", Severity::Error, "a macro expands without bound"},
+      {"macro-unterminated", Severity::Error, "the call of a macro is not closed"},
+      {"source-too-large", Severity::Error, "the includes of a program expand to too many lines"},
+      {"version-malformed", Severity::Error, "#version has no number"},
+      {"version-missing", Severity::Error, "a stage has no active #version"},
+      {"version-repeated", Severity::Error, "a stage has a second active #version"},
+  };
+  return kRules;
+}
+
+}  // namespace orris
