@@ -45,10 +45,13 @@ class TargetPlanner {
       for (int buffer : step.writes) {
         const TargetPlan* plan = schedule_.target(false, buffer);
         const bool window = plan->width == schedule_.width && plan->height == schedule_.height;
+        // Iris: CompositeRenderer refuses unequal sizes; the framebuffer of a gbuffers program is
+        // only drawn where all its buffers have texels.
         if (step.kind == Kind::Draw && !window)
-          report(step, *plan, "a gbuffers program needs window-sized buffers");
+          report(Severity::Warning, step, *plan,
+                 "a gbuffers program covers the window: the rest of its picture is lost");
         else if (plan->width != first->width || plan->height != first->height)
-          report(step, *plan,
+          report(Severity::Error, step, *plan,
                  fmt::format("colortex{} of the same program is {}x{}", first->index, first->width,
                              first->height));
       }
@@ -179,8 +182,9 @@ class TargetPlanner {
     });
   }
 
-  void report(const Step& step, const TargetPlan& plan, const std::string& why) {
+  void report(Severity severity, const Step& step, const TargetPlan& plan, const std::string& why) {
     Diagnostic d;
+    d.severity = severity;
     d.id = "target-size-mismatch";
     d.at = pack_.programs[step.program].directives.drawBuffersAt;
     if (d.at.file.empty()) d.at.file = pack_.programs[step.program].name;

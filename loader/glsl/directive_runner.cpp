@@ -237,6 +237,12 @@ bool DirectiveRunner::macroNamed(const std::vector<Token>& tokens) {
   return macros_.find(tokens[1].text) != nullptr;
 }
 
+// Iris: JcppProcessor logs what its preprocessor complains about and goes on.
+void DirectiveRunner::reportUnbalanced(const Origin& at, std::string problem) {
+  report(Severity::Warning, "conditional-unbalanced", at, std::move(problem),
+         "Iris goes on after this, other hosts refuse the program");
+}
+
 void DirectiveRunner::onIf(const std::vector<Token>& tokens) {
   const bool condition = conditionals_.active() && evaluate(tokens);
   conditionals_.open(tokens.front().origin, tokens.front().text, condition);
@@ -252,19 +258,19 @@ void DirectiveRunner::onElif(const std::vector<Token>& tokens) {
   const bool condition = conditionals_.wantsElif() && evaluate(tokens);
   const std::string problem = conditionals_.elif (condition);
   if (problem.empty()) return;
-  report(Severity::Error, "conditional-unbalanced", tokens.front().origin, problem);
+  reportUnbalanced(tokens.front().origin, problem);
 }
 
 void DirectiveRunner::onElse(const std::vector<Token>& tokens) {
   const std::string problem = conditionals_.otherwise();
   if (problem.empty()) return;
-  report(Severity::Error, "conditional-unbalanced", tokens.front().origin, problem);
+  reportUnbalanced(tokens.front().origin, problem);
 }
 
 void DirectiveRunner::onEndif(const std::vector<Token>& tokens) {
   const std::string problem = conditionals_.close();
   if (problem.empty()) return;
-  report(Severity::Error, "conditional-unbalanced", tokens.front().origin, problem);
+  reportUnbalanced(tokens.front().origin, problem);
 }
 
 void DirectiveRunner::onDefine(const std::vector<Token>& tokens) {
@@ -326,8 +332,8 @@ void DirectiveRunner::onIgnored(const std::vector<Token>&) {}
 
 void DirectiveRunner::finish() {
   for (const Conditionals::Open& open : conditionals_.unclosed()) {
-    report(Severity::Error, "conditional-unbalanced", open.at,
-           fmt::format("#{} is not closed: expected #endif before the end", open.directive));
+    reportUnbalanced(
+        open.at, fmt::format("#{} is not closed: expected #endif before the end", open.directive));
   }
   if (reader_.unclosedComment().site >= 0) {
     report(Severity::Error, "comment-unclosed", reader_.unclosedComment(),

@@ -36,6 +36,7 @@ class DirectiveRunner : public TokenSource {
   bool takeDirective();
   void report(Severity severity, std::string id, const Origin& at, std::string message,
               std::string hint = "");
+  void reportUnbalanced(const Origin& at, std::string problem);
   void warnTrailing(const std::vector<Token>& tokens, std::size_t from, const std::string& name);
   bool evaluate(const std::vector<Token>& tokens);
   bool replaceDefined(const std::vector<Token>& tokens, std::vector<Token>& out);

@@ -69,6 +69,20 @@ bool isVaryingBuiltin(std::string_view name) {
                      [name](std::string_view prefix) { return name.starts_with(prefix); });
 }
 
+// Built-in functions that glslang does not fold although they are constant expressions: matrices,
+// bit patterns, packing. GLSL 4.50, section 4.3.3.
+bool isUnfoldedBuiltin(std::string_view name) {
+  constexpr std::array<std::string_view, 16> kNames = {
+      "acosh",   "asinh",   "atanh",     "bitCount",       "cosh",  "determinant",
+      "findLSB", "findMSB", "fma",       "inverse",        "ldexp", "matrixCompMult",
+      "sinh",    "tanh",    "transpose", "uintBitsToFloat"};
+  constexpr std::array<std::string_view, 5> kPrefixes = {"bitfield", "floatBitsTo", "intBitsTo",
+                                                         "pack", "unpack"};
+  return std::find(kNames.begin(), kNames.end(), name) != kNames.end() ||
+         std::any_of(kPrefixes.begin(), kPrefixes.end(),
+                     [name](std::string_view prefix) { return name.starts_with(prefix); });
+}
+
 class ConstantChecker {
  public:
   explicit ConstantChecker(const std::vector<Token>& tokens) : tokens_(tokens) {}
@@ -82,7 +96,8 @@ class ConstantChecker {
       if (tokens_[i].kind != TokenKind::Identifier || precededBy(tokens_, i, ".")) continue;
       const std::string_view name = tokens_[i].text;
       if (notConstant_.contains(name)) return false;
-      if (isVaryingBuiltin(name) && followedBy(tokens_, i, "(")) return false;
+      const bool call = followedBy(tokens_, i, "(");
+      if (call && (isVaryingBuiltin(name) || isUnfoldedBuiltin(name))) return false;
       const bool builtinVariable =
           name.starts_with("gl_") && !name.starts_with("gl_Max") && !name.starts_with("gl_Min");
       if (builtinVariable) return false;

@@ -211,6 +211,21 @@ TEST(Schedule, draw_buffers_of_unequal_size_are_reported_at_the_directive) {
   EXPECT_EQ(diagnostics[0].at.line, 2);
 }
 
+TEST(Schedule, a_small_buffer_of_a_gbuffers_program_is_a_warning) {
+  Files files;
+  files["/shaders.properties"] = "size.buffer.colortex5=0.5 0.5\n";
+  add(files, "gbuffers_skybasic", fragment({}, "5"));
+  add(files, "final", fragment({"colortex5"}, ""));
+  const ShaderPack pack = load(files);
+  Diagnostics diagnostics;
+  buildSchedule(pack, 64, 32, {}, diagnostics);
+  ASSERT_EQ(diagnostics.size(), 1u);
+  EXPECT_EQ(diagnostics[0].severity, Severity::Warning);
+  EXPECT_EQ(diagnostics[0].message,
+            "gbuffers_skybasic draws to colortex5 of 32x16, but a gbuffers program covers the "
+            "window: the rest of its picture is lost");
+}
+
 TEST(Schedule, a_pack_without_final_copies_colortex0) {
   Files files;
   add(files, "gbuffers_textured", fragment({"gtexture"}, "0"));

@@ -178,6 +178,14 @@ TEST(global_const, loses_const_when_the_initialiser_is_not_constant) {
   EXPECT_EQ(fired("const float a = 1.0, b = gl_FragCoord.x;\n"), "global-const*1@1:1");
 }
 
+TEST(global_const, loses_const_when_glslang_cannot_fold_the_initialiser) {
+  for (const char* value : {"transpose(mat3(1.0))[0].x", "determinant(mat2(1.0))", "fma(1, 2, 3)",
+                            "unpackHalf2x16(3u).x", "tanh(1.0)"}) {
+    EXPECT_EQ(fired(std::string("const float a = ") + value + ";\n"), "global-const*1@1:1")
+        << value;
+  }
+}
+
 TEST(global_const, keeps_const_of_constant_expressions_and_locals) {
   EXPECT_EQ(fired("struct S { float u; };\nuniform float u;\nconst S s = S(1.0);\nconst float a = "
                   "s.u + sin(2.0);\n"
