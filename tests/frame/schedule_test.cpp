@@ -219,6 +219,7 @@ TEST(Schedule, a_small_buffer_of_a_gbuffers_program_is_a_warning) {
   const ShaderPack pack = load(files);
   Diagnostics diagnostics;
   buildSchedule(pack, 64, 32, {}, diagnostics);
+  removeDuplicates(diagnostics);  // the sky and the stars
   ASSERT_EQ(diagnostics.size(), 1u);
   EXPECT_EQ(diagnostics[0].severity, Severity::Warning);
   EXPECT_EQ(diagnostics[0].message,
