@@ -215,13 +215,13 @@ void readBufferObject(const PropertyContext& context, std::string_view index) {
     }
   } else if (words.size() == 4) {
     const auto x = parseFloat(words[2]), y = parseFloat(words[3]);
-    if (!x || !y || *x <= 0 || *y <= 0) {
+    buffer.relative = lowerCase(words[1]) == "true";
+    if (!x || !y || (buffer.relative && (*x <= 0 || *y <= 0))) {
       context.warn("buffer-object-syntax",
                    "a relative buffer needs two positive factors of the window size");
       return;
     }
-    buffer.relative = lowerCase(words[1]) == "true";
-    buffer.scale = {*x, *y};
+    if (buffer.relative) buffer.scale = {*x, *y};
   }
   context.out.bufferObjects.push_back(std::move(buffer));
 }

@@ -80,7 +80,8 @@ TEST(ShaderProperties, textures_images_and_buffers) {
       "customTexture.atlas = minecraft:textures/atlas/blocks.png\n"
       "image.vox = voxTex RED_INTEGER R32UI UNSIGNED_INT true false 16 8 4\n"
       "image.half = none RGBA RGBA8 UNSIGNED_BYTE false true 0.5 0.5\n"
-      "bufferObject.1 = 64 true 0.5 1\nbufferObject.2 = 0\nbufferObject.3 = 8 data.bin\n");
+      "bufferObject.1 = 64 true 0.5 1\nbufferObject.2 = 0\nbufferObject.3 = 8 data.bin\n"
+      "bufferObject.4 = 8 false 0 0\n");
   ASSERT_EQ(p.textures.size(), 3u);
   EXPECT_EQ(p.textures[0].sampler, "noisetex");
   EXPECT_EQ(p.textures[0].path, "/tex/noise.png");
@@ -95,7 +96,8 @@ TEST(ShaderProperties, textures_images_and_buffers) {
   EXPECT_EQ(p.images[1].sampler, "");
   EXPECT_TRUE(p.images[1].relative);
   EXPECT_FLOAT_EQ(p.images[1].size[1], 0.5f);
-  ASSERT_EQ(p.bufferObjects.size(), 2u);
+  ASSERT_EQ(p.bufferObjects.size(), 3u);
+  EXPECT_FALSE(p.bufferObjects[2].relative);
   EXPECT_TRUE(p.bufferObjects[0].relative);
   EXPECT_EQ(p.bufferObjects[1].file, "/data.bin");
   EXPECT_TRUE(p.feature("SSBO"));
