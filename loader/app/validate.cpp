@@ -12,7 +12,7 @@ namespace {
 
 int runValidate(const ValidateOptions& options) {
   int status = kClean;
-  Checker checker{.jobs = options.jobs};
+  Checker checker{.jobs = options.jobs, .target = *findTarget(options.target)};
   if (options.draw && !openContext(options, checker)) return kHostFailed;
   nlohmann::json packs = nlohmann::json::array();
   for (const std::string& path : options.paths) {
@@ -50,6 +50,10 @@ void addValidateCommand(CLI::App& app, int& status) {
   command->add_option("--patched", options->patched,
                       "write the sources as the driver gets them, and where each line is from");
   command->add_option("--jobs", options->jobs, "threads")->check(CLI::Range(1, 256));
+  std::vector<std::string> targets;
+  for (const TargetLimits& target : targetTable()) targets.emplace_back(target.name);
+  command->add_option("--target", options->target, "whose limits and macros: mesa, apple, ...")
+      ->check(CLI::IsMember(targets));
   command->add_option("--format", options->format, "text or json")
       ->check(CLI::IsMember({"text", "json"}));
   addOutputFlags(*command, options->output);

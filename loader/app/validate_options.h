@@ -16,6 +16,7 @@ struct ValidateOptions {
   std::vector<std::string> profiles;  ///< {"all"}, names, or none: the values as they are
   std::vector<std::string> dimensions{"all"};
   int jobs = std::max(1, int(std::thread::hardware_concurrency()));
+  std::string target = "mesa";  ///< row of targetTable()
   std::string format = "text";
   std::string patched;  ///< folder
   bool draw = false;

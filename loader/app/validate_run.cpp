@@ -36,10 +36,9 @@ void checkPrograms(const ShaderPack& pack, Checker& checker, Diagnostics& diagno
 // The size decides nothing that the checks look at but sizes given in pixels.
 constexpr int kScheduleWidth = 1920, kScheduleHeight = 1080;
 
-void checkFrame(const ShaderPack& pack, Diagnostics& diagnostics) {
+void checkFrame(const ShaderPack& pack, const TargetLimits& target, Diagnostics& diagnostics) {
   const Schedule schedule = buildSchedule(pack, kScheduleWidth, kScheduleHeight, {}, diagnostics);
-  const Diagnostics found =
-      checkFolder({.pack = pack, .schedule = schedule, .target = targetTable().front()});
+  const Diagnostics found = checkFolder({.pack = pack, .schedule = schedule, .target = target});
   diagnostics.insert(diagnostics.end(), found.begin(), found.end());
 }
 
@@ -50,7 +49,7 @@ std::optional<ShaderPack> checkOne(const std::shared_ptr<const FileSource>& file
   if (!pack) return std::nullopt;
   Diagnostics diagnostics = ruleNotes(*pack);
   checkPrograms(*pack, checker, diagnostics);
-  checkFrame(*pack, diagnostics);
+  checkFrame(*pack, checker.target, diagnostics);
   verdict.dimensions.insert(pack->folder);
   verdict.profiles.insert(request.profile);
   for (const ProgramUnit& unit : programUnits(*pack)) {
@@ -67,7 +66,7 @@ std::optional<ShaderPack> checkOne(const std::shared_ptr<const FileSource>& file
 }  // namespace
 
 MacroDefinitions Checker::environment() const {
-  return context ? environmentFor(context->driver()) : standardMacros({});
+  return context ? environmentFor(context->driver()) : standardMacros(hostOf(target));
 }
 
 bool Checker::passed(std::uint64_t hash) const {

@@ -8,6 +8,7 @@
 #include "app/report.h"
 #include "app/validate_options.h"
 #include "check/program_check.h"
+#include "check/target_limits.h"
 #include "pack/shader_pack.h"
 
 namespace orris {
@@ -22,6 +23,7 @@ struct PackVerdict {
 /// Checks shared by all packs of a run: the driver's context (with --draw), and what was checked.
 struct Checker {
   int jobs = 1;
+  const TargetLimits& target;
   std::unique_ptr<gl::Context> context;
   Verdicts glslang, driver;
 

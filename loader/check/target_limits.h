@@ -4,15 +4,23 @@
 #include <span>
 #include <string_view>
 
+#include "pack/shader_pack.h"
+
 namespace orris {
 
 /// Limits that the compiler does not know; a pack that exceeds one fails on that target only.
+/// Numbers of a stage unless said otherwise.
 struct TargetLimits {
-  std::string_view name;  ///< as --target spells it
-  int glslVersion = 450;  ///< highest #version
+  std::string_view name;      ///< as --target spells it
+  std::string_view fullName;  ///< for people: "Mesa"
+  std::string_view glVendor, glRenderer;
+  std::string_view system;  ///< macro of the operating system, "" for the one this runs on
+  int glVersion = 460;
+  int glslVersion = 460;  ///< highest #version
+  bool iris = true;       ///< IS_IRIS, the feature flags and what else only Iris offers
   bool compute = true;
-  int samplersPerStage = 32;
-  int imagesPerStage = 32;
+  int samplers = 32;
+  int images = 32;
   int drawBuffers = 8;
   int sharedMemoryBytes = 32768;
   int storageBuffers = 16;
@@ -23,5 +31,8 @@ struct TargetLimits {
 /// The first one is the default.
 std::span<const TargetLimits> targetTable();
 const TargetLimits* findTarget(std::string_view name);
+
+/// What the preprocessor macros say on the target.
+HostDescription hostOf(const TargetLimits& target);
 
 }  // namespace orris

@@ -166,7 +166,7 @@ MacroDefinitions standardMacros(const HostDescription& host) {
       {"IS_IRIS", ""},
       {"MC_GL_VERSION", std::to_string(host.glVersion)},
       {"MC_GLSL_VERSION", std::to_string(host.glslVersion)},
-      {kSystem, ""},
+      {host.system.empty() ? kSystem : host.system, ""},
       {std::string(byPrefix(host.glVendor, kVendors, "MC_GL_VENDOR_OTHER")), ""},
       {std::string(byPrefix(host.glRenderer, kRenderers, "MC_GL_RENDERER_OTHER")), ""},
       {"MC_NORMAL_MAP", ""},

@@ -90,6 +90,7 @@ struct ShaderPack {
 /// them; biome, stage and category macros included; IRIS_FEATURE_* is added by loadShaderPack.
 struct HostDescription {
   std::string glVendor = "Mesa", glRenderer = "llvmpipe";
+  std::string system;  ///< "MC_OS_MAC"; "" for the system that this runs on
   std::vector<std::string> glExtensions;
   int glVersion = 450, glslVersion = 450;
   int minecraftVersion = 12101, irisVersion = 10800;

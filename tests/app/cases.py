@@ -167,6 +167,17 @@ OUTPUTS = [
     Case("validate_writes_sources_and_where_they_are_from", ["validate pack --patched final"], 0,
          PACK, creates=["final/final.vsh", "final/final.vsh.map", "final/final.fsh",
                         "final/final.fsh.map"]),
+    Case("target_decides_the_macros",
+         ["validate pack --target apple", "validate pack --target nvidia"], 1,
+         pack({"composite.fsh": VERSION + """#if defined MC_OS_MAC && MC_GLSL_VERSION == 410
+#error seen
+#endif
+#ifdef MC_GL_VENDOR_NVIDIA
+#error seen
+#endif
+void main() { gl_FragColor = vec4(1.0); }
+"""}), ["#error seen"]),
+    Case("unknown_target", ["validate pack --target amiga"], 2, PACK, ["--target: amiga not in"]),
     Case("render_flags_before_the_pack", [f"render {SMALL} --frames 1 --set TONE=2 pack {CORNELL}"],
          0, pack({"composite.fsh": COMPOSITE}), creates=["out.png"]),
     Case("unknown_buffer", [f"render pack {CORNELL} {SMALL} --frames 1 --dump colortex31=a.exr"], 2,
