@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "check/frame_checks.h"
+
 namespace orris {
 namespace {
 
@@ -9,7 +11,7 @@ using FolderCheck = void (*)(const FolderInput&, Diagnostics&);
 using WholePackCheck = void (*)(std::span<const ShaderPack>, Diagnostics&);
 
 // In the order of the report.
-constexpr std::array<FolderCheck, 0> kFolderChecks{};
+constexpr FolderCheck kFolderChecks[] = {checkTargetsRead, checkTargetsWritten};
 constexpr std::array<WholePackCheck, 0> kWholePackChecks{};
 
 }  // namespace

@@ -6,7 +6,11 @@
 namespace orris {
 
 std::span<const Rule> frameRules() {
-  static const std::vector<Rule> kRules = {};
+  static const std::vector<Rule> kRules = {
+      {"target-unread", Severity::Warning, "a render target is drawn to, but nothing reads it"},
+      {"target-unwritten", Severity::Warning,
+       "a render target is read while nothing can be in it but its clear colour"},
+  };
   return kRules;
 }
 

@@ -1,0 +1,27 @@
+// Which buffers the files of a pack mention in any branch, under any option and in any folder: what
+// a check asks before it calls a buffer unused. Nothing is preprocessed.
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+
+#include "frame/program_uses.h"
+#include "pack/shader_pack.h"
+
+namespace orris {
+
+struct BufferMentions {
+  std::set<int> color, shadowColor;            ///< sampled or loaded: named outside declarations
+  std::set<int> colorImages, shadowImages;     ///< the same through colorimgN
+  std::set<int> keptColor, keptShadow;         ///< some line sets <buffer>Clear to false
+  std::set<int> mipmapped, shadowMipmapped;    ///< some line sets <buffer>MipmapEnabled to true
+  std::map<std::string, std::set<int>> drawn;  ///< by file: what RENDERTARGETS, DRAWBUFFERS list
+  std::set<int> drawnAnywhere;
+  bool pasted = false;  ///< some macro pastes buffer names together (colortex ## N)
+};
+
+/// Reads every text file of the pack, those that nothing includes too.
+BufferMentions findBufferMentions(const ShaderPack& pack);
+
+}  // namespace orris

@@ -1,0 +1,181 @@
+#include "check/frame_passes.h"
+
+#include <algorithm>
+#include <array>
+
+#include "frame/pack_resources.h"
+#include "frame/schedule_targets.h"
+
+namespace orris {
+namespace {
+
+using Kind = FramePass::Kind;
+
+// Contract: README "Frame" 12.
+constexpr std::array<std::string_view, 8> kTranslucent = {
+    "gbuffers_water",      "gbuffers_entities_translucent",
+    "gbuffers_particles",  "gbuffers_particles_translucent",
+    "gbuffers_clouds",     "gbuffers_weather",
+    "gbuffers_hand_water", "gbuffers_block_translucent"};
+
+bool isTranslucent(std::string_view program) {
+  return std::find(kTranslucent.begin(), kTranslucent.end(), program) != kTranslucent.end();
+}
+
+ProgramUses namesOf(const ProgramSource& program, bool computes) {
+  ProgramUses names;
+  if (computes) {
+    for (const ComputeSource& compute : program.computes) names.merge(usesOf(compute.text));
+  } else {
+    for (const StageText& stage : program.stages) names.merge(usesOf(stage));
+  }
+  return names;
+}
+
+bool isProgramStep(const Step& step) {
+  return step.kind == Step::Kind::Compute || step.kind == Step::Kind::Fullscreen ||
+         step.kind == Step::Kind::Draw || step.kind == Step::Kind::DrawShadow ||
+         step.kind == Step::Kind::Present;
+}
+
+Kind kindOf(const Step& step) {
+  switch (step.kind) {
+    case Step::Kind::Compute:
+      return Kind::Compute;
+    case Step::Kind::Draw:
+      return Kind::Geometry;
+    case Step::Kind::DrawShadow:
+      return Kind::Shadow;
+    case Step::Kind::Present:
+      return Kind::Present;
+    default:
+      return Kind::Fullscreen;
+  }
+}
+
+class PassLister {
+ public:
+  PassLister(const ShaderPack& pack, const Schedule& schedule) : pack_(pack), schedule_(schedule) {}
+
+  std::vector<FramePass> list() {
+    for (const Step& step : schedule_.setup) add(step, true);
+    for (const Step& step : schedule_.frame) add(step, false);
+    for (const ProgramSource& program : pack_.programs) addUndrawn(program);
+    return std::move(passes_);
+  }
+
+ private:
+  void add(const Step& step, bool setup) {
+    if (!isProgramStep(step)) return;
+    FramePass pass;
+    pass.kind = kindOf(step);
+    pass.group = step.group;
+    pass.setup = setup;
+    pass.translucent = step.geometry == Geometry::Translucent;
+    pass.writes = step.writes;
+    pass.mipmaps = step.mipmaps;
+    pass.flipped = step.flipped;
+    pass.shadowFlipped = step.shadowFlipped;
+    pass.flippedInGroup = step.flippedInGroup;
+    pass.name = step.name;
+    if (step.program >= 0) {
+      pass.program = &pack_.programs[static_cast<size_t>(step.program)];
+      pass.name = pass.program->name;
+      pass.names = namesOf(*pass.program, pass.kind == Kind::Compute);
+    }
+    // One program draws several geometries in a row: sky and stars, solid and cutout terrain.
+    const bool geometry = pass.kind == Kind::Geometry || pass.kind == Kind::Shadow;
+    if (geometry && !passes_.empty() && passes_.back().kind == pass.kind &&
+        passes_.back().program == pass.program &&
+        (pass.kind == Kind::Shadow || passes_.back().translucent == pass.translucent))
+      return;
+    passes_.push_back(std::move(pass));
+  }
+
+  /// The place of a geometry program: after the last that is drawn of its half.
+  size_t placeFor(Kind kind, bool translucent) const {
+    for (size_t i = passes_.size(); i-- > 0;)
+      if (passes_[i].kind == kind &&
+          (kind == Kind::Shadow || passes_[i].translucent == translucent))
+        return i;
+    return passes_.size();
+  }
+
+  void addUndrawn(const ProgramSource& program) {
+    const bool shadow = program.group == ProgramGroup::Shadow;
+    if ((!shadow && program.group != ProgramGroup::Gbuffers) || program.stages.empty()) return;
+    const Kind kind = shadow ? Kind::Shadow : Kind::Geometry;
+    const bool known = std::any_of(passes_.begin(), passes_.end(), [&](const FramePass& pass) {
+      return pass.kind == kind && pass.program == &program;
+    });
+    if (known) return;
+    const bool translucent = isTranslucent(program.name);
+    const size_t place = placeFor(kind, translucent);
+    if (place == passes_.size()) return;  // no such geometry in this frame
+    FramePass pass = passes_[place];
+    pass.name = program.name;
+    pass.program = &program;
+    pass.writes = program.drawBuffers;
+    pass.mipmaps.clear();
+    pass.drawn = false;
+    pass.translucent = translucent;
+    pass.names = namesOf(program, false);
+    passes_.insert(passes_.begin() + static_cast<std::ptrdiff_t>(place) + 1, std::move(pass));
+  }
+
+  const ShaderPack& pack_;
+  const Schedule& schedule_;
+  std::vector<FramePass> passes_;
+};
+
+bool isReplaced(const ShaderPack& pack, const FramePass& pass, const BufferName& buffer,
+                const std::string& name) {
+  const bool ended =
+      buffer.kind == BufferName::Kind::Color && (pass.flippedInGroup >> buffer.index & 1u) != 0;
+  const std::string stage = textureStageOf(pass.group);
+  const auto& textures = pack.properties.textures;
+  const auto& images = pack.properties.images;
+  return (!ended && std::any_of(textures.begin(), textures.end(),
+                                [&](const TextureBinding& texture) {
+                                  return texture.sampler == name &&
+                                         (texture.stage.empty() || texture.stage == stage);
+                                })) ||
+         std::any_of(images.begin(), images.end(), [&](const CustomImage& image) {
+           return image.name == name || image.sampler == name;
+         });
+}
+
+}  // namespace
+
+bool FramePass::isShadowGroup() const { return orris::isShadowGroup(group); }
+
+bool FramePass::readsAlt(bool shadow, int buffer) const {
+  return ((shadow ? shadowFlipped : flipped) >> buffer & 1u) != 0;
+}
+
+bool FramePass::writesAlt(int buffer) const {
+  const bool bit = readsAlt(isShadowGroup(), buffer);
+  // As Step::writesAlt: fullscreen programs write the side they do not read.
+  if (kind == Kind::Fullscreen) return !bit;
+  return kind == Kind::Shadow ? false : bit;
+}
+
+std::vector<FramePass> framePasses(const ShaderPack& pack, const Schedule& schedule) {
+  return PassLister(pack, schedule).list();
+}
+
+std::vector<BufferUse> buffersUsed(const ShaderPack& pack, const FramePass& pass) {
+  std::vector<BufferUse> uses;
+  const bool geometry = pass.kind == Kind::Geometry || pass.kind == Kind::Shadow;
+  for (const std::string& name : pass.names) {
+    const auto buffer = parseBufferName(name, pass.names.contains("watershadow"));
+    if (!buffer || isReplaced(pack, pass, *buffer, name)) continue;
+    const bool color = buffer->kind == BufferName::Kind::Color;
+    if (color && !buffer->image && geometry && buffer->index < 4) continue;
+    if (color && pass.group == ProgramGroup::ShadowComp) continue;
+    uses.push_back({*buffer, name});
+  }
+  return uses;
+}
+
+}  // namespace orris

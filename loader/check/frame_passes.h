@@ -1,0 +1,51 @@
+// The programs of a folder in frame order with what each reads and writes: what the checks of the
+// frame and the pass graph look at. Contract: README "Frame", "Ping-pong".
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "frame/program_uses.h"
+#include "frame/schedule.h"
+#include "pack/shader_pack.h"
+
+namespace orris {
+
+/// One program at its place in the frame.
+struct FramePass {
+  enum class Kind { Compute, Fullscreen, Geometry, Shadow, Present };
+  Kind kind = Kind::Fullscreen;
+  std::string name;                        ///< of the program: "composite3"
+  const ProgramSource* program = nullptr;  ///< nullptr: built into the host
+  ProgramGroup group = ProgramGroup::Composite;
+  bool drawn = true;   ///< false: a geometry program that this host never draws (entities, hand)
+  bool setup = false;  ///< runs once after load, not in each frame
+  bool translucent = false;  ///< geometry drawn after the deferred programs
+  std::vector<int> writes;   ///< colortex (shadow groups: shadowcolor) in slot order
+  std::vector<int> mipmaps;
+  /// Bit n: colortex n (shadowcolor n) is read from its alt side.
+  std::uint32_t flipped = 0, shadowFlipped = 0;
+  std::uint32_t flippedInGroup = 0;  ///< see Step
+  ProgramUses names;                 ///< host names its stages (or computes) mention
+
+  bool isShadowGroup() const;
+  bool readsAlt(bool shadow, int buffer) const;
+  bool writesAlt(int buffer) const;  ///< side a draw buffer is written to
+};
+
+/// A buffer that a pass reads through a sampler, or touches through an image.
+struct BufferUse {
+  BufferName buffer;
+  std::string name;  ///< as the program writes it: "gaux1"
+};
+
+/// All programs of the folder in frame order; geometry programs that the schedule leaves out stand
+/// beside those of their half (opaque, translucent) or of the shadow pass.
+std::vector<FramePass> framePasses(const ShaderPack& pack, const Schedule& schedule);
+
+/// Buffers that the pass really gets by the names it mentions: not colortex0 to 3 in geometry
+/// programs (the atlas), no names that a custom texture or image replaces.
+std::vector<BufferUse> buffersUsed(const ShaderPack& pack, const FramePass& pass);
+
+}  // namespace orris

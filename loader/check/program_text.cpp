@@ -1,0 +1,112 @@
+#include "check/program_text.h"
+
+#include <algorithm>
+
+#include "pack/text.h"
+
+namespace orris {
+namespace {
+
+constexpr size_t kMostArguments = 16, kLongestCall = 4000;
+
+void addWords(const StageText& stage, std::string_view word, std::vector<WordPlace>& places) {
+  const std::string& text = stage.text.text;
+  for (size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
+    const size_t end = at + word.size();
+    const bool whole = (at == 0 || !isWordCharacter(text[at - 1])) &&
+                       (end == text.size() || !isWordCharacter(text[end]));
+    if (whole) places.push_back({&stage, at});
+  }
+}
+
+std::pair<int, int> lineAndColumn(const WordPlace& place) {
+  const std::string_view before = std::string_view(place.stage->text.text).substr(0, place.offset);
+  const auto line = std::count(before.begin(), before.end(), '\n') + 1;
+  const size_t lineStart = before.rfind('\n') + 1;  // npos + 1 is 0
+  return {static_cast<int>(line), static_cast<int>(before.size() - lineStart + 1)};
+}
+
+}  // namespace
+
+std::vector<WordPlace> findWord(const StageText& stage, std::string_view word) {
+  std::vector<WordPlace> places;
+  addWords(stage, word, places);
+  return places;
+}
+
+std::vector<WordPlace> findWord(const ProgramSource& program, bool computes,
+                                std::string_view word) {
+  std::vector<WordPlace> places;
+  if (computes) {
+    for (const ComputeSource& compute : program.computes) addWords(compute.text, word, places);
+  } else {
+    for (const StageText& stage : program.stages) addWords(stage, word, places);
+  }
+  return places;
+}
+
+bool isDeclaration(const WordPlace& place) {
+  const std::string_view text = place.stage->text.text;
+  const size_t before = text.substr(0, place.offset).find_last_of(";{}");
+  const std::string_view statement =
+      text.substr(before == std::string_view::npos ? 0 : before + 1,
+                  place.offset - (before == std::string_view::npos ? 0 : before + 1));
+  for (size_t at = statement.find("uniform"); at != std::string_view::npos;
+       at = statement.find("uniform", at + 1)) {
+    if ((at == 0 || !isWordCharacter(statement[at - 1])) &&
+        !isWordCharacter(statement[std::min(at + 7, statement.size() - 1)]))
+      return true;
+  }
+  return false;
+}
+
+std::optional<Call> callAt(std::string_view text, size_t nameEnd) {
+  size_t at = text.find_first_not_of(" \t\n", nameEnd);
+  if (at == std::string_view::npos || text[at] != '(') return std::nullopt;
+  Call call;
+  int depth = 0;
+  size_t begin = at + 1;
+  const size_t limit = std::min(text.size(), at + kLongestCall);
+  for (; at < limit; ++at) {
+    const char c = text[at];
+    if (c == '(' || c == '[') ++depth;
+    if (c == ')' || c == ']') --depth;
+    const bool closed = depth == 0;
+    if (!closed && !(c == ',' && depth == 1)) continue;
+    if (call.arguments.size() == kMostArguments) return std::nullopt;
+    call.arguments.push_back(trim(text.substr(begin, at - begin)));
+    begin = at + 1;
+    if (!closed) continue;
+    call.end = at + 1;
+    return call;
+  }
+  return std::nullopt;
+}
+
+Diagnostic diagnosticAt(const ShaderPack& pack, Severity severity, std::string id,
+                        const SourceLocation& at, std::string message, std::string hint) {
+  Diagnostic d;
+  d.severity = severity;
+  d.id = std::move(id);
+  d.at = at;
+  d.message = std::move(message);
+  d.sourceLine = pack.sourceLine(at.file, at.line);
+  d.hint = std::move(hint);
+  return d;
+}
+
+SourceLocation locationOf(const WordPlace& place) {
+  const auto [line, column] = lineAndColumn(place);
+  return place.stage->text.locate(line, column);
+}
+
+Diagnostic diagnosticAt(const ShaderPack& pack, Severity severity, std::string id,
+                        const WordPlace& place, std::string message, std::string hint) {
+  const auto [line, column] = lineAndColumn(place);
+  Diagnostic d = diagnosticAt(pack, severity, std::move(id), locationOf(place), std::move(message),
+                              std::move(hint));
+  d.includedFrom = place.stage->text.includedFrom(line, column);
+  return d;
+}
+
+}  // namespace orris
