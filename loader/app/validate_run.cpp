@@ -53,10 +53,12 @@ std::optional<ShaderPack> checkOne(const std::shared_ptr<const FileSource>& file
   verdict.dimensions.insert(pack->folder);
   verdict.profiles.insert(request.profile);
   for (const ProgramUnit& unit : programUnits(*pack)) {
-    verdict.programs.insert(unit.name);
-    if (!checker.passed(unit.hash)) verdict.failed.insert(unit.name);
+    ProgramVerdicts& programs =
+        unit.mod.empty() ? verdict.programs : verdict.modPrograms[std::string(unit.mod)];
+    programs.all.insert(unit.name);
+    if (!checker.passed(unit.hash)) programs.failed.insert(unit.name);
   }
-  if (checker.context && verdict.failed.empty()) {
+  if (checker.context && verdict.programs.failed.empty()) {
     drawOneFrame(*checker.context, files, request, diagnostics);
   }
   report.add(diagnostics);
@@ -94,6 +96,7 @@ PackVerdict validatePack(const std::string& path, const ValidateOptions& options
   if (!outline) return verdict;
 
   request->buildSources = true;
+  request->buildModPrograms = true;
   for (const std::string& profile :
        chosen(options.profiles, namesOf(outline->properties.profiles))) {
     if (!profile.empty()) request->profile = profile;

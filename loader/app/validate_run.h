@@ -1,6 +1,7 @@
 // The stages of `orris validate` for one pack.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
@@ -13,10 +14,17 @@
 
 namespace orris {
 
-/// What was checked of one pack. Programs are counted once, whatever the number of profiles.
+/// Programs by name, counted once whatever the number of profiles.
+struct ProgramVerdicts {
+  std::set<std::string> all, failed;
+};
+
+/// What was checked of one pack.
 struct PackVerdict {
   std::string path;
-  std::set<std::string> programs, failed, dimensions, profiles;
+  ProgramVerdicts programs;
+  std::map<std::string, ProgramVerdicts> modPrograms;  ///< by name of the mod, "Distant Horizons"
+  std::set<std::string> dimensions, profiles;
   int status = kClean;
 };
 

@@ -9,6 +9,7 @@
 
 #include "frame/gpu_program.h"
 #include "glsl/validate.h"
+#include "pack/mods.h"
 
 namespace orris {
 namespace {
@@ -58,15 +59,19 @@ std::vector<ProgramUnit> programUnits(const ShaderPack& pack) {
   const auto add = [&](const ProgramSource& program, const std::string& name,
                        std::vector<const StageText*> stages) {
     const std::uint64_t hash = hashOf(stages);
-    units.push_back({unitName(program, name), hash, std::move(stages)});
+    const ModFamily* family = modFamilyOf(program.group);
+    units.push_back({unitName(program, name), hash, std::move(stages),
+                     family ? family->name : std::string_view()});
   };
-  for (const ProgramSource& program : pack.programs) {
-    // A fullscreen program and a compute shader may share their name.
-    for (const ComputeSource& compute : program.computes)
-      add(program, compute.name + ".csh", {&compute.text});
-    std::vector<const StageText*> stages;
-    for (const StageText& stage : program.stages) stages.push_back(&stage);
-    if (!stages.empty()) add(program, program.name, std::move(stages));
+  for (const auto* programs : {&pack.programs, &pack.modPrograms}) {
+    for (const ProgramSource& program : *programs) {
+      // A fullscreen program and a compute shader may share their name.
+      for (const ComputeSource& compute : program.computes)
+        add(program, compute.name + ".csh", {&compute.text});
+      std::vector<const StageText*> stages;
+      for (const StageText& stage : program.stages) stages.push_back(&stage);
+      if (!stages.empty()) add(program, program.name, std::move(stages));
+    }
   }
   return units;
 }
@@ -83,6 +88,7 @@ void checkWithGlslang(const ShaderPack& pack, int jobs, Verdicts& verdicts,
   });
   for (size_t i = 0; i < units.size(); ++i) {
     verdicts[units[i].hash] = !hasErrors(found[i]);
+    if (!units[i].mod.empty()) markAsOfMod(units[i].mod, found[i]);
     diagnostics.insert(diagnostics.end(), found[i].begin(), found[i].end());
   }
 }
@@ -93,6 +99,7 @@ void checkWithDriver(const ShaderPack& pack, Verdicts& verdicts, Diagnostics& di
     Diagnostics found;
     const GpuProgram program = buildGpuProgram(unit.name, unit.stages, lines, found);
     verdicts[unit.hash] = program.program.linked;
+    if (!unit.mod.empty()) markAsOfMod(unit.mod, found);
     diagnostics.insert(diagnostics.end(), found.begin(), found.end());
   }
 }
@@ -110,9 +117,12 @@ Diagnostics ruleNotes(const ShaderPack& pack) {
                                  rule.rule, rule.count, rule.count == 1 ? "" : "s");
     }
   };
-  for (const ProgramSource& program : pack.programs) {
-    for (const ComputeSource& compute : program.computes) add(program, compute.name, compute.rules);
-    add(program, program.name, program.rules);
+  for (const auto* programs : {&pack.programs, &pack.modPrograms}) {
+    for (const ProgramSource& program : *programs) {
+      for (const ComputeSource& compute : program.computes)
+        add(program, compute.name, compute.rules);
+      add(program, program.name, program.rules);
+    }
   }
   return notes;
 }

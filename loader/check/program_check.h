@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/diagnostic.h"
@@ -16,9 +17,10 @@ struct ProgramUnit {
   std::string name;  ///< "/world0/composite3", of a compute shader "/world0/composite3_a.csh"
   std::uint64_t hash = 0;
   std::vector<const StageText*> stages;
+  std::string_view mod{};  ///< the mod that would draw with it ("Distant Horizons"), "" for none
 };
 
-/// All units of a pack, in frame order.
+/// All units of a pack, in frame order; those of other mods last.
 std::vector<ProgramUnit> programUnits(const ShaderPack& pack);
 
 /// Verdicts by hash, so that a text shared by dimensions or profiles is checked once.

@@ -93,7 +93,7 @@ class Builder {
       return pack_.properties.flag("shadow.enabled", true);
     for (size_t i = 0; i < pack_.programs.size(); ++i) {
       const ProgramGroup group = pack_.programs[i].group;
-      if (isShadowGroup(group) || group == ProgramGroup::DistantHorizons) continue;
+      if (isShadowGroup(group)) continue;
       if (group == ProgramGroup::Gbuffers && !gbuffersDrawn(pack_.programs[i])) continue;
       if (usesShadow(uses_[i])) return true;
     }

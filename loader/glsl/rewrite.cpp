@@ -47,8 +47,9 @@ const char* stageExtension(Stage stage) {
 
 const char* stageName(Stage stage) { return kStages[static_cast<std::size_t>(stage)].name; }
 
-RewriteResult rewrite(TokenStream& stream, Stage stage) {
+RewriteResult rewrite(TokenStream& stream, Stage stage, std::span<const HostName> moreNames) {
   RewriteContext context(stream, stage);
+  context.moreNames = moreNames;
   for (auto* rule : kRules) rule(context);
   RewriteResult result;
   result.rules = std::move(context.rules);

@@ -3,7 +3,10 @@
 // real-packs.md section 3.
 #pragma once
 
+#include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "glsl/token.h"
@@ -29,7 +32,15 @@ struct RewriteResult {
   bool writesFragData = false;
 };
 
-/// Applies all rules in order; edits `stream` in place. The rules, by the name reported:
+/// A name that the host declares in a stage that uses it without declaring it.
+struct HostName {
+  std::string_view name;
+  std::string_view declaration;  ///< GLSL, whole
+  std::optional<Stage> stage{};  ///< the only one to have it; none: all
+};
+
+/// Applies all rules in order; edits `stream` in place. `moreNames` are host names of this kind of
+/// program besides those that every program has. The rules, by the name reported:
 /// - extensions: #extension lines that core GLSL 4.50 contains are dropped
 /// - attribute-varying: attribute, varying -> in, out (vertex and fragment stages)
 /// - texture-functions: texture2D, shadow2D, texelFetch2D, ... -> the GLSL 4.50 names
@@ -43,6 +54,6 @@ struct RewriteResult {
 /// - out-color: an output outColorN without layout gets location N
 /// - host-names: names Iris provides (entityId, vaPosition, ...) used without declaration
 /// - version: "450 compatibility"; compute: the pack's version, at least 430
-RewriteResult rewrite(TokenStream& stream, Stage stage);
+RewriteResult rewrite(TokenStream& stream, Stage stage, std::span<const HostName> moreNames = {});
 
 }  // namespace orris

@@ -14,14 +14,6 @@ namespace {
 
 using NameSet = std::unordered_set<std::string_view>;
 
-enum class Where { Everywhere, Vertex };
-
-struct HostName {
-  std::string_view name;
-  std::string_view declaration;
-  Where where = Where::Everywhere;
-};
-
 // Names Iris adds by itself (VanillaCoreTransformer, EntityPatcher); contract: attributes.csv rows of
 // the core profile, uniforms.csv group matrix and id.
 constexpr HostName kHostNames[] = {
@@ -36,13 +28,13 @@ constexpr HostName kHostNames[] = {
     {"textureMatrix", "uniform mat4 textureMatrix;"},
     {"chunkOffset", "uniform vec3 chunkOffset;"},
     {"alphaTestRef", "uniform float alphaTestRef;"},
-    {"vaPosition", "in vec3 vaPosition;", Where::Vertex},
-    {"vaColor", "in vec4 vaColor;", Where::Vertex},
-    {"vaUV0", "in vec2 vaUV0;", Where::Vertex},
-    {"vaUV1", "in ivec2 vaUV1;", Where::Vertex},
-    {"vaUV2", "in ivec2 vaUV2;", Where::Vertex},
-    {"vaNormal", "in vec3 vaNormal;", Where::Vertex},
-    {"mc_chunkFade", "in float mc_chunkFade;", Where::Vertex},
+    {"vaPosition", "in vec3 vaPosition;", Stage::Vertex},
+    {"vaColor", "in vec4 vaColor;", Stage::Vertex},
+    {"vaUV0", "in vec2 vaUV0;", Stage::Vertex},
+    {"vaUV1", "in ivec2 vaUV1;", Stage::Vertex},
+    {"vaUV2", "in ivec2 vaUV2;", Stage::Vertex},
+    {"vaNormal", "in vec3 vaNormal;", Stage::Vertex},
+    {"mc_chunkFade", "in float mc_chunkFade;", Stage::Vertex},
 };
 
 // Names a file-scope item makes known to all functions.
@@ -203,9 +195,11 @@ void ruleHostNames(RewriteContext& context) {
     if (token.kind == TokenKind::Identifier) used.emplace(token.text, token.origin);
   }
   std::vector<const HostName*> wanted;
-  for (const HostName& name : kHostNames) {
-    const bool possible = name.where == Where::Everywhere || context.stage == Stage::Vertex;
-    if (possible && used.contains(name.name)) wanted.push_back(&name);
+  for (const auto names : {std::span<const HostName>(kHostNames), context.moreNames}) {
+    for (const HostName& name : names) {
+      const bool possible = !name.stage || *name.stage == context.stage;
+      if (possible && used.contains(name.name)) wanted.push_back(&name);
+    }
   }
   if (wanted.empty()) return;
   NameSet declared;

@@ -25,6 +25,7 @@ class RewriteContext {
   const Stage stage;
   const int packVersion;  ///< before the version rule; no #version means 110
   std::vector<AppliedRule> rules;
+  std::span<const HostName> moreNames{};  ///< of this kind of program, for host-names
 };
 
 /// Insertions and removals by token index, collected first and applied in one pass.

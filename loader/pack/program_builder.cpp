@@ -5,6 +5,7 @@
 #include <set>
 #include <thread>
 
+#include "pack/mods.h"
 #include "pack/text.h"
 
 namespace orris {
@@ -31,10 +32,14 @@ FlatSource defaultVertexSource() {
   return flat;
 }
 
-/// Number of buffers that a program of the group can draw to.
-int targetsOf(ProgramGroup group) {
-  const bool shadow = group == ProgramGroup::Shadow || group == ProgramGroup::ShadowComp;
-  return shadow ? kShadowColorTargets : kColorTargets;
+bool drawsShadow(const ProgramFile& program) {
+  if (modFamilyOf(program.group)) return program.program.find("_shadow") != std::string::npos;
+  return program.group == ProgramGroup::Shadow || program.group == ProgramGroup::ShadowComp;
+}
+
+/// Number of buffers that the program can draw to.
+int targetsOf(const ProgramFile& program) {
+  return drawsShadow(program) ? kShadowColorTargets : kColorTargets;
 }
 
 /// "local_size_x = 8" in a compute shader; sizes that are no literal stay 1.
@@ -91,11 +96,11 @@ class ProgramBuild {
     TokenStream stream = preprocessFile(file);
     if (stage == Stage::Fragment) {
       built_.source.directives =
-          readProgramDirectives(stream, targetsOf(entry_.name.group), built_.diagnostics);
+          readProgramDirectives(stream, targetsOf(entry_.name), built_.diagnostics);
       built_.constLines = findConstLines(stream);
       built_.sites = stream.sites;
     }
-    RewriteResult result = rewrite(stream, stage);
+    RewriteResult result = rewrite(stream, stage, context_.names);
     built_.source.writesFragData |= result.writesFragData;
     addRules(result.rules);
     built_.source.stages.push_back({stage, print(stream)});
@@ -145,10 +150,8 @@ class ProgramBuild {
   void applyProperties() {
     ProgramSource& source = built_.source;
     const ShaderProperties& properties = context_.properties;
-    const bool shadow =
-        source.group == ProgramGroup::Shadow || source.group == ProgramGroup::ShadowComp;
-    source.drawBuffers =
-        source.directives.drawBuffers.value_or(shadow ? std::vector{0, 1} : std::vector{0});
+    source.drawBuffers = source.directives.drawBuffers.value_or(
+        drawsShadow(entry_.name) ? std::vector{0, 1} : std::vector{0});
     if (const auto* test = property(properties.alphaTest)) source.alphaTest = *test;
     if (const auto* blend = property(properties.blend)) source.blend = *blend;
     if (const auto* blends = property(properties.bufferBlend)) source.bufferBlend = *blends;
@@ -180,9 +183,8 @@ std::vector<BuiltProgram> buildPrograms(const std::vector<ProgramEntry>& entries
   return built;
 }
 
-std::map<std::string, std::vector<std::string>> findMentions(
-    const std::map<std::string, FileLines>& files, const OptionSet& options) {
-  std::map<std::string, std::vector<std::string>> mentions;
+Mentions findMentions(const std::map<std::string, FileLines>& files, const OptionSet& options) {
+  Mentions mentions;
   for (const auto& [file, lines] : files) {
     std::set<std::string> names;
     for (const std::string_view line : lines) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,7 @@ struct ProgramEntry {
   std::vector<std::pair<std::string, std::string>> computes;  ///< name, file; in dispatch order
 };
 
-/// The programs of `folder` among `paths`, in frame order then name, dh_* left out. `isEnabled` is
+/// The programs of `folder` among `paths`, in frame order then name, those of other mods last. `isEnabled` is
 /// asked per file with its name without extension ("world0/composite_a"). Contract:
 /// programs.csv, contract/README "Loading order" 6.
 std::vector<ProgramEntry> listPrograms(const std::vector<std::string>& paths,
@@ -33,22 +34,23 @@ struct BuiltProgram {
   Diagnostics diagnostics;
 };
 
+/// Of each file, the sorted names of options whose words occur in it.
+using Mentions = std::map<std::string, std::vector<std::string>>;
+
 /// What all programs of a pack share while they are built.
 struct BuildContext {
   const IncludeGraph& graph;
   const std::map<std::string, FileLines>& files;
   const ShaderProperties& properties;
   const MacroDefinitions& macros;
-  /// Of each file, the names of options it mentions.
-  const std::map<std::string, std::vector<std::string>>& mentions;
+  const Mentions& mentions;
+  std::span<const HostName> names{};  ///< that a mod declares for its programs
 };
 
 /// All programs, on two threads; the result does not depend on which thread did what.
 std::vector<BuiltProgram> buildPrograms(const std::vector<ProgramEntry>& entries,
                                         const BuildContext& context);
 
-/// Of each file, the sorted names of options whose words occur in it.
-std::map<std::string, std::vector<std::string>> findMentions(
-    const std::map<std::string, FileLines>& files, const OptionSet& options);
+Mentions findMentions(const std::map<std::string, FileLines>& files, const OptionSet& options);
 
 }  // namespace orris

@@ -61,7 +61,7 @@ bool recognise(std::string_view name, ProgramFile& file) {
 
 /// Compute shaders belong to fullscreen passes, setup and the shadow pass.
 bool takesCompute(const ProgramFile& file) {
-  return file.group != ProgramGroup::Gbuffers && file.group != ProgramGroup::DistantHorizons &&
+  return file.group != ProgramGroup::Gbuffers && file.group < ProgramGroup::DistantHorizons &&
          (file.group != ProgramGroup::Shadow || file.program == "shadow");
 }
 
@@ -152,6 +152,17 @@ const std::vector<GeometryProgram>& geometryPrograms() {
       {"dh_water", "dh_terrain", DistantHorizons},
       {"dh_generic", "dh_terrain", DistantHorizons},
       {"dh_shadow", "", DistantHorizons},
+      {"clrwl_gbuffers", "", Colorwheel},
+      {"clrwl_gbuffers_additive", "clrwl_gbuffers", Colorwheel},
+      {"clrwl_gbuffers_lightning", "clrwl_gbuffers", Colorwheel},
+      {"clrwl_gbuffers_glint", "clrwl_gbuffers", Colorwheel},
+      {"clrwl_gbuffers_translucent", "clrwl_gbuffers", Colorwheel},
+      {"clrwl_gbuffers_damagedblock", "clrwl_gbuffers", Colorwheel},
+      {"clrwl_shadow", "", Colorwheel},
+      {"clrwl_shadow_additive", "clrwl_shadow", Colorwheel},
+      {"clrwl_shadow_lightning", "clrwl_shadow", Colorwheel},
+      {"clrwl_shadow_glint", "clrwl_shadow", Colorwheel},
+      {"clrwl_shadow_translucent", "clrwl_shadow", Colorwheel},
   };
   return kPrograms;
 }

@@ -20,7 +20,8 @@ enum class ProgramGroup {
   Deferred,
   Composite,
   Final,
-  DistantHorizons
+  DistantHorizons,  ///< the groups from here on are of other mods, see pack/mods.h
+  Colorwheel
 };
 
 /// What a file name says: "/world0/composite3_a.csh" is {folder "/world0", program "composite3",
@@ -44,7 +45,8 @@ bool isFullscreen(ProgramGroup group);
 /// a root.
 std::string_view fallbackOf(std::string_view program);
 
-/// All names the contract knows in groups Shadow and Gbuffers (and dh_*), with their defaults.
+/// All names the contract knows in groups Shadow and Gbuffers and of other mods, with their
+/// defaults.
 struct GeometryProgram {
   std::string_view name;
   std::string_view fallback;

@@ -46,7 +46,7 @@ std::vector<ProgramEntry> listPrograms(const std::vector<std::string>& paths,
   std::map<Key, Files> programs;
   for (const std::string& path : paths) {
     const auto file = parseProgramFile(path);
-    if (!file || file->folder != folder || file->group == ProgramGroup::DistantHorizons) continue;
+    if (!file || file->folder != folder) continue;
     if (!isEnabled(path.substr(1, path.rfind('.') - 1))) continue;
     Files& files = programs[{file->group, file->index, file->program}];
     files.name = *file;

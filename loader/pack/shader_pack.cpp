@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "pack/chosen_values.h"
 #include "pack/dimensions.h"
 #include "pack/features.h"
 #include "pack/include_graph.h"
 #include "pack/language.h"
+#include "pack/mods.h"
 #include "pack/program_builder.h"
 #include "pack/properties_text.h"
 #include "pack/property_keys.h"
@@ -130,37 +132,68 @@ class Loader {
     });
   }
 
-  bool isEnabled(const std::string& program) {
-    const auto& enabled = pack_.properties.programEnabled;
-    const auto found = enabled.find(program);
+  bool isEnabled(const std::string& program, const ShaderProperties& properties) const {
+    const auto found = properties.programEnabled.find(program);
+    if (found != properties.programEnabled.end() && !found->second) return false;
     const Profile* profile = detectProfile(pack_.properties.profiles, pack_.options, pack_.values);
-    const auto disables = [&](const Profile& p) {
-      return std::find(p.disabledPrograms.begin(), p.disabledPrograms.end(), program) !=
-             p.disabledPrograms.end();
-    };
-    if ((found == enabled.end() || found->second) && !(profile && disables(*profile))) return true;
-    if (std::find(pack_.disabledPrograms.begin(), pack_.disabledPrograms.end(), program) ==
-        pack_.disabledPrograms.end()) {
-      pack_.disabledPrograms.push_back(program);
-    }
-    return false;
+    return !profile || std::find(profile->disabledPrograms.begin(), profile->disabledPrograms.end(),
+                                 program) == profile->disabledPrograms.end();
   }
 
   void buildSources() {
-    const bool tessellation = pack_.properties.feature("TESSELLATION_SHADERS") ||
-                              pack_.properties.feature("TESSELATION_SHADERS");
-    const auto programs = listPrograms(entries_, pack_.folder, tessellation,
-                                       [this](const std::string& name) { return isEnabled(name); });
-    const auto mentions = findMentions(pack_.files, pack_.options);
+    const Mentions mentions = findMentions(pack_.files, pack_.options);
+    const auto enabled = [this](const std::string& name) {
+      if (isEnabled(name, pack_.properties)) return true;
+      auto& disabled = pack_.disabledPrograms;
+      if (std::find(disabled.begin(), disabled.end(), name) == disabled.end())
+        disabled.push_back(name);
+      return false;
+    };
+    auto programs = list(enabled);
+    std::erase_if(programs, [](const ProgramEntry& p) { return modFamilyOf(p.name.group); });
     auto built =
         buildPrograms(programs, {graph_, pack_.files, pack_.properties, shaderMacros_, mentions});
     readDirectives(built);
+    take(built, pack_.programs);
+    if (request_.buildModPrograms) {
+      for (const ModFamily& family : modFamilies()) buildModPrograms(family, mentions);
+    }
+    removeDuplicates(diagnostics_);
+  }
+
+  std::vector<ProgramEntry> list(const std::function<bool(const std::string&)>& enabled) const {
+    const bool tessellation = pack_.properties.feature("TESSELLATION_SHADERS") ||
+                              pack_.properties.feature("TESSELATION_SHADERS");
+    return listPrograms(entries_, pack_.folder, tessellation, enabled);
+  }
+
+  void take(std::vector<BuiltProgram>& built, std::vector<ProgramSource>& programs) {
     for (BuiltProgram& program : built) {
       diagnostics_.insert(diagnostics_.end(), program.diagnostics.begin(),
                           program.diagnostics.end());
-      pack_.programs.push_back(std::move(program.source));
+      programs.push_back(std::move(program.source));
     }
-    removeDuplicates(diagnostics_);
+  }
+
+  /// Packs ask for the mod in shaders.properties too, often to enable its programs.
+  void buildModPrograms(const ModFamily& family, const Mentions& mentions) {
+    const auto isOther = [&](const ProgramEntry& p) { return p.name.group != family.group; };
+    auto programs = list([](const std::string&) { return true; });
+    std::erase_if(programs, isOther);
+    if (programs.empty()) return;
+    MacroDefinitions macros = propertyMacros();
+    macros.emplace_back(family.macro, "1");
+    Diagnostics ignored;  // what is wrong with the file was told when it was read
+    const ShaderProperties properties = parseShaderProperties(
+        kPropertiesFile, propertiesText_.value_or(""), macros, pack_.options, ignored);
+    programs = list([&](const std::string& name) { return isEnabled(name, properties); });
+    std::erase_if(programs, isOther);
+    macros = shaderMacros_;
+    macros.emplace_back(family.macro, "");
+    auto built =
+        buildPrograms(programs, {graph_, pack_.files, properties, macros, mentions, family.names});
+    for (BuiltProgram& program : built) markAsOfMod(family.name, program.diagnostics);
+    take(built, pack_.modPrograms);
   }
 
   /// Contract: constants.csv "(precedence)"; the last directive wins.

@@ -58,6 +58,7 @@ struct LoadRequest {
   std::string dimension = "minecraft:overworld";  ///< or a folder: "world0", "/world-1", "/"
   MacroDefinitions environment;                   ///< see standardMacros()
   bool buildSources = true;                       ///< false: options, properties and screens only
+  bool buildModPrograms = false;                  ///< those of other mods too
 };
 
 struct ShaderPack {
@@ -73,6 +74,8 @@ struct ShaderPack {
   std::vector<std::string> dimensions;  ///< all program folders: "/", "/world0", ...
   std::vector<ProgramSource>
       programs;  ///< of `folder`, in frame order then name; enabled ones only
+  /// Those of other mods (pack/mods.h), each as if its mod were there.
+  std::vector<ProgramSource> modPrograms;
   std::vector<std::string> disabledPrograms;
   std::map<std::string, FileLines> files;    ///< every file of the include graph, options applied
   std::shared_ptr<const FileSource> source;  ///< for textures and buffer contents
