@@ -1,26 +1,32 @@
 // orris validate: checks packs without a world.
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "app/commands.h"
-#include "app/report_output.h"
+#include "app/validate_print.h"
 #include "app/validate_run.h"
 
 namespace orris {
 namespace {
 
 int runValidate(const ValidateOptions& options) {
-  ReportOutput output(options.report, options.output);
-  if (!output.open()) return kUsage;
+  int status = kClean;
   Checker checker{.jobs = options.jobs, .target = *findTarget(options.target)};
   if (options.draw && !openContext(options, checker)) return kHostFailed;
+  nlohmann::json packs = nlohmann::json::array();
   for (const std::string& path : options.paths) {
     // A report of its own for each pack: equal messages of two packs are two problems.
-    Report report(options.output, Report::Mode::Keep);
+    Report report(options.output);
     PackVerdict verdict = validatePack(path, options, checker, report);
-    output.add(std::move(verdict), report);
+    verdict.status = std::max<int>(verdict.status, report.status());
+    status = std::max(status, verdict.status);
+    if (!options.output.json) printText(verdict);
+    packs.push_back(toJson(verdict));
+    packs.back()["diagnostics"] = toJson(report.all());
   }
-  return output.finish();
+  if (options.output.json) printJson({{"packs", packs}, {"status", status}});
+  return status;
 }
 
 }  // namespace
@@ -48,10 +54,11 @@ void addValidateCommand(CLI::App& app, int& status) {
   for (const TargetLimits& target : targetTable()) targets.emplace_back(target.name);
   command->add_option("--target", options->target, "whose limits and macros: mesa, apple, ...")
       ->check(CLI::IsMember(targets));
-  addReportFlags(*command, options->report);
+  command->add_option("--format", options->format, "text or json")
+      ->check(CLI::IsMember({"text", "json"}));
   addOutputFlags(*command, options->output);
   command->callback([options, &status] {
-    settleReportFlags(options->report, options->output.json);
+    options->output.json |= options->format == "json";
     status = runValidate(*options);
   });
 }

@@ -2,11 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <iostream>
 #include <nlohmann/json.hpp>
 
 namespace orris {
 
-std::string toText(const PackVerdict& verdict) {
+void printText(const PackVerdict& verdict) {
   const auto count = [](const ProgramVerdicts& programs, std::string_view kind) {
     return fmt::format("{}/{} {}", programs.all.size() - programs.failed.size(),
                        programs.all.size(), kind);
@@ -15,13 +16,12 @@ std::string toText(const PackVerdict& verdict) {
   for (const auto& [mod, programs] : verdict.modPrograms) text += ", " + count(programs, mod);
   if (verdict.dimensions.size() > 1) text += fmt::format(", {} folders", verdict.dimensions.size());
   if (verdict.profiles.size() > 1) text += fmt::format(", {} profiles", verdict.profiles.size());
-  text += '\n';
-  const auto addFailed = [&](const ProgramVerdicts& programs) {
-    for (const std::string& name : programs.failed) text += fmt::format("  failed: {}\n", name);
+  std::cout << text << '\n';
+  const auto printFailed = [](const ProgramVerdicts& programs) {
+    for (const std::string& name : programs.failed) std::cout << "  failed: " << name << '\n';
   };
-  addFailed(verdict.programs);
-  for (const auto& [mod, programs] : verdict.modPrograms) addFailed(programs);
-  return text;
+  printFailed(verdict.programs);
+  for (const auto& [mod, programs] : verdict.modPrograms) printFailed(programs);
 }
 
 nlohmann::json toJson(const PackVerdict& verdict) {

@@ -1,8 +1,10 @@
 #include "check/pack_checks.h"
 
-#include <array>
-
 #include "check/frame_checks.h"
+#include "check/include_checks.h"
+#include "check/language_checks.h"
+#include "check/option_checks.h"
+#include "check/screen_checks.h"
 
 namespace orris {
 namespace {
@@ -12,7 +14,17 @@ using WholePackCheck = void (*)(std::span<const ShaderPack>, Diagnostics&);
 
 // In the order of the report.
 constexpr FolderCheck kFolderChecks[] = {checkTargetsRead, checkTargetsWritten};
-constexpr std::array<WholePackCheck, 0> kWholePackChecks{};
+constexpr WholePackCheck kWholePackChecks[] = {
+    checkOptionLists,    //
+    checkOptionUse,      //
+    checkHiddenOptions,  //
+    checkScreenLinks,    //
+    checkSliders,        //
+    checkProfiles,       //
+    checkLanguageKeys,   //
+    checkLanguageCover,  //
+    checkUnusedIncludes,
+};
 
 }  // namespace
 

@@ -19,6 +19,7 @@ std::span<const Rule> textRules() {
       {"include-missing", Severity::Error, "an include names a file that is not in the pack"},
       {"include-syntax", Severity::Error, "an include is not one path in quotes"},
       {"include-too-deep", Severity::Error, "includes are nested too deeply"},
+      {"include-unused", Severity::Note, "no program includes a file"},
       {"macro-arguments", Severity::Error, "a macro is called with the wrong number of arguments"},
       {"macro-expansion-limit", Severity::Error, "a macro expands without bound"},
       {"macro-unterminated", Severity::Error, "the call of a macro is not closed"},

@@ -75,12 +75,14 @@ OptionValues chooseValues(const LoadRequest& request, const OptionSet& options,
 
 const Profile* detectProfile(const std::vector<Profile>& profiles, const OptionSet& options,
                              const OptionValues& values) {
+  // Iris: Profile.precedence counts unknown names too.
+  const auto precedence = [](const Profile& p) { return p.values.size() + p.unknownNames.size(); };
   const Profile* best = nullptr;
   for (const Profile& profile : profiles) {
     const bool inForce = std::all_of(
         profile.values.begin(), profile.values.end(),
         [&](auto& entry) { return options.value(values, entry.first) == entry.second; });
-    if (inForce && (!best || profile.values.size() > best->values.size())) best = &profile;
+    if (inForce && (!best || precedence(profile) > precedence(*best))) best = &profile;
   }
   return best;
 }

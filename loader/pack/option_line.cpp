@@ -163,6 +163,14 @@ std::optional<OptionLine> parseOptionLine(std::string_view text) {
   return line.literal("const") ? parseConst(line) : parseDefine(line);
 }
 
+std::string_view definedName(std::string_view text) {
+  if (text.find("#define") == std::string_view::npos) return "";
+  Cursor line(text);
+  line.comment();
+  line.blanks();
+  return line.literal("#define") && line.blanks() ? line.word() : "";
+}
+
 std::string_view booleanReference(std::string_view text) {
   Cursor line(text);
   if ((!line.literal("#ifdef") && !line.literal("#ifndef")) || !line.blanks()) return "";

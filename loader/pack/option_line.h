@@ -21,6 +21,9 @@ struct OptionLine {
 /// nullopt when the line is no option definition (or a const whose name is not configurable).
 std::optional<OptionLine> parseOptionLine(std::string_view line);
 
+/// The name that a line defines with #define, be it commented out, an option or neither; else "".
+std::string_view definedName(std::string_view line);
+
 /// The name on a line that is exactly #ifdef NAME or #ifndef NAME, else "".
 std::string_view booleanReference(std::string_view line);
 

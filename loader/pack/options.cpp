@@ -50,8 +50,14 @@ class Merger {
     option.at.push_back(std::move(at));
   }
 
-  void dropAmbiguous() {
-    for (const std::string& name : dropped_) options_.erase(name);
+  /// Takes the ambiguous options out; gives their names and first lines.
+  std::map<std::string, SourceLocation> dropAmbiguous() {
+    std::map<std::string, SourceLocation> places;
+    for (const std::string& name : dropped_) {
+      places.emplace(name, options_.at(name).at.front());
+      options_.erase(name);
+    }
+    return places;
   }
 
  private:
@@ -73,6 +79,14 @@ class Merger {
   std::set<std::string> dropped_;
 };
 
+void reject(OptionSet& options, std::string_view name, SourceLocation at, bool isBoolean) {
+  const auto [found, isNew] = options.rejected().try_emplace(std::string(name));
+  if (!isNew) return;
+  found->second = {std::move(at), isBoolean
+                                      ? fmt::format("no line is #ifdef {0} or #ifndef {0}", name)
+                                      : "no list of values like // [1 2 3] follows"};
+}
+
 }  // namespace
 
 const Option* OptionSet::find(std::string_view name) const {
@@ -87,6 +101,21 @@ std::string OptionSet::value(const OptionValues& values, std::string_view name) 
   return option ? option->defaultValue : "";
 }
 
+const RejectedOption* OptionSet::rejected(std::string_view name) const {
+  const auto found = rejected_.find(name);
+  return found == rejected_.end() ? nullptr : &found->second;
+}
+
+std::string missingOptionHint(const OptionSet& options, std::string_view name) {
+  if (const RejectedOption* rejected = options.rejected(name)) {
+    return fmt::format("{}:{} defines it, but {}", rejected->at.file, rejected->at.line,
+                       rejected->reason);
+  }
+  std::vector<std::string> names;
+  for (const auto& entry : options.all()) names.push_back(entry.first);
+  return suggest(name, names);
+}
+
 OptionSet discoverOptions(const std::map<std::string, FileLines>& files, Diagnostics& diagnostics) {
   const auto references = findReferences(files);
   OptionSet options;
@@ -94,11 +123,16 @@ OptionSet discoverOptions(const std::map<std::string, FileLines>& files, Diagnos
   for (const auto& [file, lines] : files) {
     for (size_t i = 0; i < lines.size(); ++i) {
       auto option = parseOptionLine(lines[i]);
-      if (!option || (option->isBoolean && !references.contains(option->name))) continue;
-      merger.add(std::move(*option), place(file, i, lines[i]), lines[i]);
+      if (option && (!option->isBoolean || references.contains(option->name))) {
+        merger.add(std::move(*option), place(file, i, lines[i]), lines[i]);
+      } else if (const std::string_view name = definedName(lines[i]); !name.empty()) {
+        reject(options, name, place(file, i, lines[i]), option.has_value());
+      }
     }
   }
-  merger.dropAmbiguous();
+  for (const auto& [name, at] : merger.dropAmbiguous()) {
+    options.rejected()[name] = {at, "its lines have different defaults"};
+  }
   return options;
 }
 

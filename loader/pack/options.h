@@ -20,6 +20,12 @@ struct Option {
   std::vector<SourceLocation> at;   ///< every line that defines it
 };
 
+/// A #define that looks like an option and is none.
+struct RejectedOption {
+  SourceLocation at;   ///< its first line
+  std::string reason;  ///< "no line is #ifdef SSAO or #ifndef SSAO"
+};
+
 /// Chosen values by option name; what is absent keeps its default.
 using OptionValues = std::map<std::string, std::string>;
 
@@ -29,12 +35,20 @@ class OptionSet {
   const Option* find(std::string_view name) const;
   const std::map<std::string, Option, std::less<>>& all() const { return options_; }
   std::map<std::string, Option, std::less<>>& all() { return options_; }
+  /// Why `name`, which some #define has, is no option; nullptr when none has it.
+  const RejectedOption* rejected(std::string_view name) const;
+  std::map<std::string, RejectedOption, std::less<>>& rejected() { return rejected_; }
   /// The value in force: chosen, else default.
   std::string value(const OptionValues& values, std::string_view name) const;
 
  private:
   std::map<std::string, Option, std::less<>> options_;
+  std::map<std::string, RejectedOption, std::less<>> rejected_;
 };
+
+/// What to say about a name that is no option of the pack: where and why its #define is none, or the
+/// nearest name; may be empty.
+std::string missingOptionHint(const OptionSet& options, std::string_view name);
 
 /// Text of one file, split into lines (no line ends; a NUL byte is dropped).
 using FileLines = std::vector<std::string>;

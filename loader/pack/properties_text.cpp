@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <deque>
 #include <map>
 #include <optional>
 
@@ -131,6 +132,34 @@ size_t keyLength(std::string_view line) {
   return line.size();
 }
 
+/// Where a word stands in an entry's lines, both from 0.
+struct Place {
+  size_t line, column;
+};
+
+/// Begin and end of each word from `start` on; a backslash that ends the line is no word.
+std::vector<std::pair<size_t, size_t>> wordRanges(std::string_view line, size_t start) {
+  constexpr std::string_view kBlanks = " \t\f\r";
+  std::vector<std::pair<size_t, size_t>> ranges;
+  size_t last = line.find_last_not_of(kBlanks);
+  if (last != std::string_view::npos && line[last] == '\\') line = line.substr(0, last);
+  for (size_t begin = line.find_first_not_of(kBlanks, start); begin != std::string_view::npos;) {
+    const size_t end = std::min(line.find_first_of(kBlanks, begin), line.size());
+    ranges.emplace_back(begin, end);
+    begin = line.find_first_not_of(kBlanks, end);
+  }
+  return ranges;
+}
+
+/// Where the value begins on the line of the key.
+size_t valueStart(std::string_view line, const PropertyEntry& entry) {
+  const size_t key = static_cast<size_t>(std::max(entry.at.column, 1)) - 1;
+  if (key >= line.size()) return line.size();
+  size_t at = key + keyLength(line.substr(key));
+  while (at < line.size() && isBlank(line[at])) ++at;
+  return at < line.size() && (line[at] == '=' || line[at] == ':') ? at + 1 : at;
+}
+
 }  // namespace
 
 std::vector<PropertyEntry> parseProperties(const std::string& file, std::string_view text,
@@ -144,7 +173,8 @@ std::vector<PropertyEntry> parseProperties(const std::string& file, std::string_
     const size_t first = i;
     const std::string joined = joinContinued(lines, i, continuation);
     for (size_t line = first; line <= i && line < lines.original.size(); ++line) {
-      entry.lines.push_back(lines.original[line]);
+      const bool active = line < lines.text.size() && !trim(lines.text[line]).empty();
+      entry.lines.push_back(active ? lines.original[line] : "");
     }
     if (entry.lines.empty()) entry.lines.push_back(lines.text[first]);
     const std::string& written = entry.lines.front();
@@ -172,6 +202,40 @@ std::vector<PropertyEntry> lastValues(const std::vector<PropertyEntry>& entries)
     }
   }
   return result;
+}
+
+std::vector<PropertyWord> locatedWords(const PropertyEntry& entry) {
+  std::map<std::string_view, std::deque<Place>> places;
+  for (size_t line = 0; line < entry.lines.size(); ++line) {
+    const std::string_view text = entry.lines[line];
+    for (const auto& [begin, end] : wordRanges(text, line == 0 ? valueStart(text, entry) : 0)) {
+      places[text.substr(begin, end - begin)].push_back({line, begin});
+    }
+  }
+  std::vector<PropertyWord> words;
+  for (std::string& text : splitBlanks(entry.value)) {
+    PropertyWord word{std::move(text), entry.at, entry.lines.front()};
+    if (const auto found = places.find(word.text);
+        found != places.end() && !found->second.empty()) {
+      const Place place = found->second.front();
+      found->second.pop_front();
+      word.at.line += static_cast<int>(place.line);
+      word.at.column = static_cast<int>(place.column) + 1;
+      word.sourceLine = entry.lines[place.line];
+    }
+    words.push_back(std::move(word));
+  }
+  return words;
+}
+
+Diagnostic wordDiagnostic(Severity severity, std::string id, const PropertyWord& word,
+                          std::string message, std::string hint) {
+  return {.severity = severity,
+          .id = std::move(id),
+          .at = word.at,
+          .message = std::move(message),
+          .sourceLine = word.sourceLine,
+          .hint = std::move(hint)};
 }
 
 Diagnostic propertyDiagnostic(Severity severity, std::string id, const PropertyEntry& entry,

@@ -13,8 +13,16 @@ namespace orris {
 struct PropertyEntry {
   std::string key;
   std::string value;
-  SourceLocation at;               ///< of the key
-  std::vector<std::string> lines;  ///< as written, from the line of the key on
+  SourceLocation at;  ///< of the key
+  /// As written, from the line of the key on; "" for a line that preprocessing took away.
+  std::vector<std::string> lines;
+};
+
+/// One word of an entry's value, and where the author wrote it.
+struct PropertyWord {
+  std::string text;
+  SourceLocation at;
+  std::string sourceLine;
 };
 
 /// How an entry goes on after a line that ends in a backslash.
@@ -33,6 +41,14 @@ std::vector<PropertyEntry> parseProperties(const std::string& file, std::string_
 
 /// Of each key the last value, at the place in the order where the key first appeared.
 std::vector<PropertyEntry> lastValues(const std::vector<PropertyEntry>& entries);
+
+/// The words of the value between blanks. A word that no line holds as it is, because a macro or an
+/// escape made it, is placed at the key.
+std::vector<PropertyWord> locatedWords(const PropertyEntry& entry);
+
+/// A diagnostic at `word`.
+Diagnostic wordDiagnostic(Severity severity, std::string id, const PropertyWord& word,
+                          std::string message, std::string hint = {});
 
 /// A diagnostic at `word` where the author's lines hold it, else at the entry's key.
 Diagnostic propertyDiagnostic(Severity severity, std::string id, const PropertyEntry& entry,

@@ -12,12 +12,6 @@
 namespace orris {
 namespace {
 
-std::vector<std::string> optionNames(const OptionSet& options) {
-  std::vector<std::string> names;
-  for (const auto& entry : options.all()) names.push_back(entry.first);
-  return names;
-}
-
 Screen& screenNamed(ShaderProperties& out, std::string_view name, const SourceLocation& at) {
   auto& screens = out.screens;
   const auto found =
@@ -92,6 +86,7 @@ class ProfileReader {
       Profile profile{.name = name, .at = entry.at};
       open_ = {name};
       words_ = 0;
+      taken_.clear();
       apply(entry, profile);
       out_.profiles.push_back(std::move(profile));
     }
@@ -105,69 +100,96 @@ class ProfileReader {
   static constexpr size_t kDeepest = 64;
 
   void apply(const PropertyEntry& entry, Profile& profile) {
-    for (const std::string& word : splitBlanks(entry.value)) {
+    for (const PropertyWord& word : wordsOf(entry)) {
       if (++words_ > kMostWords) return;
-      applyWord({out_, entry, options_, diagnostics_}, word, profile);
+      applyWord(word, profile);
     }
   }
 
-  void applyWord(const PropertyContext& context, const std::string& word, Profile& profile) {
+  /// Parents may be named often: their words are placed once.
+  const std::vector<PropertyWord>& wordsOf(const PropertyEntry& entry) {
+    const auto [found, isNew] = placed_.try_emplace(&entry);
+    if (isNew) found->second = locatedWords(entry);
+    return found->second;
+  }
+
+  void applyWord(const PropertyWord& at, Profile& profile) {
+    const std::string& word = at.text;
     const size_t split = std::min(
         word.find('='), word.find('=') == std::string::npos ? word.find(':') : word.size());
     if (word.starts_with(kProgram)) {
       profile.disabledPrograms.push_back(word.substr(kProgram.size()));
     } else if (word.starts_with(kPrefix)) {
-      applyParent(context, word.substr(kPrefix.size()), profile);
+      applyParent(at, word.substr(kPrefix.size()), profile);
     } else if (word.starts_with('!')) {
-      set(context, word.substr(1), "false", profile);
+      setOption(at, word.substr(1), "false", profile);
     } else if (split != std::string::npos) {
-      set(context, word.substr(0, split), word.substr(split + 1), profile);
+      setOption(at, word.substr(0, split), word.substr(split + 1), profile);
     } else if (const Option* option = options_.find(word); option && option->isBoolean) {
-      set(context, word, "true", profile);
+      setOption(at, word, "true", profile);
     } else {
-      context.warn("profile-option",
-                   option ? fmt::format("{} has values, so it needs one here", word)
-                          : fmt::format("the pack has no option {}", word),
-                   option ? fmt::format("write {}={}", word, option->defaultValue)
-                          : suggest(word, optionNames(options_)),
-                   word);
+      report(Severity::Warning, "profile-option", at,
+             option ? fmt::format("{} has values, so it needs one here", word)
+                    : fmt::format("the pack has no option {}", word),
+             option ? fmt::format("write {}={}", word, option->defaultValue)
+                    : missingOptionHint(options_, word));
     }
   }
 
-  void applyParent(const PropertyContext& context, const std::string& parent, Profile& profile) {
+  void applyParent(const PropertyWord& at, const std::string& parent, Profile& profile) {
     const auto found = entries_.find(parent);
     if (found == entries_.end()) {
-      std::vector<std::string> names = order_;
-      context.fail("profile-unknown", fmt::format("there is no profile {}", parent),
-                   suggest(parent, names), "profile." + parent);
+      report(Severity::Error, "profile-unknown", at, fmt::format("there is no profile {}", parent),
+             suggest(parent, order_));
     } else if (open_.size() > kDeepest ||
                std::find(open_.begin(), open_.end(), parent) != open_.end()) {
-      reportRecursion(context, parent);
+      reportRecursion(at, parent);
     } else {
+      if (!taken_.insert(parent).second) reportRepeated(at, parent);
       open_.push_back(parent);
       apply(*found->second, profile);
       open_.pop_back();
     }
   }
 
+  void reportRepeated(const PropertyWord& at, const std::string& parent) {
+    report(Severity::Warning, "profile-repeated", at,
+           fmt::format("{} reaches profile {} a second time", open_.front(), parent),
+           "Iris takes that for a circle and refuses the pack");  // Iris: ProfileSet.parse
+  }
+
   /// Each circle once, whichever of its profiles is read first.
-  void reportRecursion(const PropertyContext& context, const std::string& parent) {
+  void reportRecursion(const PropertyWord& at, const std::string& parent) {
     std::vector<std::string> circle(std::find(open_.begin(), open_.end(), parent), open_.end());
     const std::string path = fmt::format("{} -> {}", fmt::join(circle, " -> "), parent);
     std::sort(circle.begin(), circle.end());
     if (!circles_.insert(circle).second) return;
-    context.fail("profile-recursion", "profiles include each other: " + path, "",
-                 "profile." + parent);
+    report(Severity::Error, "profile-recursion", at, "profiles include each other: " + path, "");
   }
 
-  void set(const PropertyContext& context, const std::string& name, const std::string& value,
-           Profile& profile) {
-    if (!options_.find(name)) {
-      context.warn("profile-option", fmt::format("the pack has no option {}", name),
-                   suggest(name, optionNames(options_)), name);
-      return;
+  void setOption(const PropertyWord& at, const std::string& name, const std::string& value,
+                 Profile& profile) {
+    const Option* option = options_.find(name);
+    if (option) {
+      profile.values[name] = value;
+    } else {
+      profile.unknownNames.insert(name);
+      report(Severity::Warning, "profile-option", at,
+             fmt::format("the pack has no option {}", name), missingOptionHint(options_, name));
     }
-    profile.values[name] = value;
+    if (option &&
+        std::find(option->values.begin(), option->values.end(), value) == option->values.end()) {
+      const std::string hint = suggest(value, option->values);
+      report(Severity::Warning, "profile-value", at,
+             fmt::format("{} is not in the list of {}", value, name),
+             hint.empty() ? "its values are " + joinNames(option->values) : hint);
+    }
+  }
+
+  void report(Severity severity, std::string id, const PropertyWord& at, std::string message,
+              std::string hint) {
+    diagnostics_.push_back(
+        wordDiagnostic(severity, std::move(id), at, std::move(message), std::move(hint)));
   }
 
   ShaderProperties& out_;
@@ -176,29 +198,40 @@ class ProfileReader {
   std::map<std::string, const PropertyEntry*> entries_;
   std::vector<std::string> order_;
   std::vector<std::string> open_;
+  std::set<std::string> taken_;  ///< parents of the profile that is being read
   std::set<std::vector<std::string>> circles_;
+  std::map<const PropertyEntry*, std::vector<PropertyWord>> placed_;
   size_t words_ = 0;
 };
 
-/// Names on screens and in the slider list that are no option and no keyword.
+/// A word on a screen that is no option, keyword or link to a screen.
+void checkScreenWord(const PropertyWord& word, const std::vector<std::string>& screens,
+                     const OptionSet& options, Diagnostics& diagnostics) {
+  const std::string& text = word.text;
+  static const std::vector<std::string> kKeywords{"*", "<profile>", "<empty>"};
+  if (options.find(text) || std::find(kKeywords.begin(), kKeywords.end(), text) != kKeywords.end())
+    return;
+  const bool link = text.size() > 2 && text.front() == '[' && text.back() == ']';
+  const std::string name = link ? text.substr(1, text.size() - 2) : text;
+  if (link && std::find(screens.begin(), screens.end(), name) != screens.end()) return;
+  const std::string hint = link                    ? suggest(name, screens)
+                           : text.starts_with('<') ? suggest(text, kKeywords)
+                                                   : missingOptionHint(options, text);
+  diagnostics.push_back(
+      wordDiagnostic(Severity::Warning, "screen-option", word,
+                     (link ? "there is no screen " : "the pack has no option ") + text, hint));
+}
+
 void checkScreens(const std::vector<PropertyEntry>& entries, const ShaderProperties& out,
                   const OptionSet& options, Diagnostics& diagnostics) {
-  const auto isScreen = [&](const std::string& name) {
-    return std::any_of(out.screens.begin(), out.screens.end(),
-                       [&](auto& s) { return s.name == name; });
-  };
+  std::vector<std::string> screens;
+  for (const Screen& screen : out.screens) screens.push_back(screen.name);
   for (const PropertyEntry& entry : entries) {
     const bool screen = entry.key == "screen" ||
                         (entry.key.starts_with("screen.") && !entry.key.ends_with(".columns"));
     if (!screen) continue;
-    for (const std::string& word : splitBlanks(entry.value)) {
-      if (word == "*" || word == "<profile>" || word == "<empty>" || options.find(word)) continue;
-      const bool link = word.size() > 2 && word.front() == '[' && word.back() == ']';
-      if (link && isScreen(word.substr(1, word.size() - 2))) continue;
-      diagnostics.push_back(
-          propertyDiagnostic(Severity::Warning, "screen-option", entry,
-                             (link ? "there is no screen " : "the pack has no option ") + word,
-                             link ? "" : suggest(word, optionNames(options)), word));
+    for (const PropertyWord& word : locatedWords(entry)) {
+      checkScreenWord(word, screens, options, diagnostics);
     }
   }
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -70,6 +71,7 @@ struct BufferObject {
 struct Profile {
   std::string name;
   OptionValues values;                        ///< parents already applied
+  std::set<std::string> unknownNames;         ///< what it sets that is no option of the pack
   std::vector<std::string> disabledPrograms;  ///< from !program.X
   SourceLocation at;
 };

@@ -31,6 +31,8 @@ std::string joinNames(const std::vector<std::string>& names);
 std::string lowerCase(std::string_view text);
 std::string upperCase(std::string_view text);
 
+/// Least number of inserted, removed and replaced characters.
+size_t editDistance(std::string_view a, std::string_view b);
 /// The name with the fewest edits from `name`, "" when none is within a third of its length.
 std::string nearestName(std::string_view name, const std::vector<std::string>& names);
 /// "did you mean X?" or "".

@@ -1,0 +1,214 @@
+#include "check/language_checks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <regex>
+#include <set>
+
+#include "check/pack_texts.h"
+#include "pack/text.h"
+
+namespace orris {
+namespace {
+
+using Names = std::set<std::string, std::less<>>;
+
+/// "option.SSAO.comment" is {"option", "SSAO"}; "value.MODE.0.5" is {"value", "MODE", "0.5"}.
+struct LanguageKey {
+  std::string kind, name, value;
+};
+
+const std::vector<std::string>& kinds() {
+  static const std::vector<std::string> kKinds{"option", "value",  "screen",
+                                               "prefix", "suffix", "profile"};
+  return kKinds;
+}
+
+LanguageKey splitKey(std::string key) {
+  constexpr std::string_view kComment = ".comment";
+  if (key.ends_with(kComment)) key.resize(key.size() - kComment.size());
+  const size_t dot = key.find('.');
+  if (dot == std::string::npos) return {key, "", ""};
+  LanguageKey split{key.substr(0, dot), key.substr(dot + 1), ""};
+  const size_t second = split.name.find('.');
+  if (split.kind == "value" && second != std::string::npos) {
+    split.value = split.name.substr(second + 1);
+    split.name.resize(second);
+  }
+  return split;
+}
+
+std::vector<std::string> languageFiles(const ShaderPack& pack) {
+  std::vector<std::string> files;
+  for (const std::string& path : pack.source->files()) {
+    const std::string lower = lowerCase(path);
+    if (lower.starts_with("/lang/") && lower.ends_with(".lang") && lower.find('/', 6) == lower.npos)
+      files.push_back(path);
+  }
+  return files;
+}
+
+std::vector<PropertyEntry> readLanguageFile(const ShaderPack& pack, const std::string& path) {
+  return parseProperties(path, pack.source->read(path).value_or(""), Continuation::Java);
+}
+
+/// What a pack has, by the kind of its language keys.
+std::map<std::string, Names> knownNames(const ShaderPack& pack) {
+  std::map<std::string, Names> known;
+  for (const auto& [name, option] : pack.options.all()) {
+    for (const char* kind : {"option", "value", "prefix", "suffix"}) known[kind].insert(name);
+  }
+  for (const Screen& screen : pack.properties.screens) known["screen"].insert(screen.name);
+  for (const Profile& profile : pack.properties.profiles) known["profile"].insert(profile.name);
+  return known;
+}
+
+/// Reports the keys of one file.
+class FileCheck {
+ public:
+  FileCheck(const ShaderPack& pack, const std::map<std::string, Names>& known,
+            std::vector<PropertyEntry> entries, Diagnostics& diagnostics)
+      : pack_(pack), known_(known), entries_(std::move(entries)), diagnostics_(diagnostics) {
+    for (const PropertyEntry& entry : entries_) {
+      const LanguageKey key = splitKey(entry.key);
+      translated_[key.kind].insert(key.name);
+      if (key.kind == "value") translated_["value." + key.name].insert(key.value);
+    }
+  }
+
+  void run() {
+    for (const PropertyEntry& entry : entries_) {
+      checkTwice(entry);
+      checkKey(entry, splitKey(entry.key));
+    }
+  }
+
+ private:
+  void checkTwice(const PropertyEntry& entry) {
+    const auto [first, isNew] = first_.try_emplace(entry.key, &entry);
+    if (isNew || trim(first->second->value) == trim(entry.value)) return;
+    report(Severity::Warning, "language-twice", entry,
+           fmt::format("{} has another text in line {}, which is lost", entry.key,
+                       first->second->at.line));
+  }
+
+  void checkKey(const PropertyEntry& entry, const LanguageKey& key) {
+    const auto known = known_.find(key.kind);
+    if (std::find(kinds().begin(), kinds().end(), key.kind) == kinds().end()) {
+      const std::string meant = key.name.empty() ? "" : likelyMeant(key.kind, kinds());
+      if (!meant.empty()) misspelt(entry, key.kind, meant);
+    } else if (!key.name.empty() && (known == known_.end() || !known->second.contains(key.name))) {
+      checkUnknown(entry, key);
+    } else if (key.kind == "value" && !key.value.empty()) {
+      checkValue(entry, key);
+    }
+  }
+
+  void checkUnknown(const PropertyEntry& entry, const LanguageKey& key) {
+    const auto known = known_.find(key.kind);
+    const std::string meant =
+        known == known_.end() || pack_.options.rejected(key.name)
+            ? ""
+            : likelyMeant(key.name, untranslated(known->second, translated_[key.kind]));
+    if (!meant.empty()) return misspelt(entry, key.name, meant);
+    report(
+        Severity::Note, "language-stale", entry,
+        fmt::format("the pack has no {} {}",
+                    key.kind == "screen" || key.kind == "profile" ? key.kind : "option", key.name));
+  }
+
+  void checkValue(const PropertyEntry& entry, const LanguageKey& key) {
+    const Option& option = *pack_.options.find(key.name);
+    const Names values(option.values.begin(), option.values.end());
+    if (values.contains(key.value)) return;
+    const std::string meant =
+        key.value.size() < 3
+            ? ""
+            : likelyMeant(key.value, untranslated(values, translated_["value." + key.name]));
+    if (!meant.empty()) return misspelt(entry, key.value, meant);
+    report(Severity::Note, "language-stale", entry,
+           fmt::format("{} has no value {}", key.name, key.value));
+  }
+
+  static std::vector<std::string> untranslated(const Names& names, const Names& translated) {
+    std::vector<std::string> left;
+    std::set_difference(names.begin(), names.end(), translated.begin(), translated.end(),
+                        std::back_inserter(left));
+    return left;
+  }
+
+  void misspelt(const PropertyEntry& entry, const std::string& name, const std::string& meant) {
+    report(Severity::Warning, "language-key", entry,
+           fmt::format("the text of {} is used for nothing: there is no {}", entry.key, name),
+           fmt::format("did you mean {}?", meant));
+  }
+
+  void report(Severity severity, std::string id, const PropertyEntry& entry, std::string message,
+              std::string hint = {}) {
+    diagnostics_.push_back(
+        propertyDiagnostic(severity, std::move(id), entry, std::move(message), std::move(hint)));
+  }
+
+  const ShaderPack& pack_;
+  const std::map<std::string, Names>& known_;
+  std::vector<PropertyEntry> entries_;
+  Diagnostics& diagnostics_;
+  std::map<std::string, Names> translated_;
+  std::map<std::string, const PropertyEntry*> first_;
+};
+
+void checkFileName(const std::string& path, Diagnostics& diagnostics) {
+  static const std::regex kCode("/lang/[a-z]{2,4}(_[a-z0-9]{2,4})?\\.lang");
+  if (std::regex_match(lowerCase(path), kCode)) return;
+  diagnostics.push_back({.severity = Severity::Warning,
+                         .id = "language-file",
+                         .at = {.file = path},
+                         .message = "the file is named after no language, so nobody sees its texts",
+                         .hint = "names are like en_us.lang, de_de.lang, zh_cn.lang"});
+}
+
+/// The key that a word on a screen needs; "" when it needs none.
+std::string keyOf(const std::string& word, const ShaderPack& pack) {
+  if (word.size() > 2 && word.front() == '[' && word.back() == ']') {
+    return "screen." + word.substr(1, word.size() - 2);
+  }
+  return pack.options.find(word) ? "option." + word : "";
+}
+
+}  // namespace
+
+void checkLanguageKeys(std::span<const ShaderPack> folders, Diagnostics& diagnostics) {
+  const ShaderPack& pack = folders.front();
+  const auto known = knownNames(pack);
+  for (const std::string& path : languageFiles(pack)) {
+    checkFileName(path, diagnostics);
+    FileCheck(pack, known, readLanguageFile(pack, path), diagnostics).run();
+  }
+}
+
+void checkLanguageCover(std::span<const ShaderPack> folders, Diagnostics& diagnostics) {
+  const ShaderPack& pack = folders.front();
+  const auto english = pack.languages.find("en_us");
+  if (english == pack.languages.end()) return;
+  const auto missing = [&](const std::string& key) {
+    return !key.empty() && !english->second.contains(key);
+  };
+  for (const PropertyEntry& entry : originalProperties(pack)) {
+    if (entry.key.starts_with("profile.") && missing(entry.key)) {
+      diagnostics.push_back(propertyDiagnostic(Severity::Note, "language-missing", entry,
+                                               "en_us.lang has no text for " + entry.key));
+    }
+    if (!isScreenKey(entry.key)) continue;
+    for (const PropertyWord& word : locatedWords(entry)) {
+      const std::string key = keyOf(word.text, pack);
+      if (!missing(key)) continue;
+      diagnostics.push_back(wordDiagnostic(Severity::Note, "language-missing", word,
+                                           "en_us.lang has no text for " + key));
+    }
+  }
+}
+
+}  // namespace orris

@@ -1,0 +1,17 @@
+// Checks of lang/*.lang: names of what does not exist, texts that are missing or given twice.
+#pragma once
+
+#include <span>
+
+#include "core/diagnostic.h"
+#include "pack/shader_pack.h"
+
+namespace orris {
+
+/// Keys of every language file: for things that do not exist, and given twice.
+void checkLanguageKeys(std::span<const ShaderPack> folders, Diagnostics& diagnostics);
+
+/// What the screens show and /lang/en_us.lang, which is the fallback of every language, lacks.
+void checkLanguageCover(std::span<const ShaderPack> folders, Diagnostics& diagnostics);
+
+}  // namespace orris

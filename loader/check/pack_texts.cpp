@@ -1,0 +1,60 @@
+#include "check/pack_texts.h"
+
+#include <algorithm>
+
+#include "pack/text.h"
+
+namespace orris {
+
+std::vector<PropertyEntry> originalProperties(const ShaderPack& pack) {
+  constexpr const char* kFile = "/shaders.properties";
+  const auto text = pack.source ? pack.source->read(kFile) : std::nullopt;
+  return text ? lastValues(parseProperties(kFile, *text, Continuation::Java))
+              : std::vector<PropertyEntry>();
+}
+
+const FileLines& AuthorLines::file(const std::string& path) {
+  const auto [found, isNew] = files_.try_emplace(path);
+  if (isNew && pack_.source) found->second = splitLines(pack_.source->read(path).value_or(""));
+  return found->second;
+}
+
+const std::string& AuthorLines::at(const SourceLocation& place) {
+  static const std::string kNone;
+  const FileLines& lines = file(place.file);
+  const bool exists = place.line > 0 && static_cast<size_t>(place.line) <= lines.size();
+  return exists ? lines[static_cast<size_t>(place.line) - 1] : kNone;
+}
+
+bool isScreenKey(std::string_view key) {
+  return key == "screen" ||
+         (key.starts_with("screen.") && !key.ends_with(".columns") && key != "screen.columns");
+}
+
+void forEachWord(std::string_view text, const std::function<void(std::string_view)>& visit) {
+  for (size_t at = 0; at < text.size();) {
+    const std::string_view word = leadingWord(text.substr(at));
+    if (!word.empty()) visit(word);
+    at += std::max<size_t>(word.size(), 1);
+  }
+}
+
+std::string likelyMeant(std::string_view name, const std::vector<std::string>& names) {
+  const std::string nearest = nearestName(name, names);
+  const size_t most = name.size() < 4 ? 1 : 2;
+  const auto digit = [](char c) { return c >= '0' && c <= '9'; };
+  // "colortex4" is no slip of "colortex5".
+  const auto withoutDigits = [&](std::string text) {
+    std::erase_if(text, digit);
+    return text;
+  };
+  // "STEPS_H" is a sibling of "STEPS", or what it was called before.
+  const auto extends = [](std::string_view longer, std::string_view shorter) {
+    return longer.starts_with(shorter) && longer.substr(shorter.size()).starts_with('_');
+  };
+  if (extends(name, nearest) || extends(nearest, name)) return "";
+  if (nearest.empty() || withoutDigits(nearest) == withoutDigits(std::string(name))) return "";
+  return editDistance(lowerCase(name), lowerCase(nearest)) <= most ? nearest : "";
+}
+
+}  // namespace orris
