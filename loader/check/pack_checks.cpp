@@ -1,5 +1,6 @@
 #include "check/pack_checks.h"
 
+#include "check/declaration_checks.h"
 #include "check/frame_checks.h"
 #include "check/include_checks.h"
 #include "check/language_checks.h"
@@ -13,7 +14,7 @@ using FolderCheck = void (*)(const FolderInput&, Diagnostics&);
 using WholePackCheck = void (*)(std::span<const ShaderPack>, Diagnostics&);
 
 // In the order of the report.
-constexpr FolderCheck kFolderChecks[] = {checkTargetsRead, checkTargetsWritten};
+constexpr FolderCheck kFolderChecks[] = {checkDeclarations, checkTargetsRead, checkTargetsWritten};
 constexpr WholePackCheck kWholePackChecks[] = {
     checkOptionLists,    //
     checkOptionUse,      //

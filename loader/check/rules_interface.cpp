@@ -6,7 +6,28 @@
 namespace orris {
 
 std::span<const Rule> interfaceRules() {
-  static const std::vector<Rule> kRules = {};
+  static const std::vector<Rule> kRules = {
+      {"attribute-unknown", Severity::Warning, "no host sets a vertex attribute of this name"},
+      {"output-mixed", Severity::Error,
+       "gl_FragData or gl_FragColor is written beside declared outputs"},
+      {"output-overlap", Severity::Error, "two outputs have the same location"},
+      {"output-unlisted", Severity::Warning, "an output goes to no buffer"},
+      {"output-unwritten", Severity::Warning, "a listed buffer gets no output"},
+      {"sampler-format", Severity::Warning,
+       "a sampler or image cannot read numbers of this format"},
+      {"sampler-type", Severity::Warning, "a sampler or image does not fit what is bound to it"},
+      {"target-limit", Severity::Warning,
+       "a program needs more than the target of --target offers"},
+      {"uniform-type", Severity::Error, "a uniform has another type than the host gives"},
+      {"uniform-unknown", Severity::Warning,
+       "no host sets a uniform, sampler or image of this name"},
+      {"varying-interpolation", Severity::Warning, "two stages interpolate a varying differently"},
+      {"varying-missing", Severity::Warning,
+       "a stage reads what the one before it does not declare"},
+      {"varying-type", Severity::Error, "a varying has different types in two stages"},
+      {"varying-unread", Severity::Note, "a stage writes what the next one does not read"},
+      {"varying-unwritten", Severity::Warning, "a stage reads what the one before it never writes"},
+  };
   return kRules;
 }
 

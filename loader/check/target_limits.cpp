@@ -14,8 +14,7 @@ constexpr std::array<TargetLimits, 6> kTargets{{
      .fullName = "Mesa",
      .glVendor = "Mesa",
      .glRenderer = "llvmpipe",
-     .glVersion = 450,
-     .glslVersion = 450},
+     .glVersion = 450},
     {.name = "nvidia",
      .fullName = "NVIDIA",
      .glVendor = "NVIDIA Corporation",
@@ -74,7 +73,8 @@ HostDescription hostOf(const TargetLimits& target) {
   host.glRenderer = target.glRenderer;
   host.system = target.system;
   host.glVersion = target.glVersion;
-  host.glslVersion = target.glslVersion;
+  // The numbers of GLSL follow those of GL; a driver may accept more than it advertises.
+  host.glslVersion = target.glVersion;
   return host;
 }
 

@@ -101,6 +101,16 @@ void bindTexCoord(int unit, int components, unsigned type, size_t offset) {
 
 }  // namespace
 
+const std::vector<std::string_view>& attributeNames() {
+  static const std::vector<std::string_view> kNames = [] {
+    std::vector<std::string_view> names;
+    for (const AttributeRow& row : kAttributes) names.push_back(row.name);
+    for (const ConstantRow& row : kConstants) names.push_back(row.name);
+    return names;
+  }();
+  return kNames;
+}
+
 std::vector<GpuVertex> packVertices(const BlockMesh& mesh, const std::vector<int>& blockIds,
                                     const VertexStyle& style) {
   std::vector<GpuVertex> out(mesh.vertices.size());

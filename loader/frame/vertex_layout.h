@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "gl/program.h"
@@ -30,6 +31,9 @@ struct VertexStyle {
   bool oldLighting = false;  ///< directional shading baked into the colour
   bool operator==(const VertexStyle&) const = default;
 };
+
+/// Every attribute name that the host sets, by a vertex or with one value for all.
+const std::vector<std::string_view>& attributeNames();
 
 /// `blockIds[palette index]` is mc_Entity.x.
 std::vector<GpuVertex> packVertices(const BlockMesh& mesh, const std::vector<int>& blockIds,

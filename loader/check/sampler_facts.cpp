@@ -1,0 +1,132 @@
+#include "check/sampler_facts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "check/glsl_types.h"
+#include "frame/pack_resources.h"
+#include "frame/program_uses.h"
+#include "gl/format.h"
+
+namespace orris {
+namespace {
+
+using Kind = BufferName::Kind;
+
+/// What a name stands for.
+struct Bound {
+  std::string what;      ///< for people: "colortex4 (RGB32UI)"
+  char component = 'f';  ///< as in OpaqueType
+  int dimensions = 2;
+  bool depth = false;     ///< a depth texture
+  bool compares = false;  ///< ... with comparison
+};
+
+char componentOf(std::string_view format) {
+  const gl::TextureFormat* found = gl::findFormat(format);
+  if (!found) return 'f';
+  if (found->formatClass == gl::FormatClass::Uint) return 'u';
+  return found->formatClass == gl::FormatClass::Int ? 'i' : 'f';
+}
+
+bool isReplaced(const ShaderPack& pack, const ProgramSource& program, const std::string& name) {
+  const std::string stage = textureStageOf(program.group);
+  return std::any_of(pack.properties.textures.begin(), pack.properties.textures.end(),
+                     [&](const TextureBinding& texture) {
+                       return canonicalBuffer(texture.sampler) == canonicalBuffer(name) &&
+                              (texture.stage.empty() || texture.stage == stage);
+                     });
+}
+
+Bound targetOf(const ShaderPack& pack, bool shadow, int index) {
+  const auto& targets = shadow ? pack.directives.shadowcolor : pack.directives.colortex;
+  const auto found = targets.find(index);
+  const std::string format = found == targets.end() ? "RGBA" : found->second.format;
+  return {
+      fmt::format("{}{}, whose format is {}", shadow ? "shadowcolor" : "colortex", index, format),
+      componentOf(format)};
+}
+
+/// Does any file of any folder ask for comparison? Then a folder without shadows may lack it.
+bool filtersSomewhere(const ShaderPack& pack) {
+  return std::any_of(pack.files.begin(), pack.files.end(), [](const auto& file) {
+    return std::any_of(file.second.begin(), file.second.end(), [](const std::string& line) {
+      return line.find("shadowHardwareFiltering") != std::string::npos;
+    });
+  });
+}
+
+std::optional<Bound> bufferOf(const ShaderPack& pack, const ProgramSource& program,
+                              const BufferName& buffer) {
+  const bool geometry =
+      program.group == ProgramGroup::Gbuffers || program.group == ProgramGroup::Shadow;
+  switch (buffer.kind) {
+    case Kind::Color:
+      // In geometry programs the first four names are the atlas.
+      if (geometry && buffer.index < 4 && !buffer.image) return std::nullopt;
+      return targetOf(pack, false, buffer.index);
+    case Kind::ShadowColor:
+      return targetOf(pack, true, buffer.index);
+    case Kind::Depth:
+      return Bound{.what = fmt::format("depthtex{}", buffer.index), .depth = true};
+    case Kind::ShadowDepth: {
+      const auto index = static_cast<std::size_t>(std::clamp(buffer.index, 0, 1));
+      return Bound{
+          .what = fmt::format("shadowtex{}", buffer.index),
+          .depth = true,
+          .compares = pack.directives.shadowtex[index].hardwareFiltering || filtersSomewhere(pack)};
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<Bound> boundTo(const ShaderPack& pack, const ProgramSource& program,
+                             const std::string& name, bool image) {
+  for (const CustomImage& custom : pack.properties.images) {
+    if ((image ? custom.name : custom.sampler) != name) continue;
+    return Bound{.what = fmt::format("{}, whose format is {}", name, custom.internalFormat),
+                 .component = componentOf(custom.internalFormat),
+                 .dimensions = custom.dimensions};
+  }
+  if (!image && isReplaced(pack, program, name)) return std::nullopt;
+  const auto buffer = parseBufferName(name, false);
+  if (!buffer || buffer->image != image) return std::nullopt;
+  return bufferOf(pack, program, *buffer);
+}
+
+std::string wantedType(const Bound& bound, bool image) {
+  return fmt::format("{}{}{}D", bound.component == 'f' ? "" : std::string(1, bound.component),
+                     image ? "image" : "sampler", bound.dimensions);
+}
+
+}  // namespace
+
+std::optional<SamplerProblem> samplerProblem(const ShaderPack& pack, const ProgramSource& program,
+                                             const StageGlobal& global) {
+  const OpaqueType type = opaqueType(global.type);
+  if (type.component == 0) return std::nullopt;
+  const auto bound = boundTo(pack, program, std::string(global.name), type.image);
+  if (!bound) return std::nullopt;
+  const std::string wanted = wantedType(*bound, type.image);
+  if (type.dimensions != bound->dimensions || type.array) {
+    return SamplerProblem{"sampler-type",
+                          fmt::format("{} cannot read {}", global.type, bound->what),
+                          fmt::format("declare it as {}", wanted)};
+  }
+  if (type.shadow && !bound->compares) {
+    return SamplerProblem{
+        "sampler-type", fmt::format("{} reads {}, which is not compared", global.type, bound->what),
+        bound->depth && bound->what.starts_with("shadowtex")
+            ? "set const bool shadowHardwareFiltering = true;, or declare it as sampler2D"
+            : "declare it as sampler2D"};
+  }
+  if (!type.shadow && type.component != bound->component) {
+    return SamplerProblem{"sampler-format",
+                          fmt::format("{} cannot read {}", global.type, bound->what),
+                          fmt::format("declare it as {}", wanted)};
+  }
+  return std::nullopt;
+}
+
+}  // namespace orris

@@ -1,0 +1,354 @@
+#include "check/declaration_checks.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "frame_fixture.h"
+
+namespace orris {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using Lines = std::vector<std::string>;
+
+const std::string kVersion = "#version 330 compatibility\n";
+
+/// A pack of one composite; the texts follow the line of the version.
+Files packOf(const std::string& vertex, const std::string& fragment,
+             const std::string& properties = "") {
+  Files files{{"/composite.vsh", kVersion + vertex}, {"/composite.fsh", kVersion + fragment}};
+  if (!properties.empty()) files["/shaders.properties"] = properties;
+  return files;
+}
+
+Files fragmentOf(const std::string& fragment, const std::string& properties = "") {
+  return packOf("void main() { gl_Position = ftransform(); }\n", fragment, properties);
+}
+
+/// Everything but notes, by place.
+Lines messages(const Files& files, const std::string& target = "mesa", bool notes = false) {
+  const ShaderPack pack = loadFolder(files);
+  Diagnostics diagnostics;
+  const Schedule schedule = buildSchedule(pack, 64, 32, {}, diagnostics);
+  checkDeclarations({.pack = pack, .schedule = schedule, .target = *findTarget(target)},
+                    diagnostics);
+  Lines lines;
+  for (const Diagnostic& d : diagnostics) {
+    if (d.severity == Severity::Note && !notes) continue;
+    const std::string text = formatDiagnostic(d);
+    lines.push_back(d.id + " " + text.substr(0, text.find('\n')));
+  }
+  return lines;
+}
+
+// ---- varyings
+
+TEST(Varyings, a_pair_that_fits_is_silent) {
+  EXPECT_THAT(
+      messages(packOf("out vec2 uv;\nflat out int id;\nvoid main() { uv = vec2(0); id = 1; }",
+                      "in vec2 uv;\nflat in int id;\nvoid main() { gl_FragColor = "
+                      "vec4(uv, id, 1); }")),
+      IsEmpty());
+}
+
+TEST(Varyings, another_width_is_reported_at_both_declarations) {
+  EXPECT_THAT(
+      messages(packOf("out vec3 tint;\nvoid main() { tint = vec3(1); }",
+                      "\nin vec2 tint;\nvoid main() { gl_FragColor = tint.xyxy; }")),
+      ElementsAre(
+          "varying-type /composite.fsh:3:9: warning: 'tint' is vec3 in the vertex stage and "
+          "vec2 in the fragment stage",
+          "varying-type /composite.vsh:2:10: warning: 'tint' is vec3 in the vertex stage "
+          "and vec2 in the fragment stage"));
+}
+
+TEST(Varyings, what_iris_cannot_convert_is_an_error) {
+  EXPECT_THAT(
+      messages(packOf("out mat3 tbn;\nvoid main() { tbn = mat3(1); }",
+                      "in vec3 tbn;\nvoid main() { gl_FragColor = tbn.xyzx; }")),
+      ElementsAre("varying-type /composite.fsh:2:9: error: 'tbn' is mat3 in the vertex stage and "
+                  "vec3 in the fragment stage",
+                  "varying-type /composite.vsh:2:10: error: 'tbn' is mat3 in the vertex stage and "
+                  "vec3 in the fragment stage"));
+}
+
+TEST(Varyings, array_sizes_are_compared_where_they_are_known) {
+  EXPECT_THAT(
+      messages(packOf("const int N = 2;\nout vec3 a[N + 1];\nvoid main() { a[0] = vec3(1); }",
+                      "in vec3 a[3];\nvoid main() { gl_FragColor = a[0].xyzx; }")),
+      IsEmpty());
+  EXPECT_THAT(messages(packOf("out vec3 a[2];\nvoid main() { a[0] = vec3(1); }",
+                              "in vec3 a[3];\nvoid main() { gl_FragColor = a[0].xyzx; }")),
+              ElementsAre("varying-type /composite.fsh:2:9: error: 'a' is vec3[2] in the vertex "
+                          "stage and vec3[3] in the fragment stage",
+                          "varying-type /composite.vsh:2:10: error: 'a' is vec3[2] in the vertex "
+                          "stage and vec3[3] in the fragment stage"));
+}
+
+TEST(Varyings, flat_on_one_side_only) {
+  EXPECT_THAT(
+      messages(packOf("out vec3 a;\nvoid main() { a = vec3(1); }",
+                      "flat in vec3 a;\nvoid main() { gl_FragColor = a.xyzx; }")),
+      ElementsAre("varying-interpolation /composite.fsh:2:14: warning: 'a' is smooth in the "
+                  "vertex stage and flat in the fragment stage",
+                  "varying-interpolation /composite.vsh:2:10: warning: 'a' is smooth in the "
+                  "vertex stage and flat in the fragment stage"));
+}
+
+TEST(Varyings, a_missing_one_is_reported_only_where_it_is_read) {
+  EXPECT_THAT(
+      messages(
+          fragmentOf("in vec3 a;\nin vec3 b;\nvoid unused() { b; }\nvoid unused2() { unused(); }\n"
+                     "void main() { gl_FragColor = a.xyzx; }")),
+      ElementsAre("varying-missing /composite.fsh:2:9: warning: 'a' is read here, and the vertex "
+                  "stage does not write it"));
+}
+
+TEST(Varyings, locations_match_before_names) {
+  EXPECT_THAT(
+      messages(packOf("layout(location = 3) out vec3 a;\nvoid main() { a = vec3(1); }",
+                      "layout(location = 3) in vec3 b;\nvoid main() { gl_FragColor = b.xyzx; }")),
+      IsEmpty());
+}
+
+TEST(Varyings, blocks_match_by_block_name_and_members) {
+  const std::string vertex =
+      "out Data { vec2 uv; vec4 color; } data;\nvoid main() { data.uv = vec2(1); }";
+  EXPECT_THAT(messages(packOf(vertex,
+                              "in Data { vec2 uv; vec4 color; } v;\n"
+                              "void main() { gl_FragColor = v.color; }")),
+              IsEmpty());
+  EXPECT_THAT(messages(packOf(vertex,
+                              "in Data { vec3 uv; vec4 color; } v;\n"
+                              "void main() { gl_FragColor = v.color; }")),
+              ElementsAre("varying-type /composite.fsh:2:4: error: 'Data' has other members in the "
+                          "vertex stage than in the fragment stage",
+                          "varying-type /composite.vsh:2:5: error: 'Data' has other members in the "
+                          "vertex stage than in the fragment stage"));
+  EXPECT_THAT(
+      messages(packOf(vertex,
+                      "in Other { vec2 uv; } v;\n"
+                      "void main() { gl_FragColor = v.uv.xyxy; }")),
+      ElementsAre("varying-missing /composite.fsh:2:4: error: 'Other' is read here, and the "
+                  "vertex stage does not write it"));
+}
+
+TEST(Varyings, geometry_stages_see_arrays) {
+  Files files = packOf("out vec2 uv;\nvoid main() { uv = vec2(0); }",
+                       "in vec2 uvOut;\nvoid main() { gl_FragColor = uvOut.xyxy; }");
+  files["/composite.gsh"] = kVersion +
+                            "layout(triangles) in;\nlayout(triangle_strip, max_vertices = 3) out;\n"
+                            "in vec2 uv[];\nout vec2 uvOut;\n"
+                            "void main() { uvOut = uv[0]; EmitVertex(); }";
+  EXPECT_THAT(messages(files), IsEmpty());
+  files["/composite.gsh"].replace(files["/composite.gsh"].find("in vec2 uv[]"), 12, "in vec3 uv[]");
+  EXPECT_THAT(messages(files),
+              ElementsAre("varying-type /composite.gsh:4:9: warning: 'uv' is vec2 in the vertex "
+                          "stage and vec3 in the geometry stage",
+                          "varying-type /composite.vsh:2:10: warning: 'uv' is vec2 in the vertex "
+                          "stage and vec3 in the geometry stage"));
+}
+
+TEST(Varyings, never_written_in_any_branch) {
+  const std::string fragment = "in vec3 a;\nvoid main() { gl_FragColor = a.xyzx; }";
+  EXPECT_THAT(messages(packOf("out vec3 a;\nvoid main() {}", fragment)),
+              ElementsAre("varying-unwritten /composite.vsh:2:10: warning: 'a' is never written, "
+                          "and the fragment stage reads it"));
+  EXPECT_THAT(
+      messages(packOf("out vec3 a;\nvoid main() {\n#ifdef NO\na.x = 1.0;\n#endif\n}", fragment)),
+      IsEmpty());
+}
+
+TEST(Varyings, one_that_nobody_reads_is_a_note) {
+  EXPECT_THAT(messages(packOf("out vec3 a;\nvoid main() { a = vec3(1); }",
+                              "void main() { gl_FragColor = vec4(1); }"),
+                       "mesa", true),
+              ElementsAre("varying-unread /composite.vsh:2:10: note: 'a' is written, and the "
+                          "fragment stage does not read it"));
+}
+
+// ---- names
+
+TEST(Names, known_and_own_names_are_silent) {
+  EXPECT_THAT(messages(fragmentOf(
+                  "uniform float frameTimeCounter, mine, preset = 1.0;\n"
+                  "uniform sampler2D colortex5;\nuniform sampler2D lut;\n"
+                  "uniform int hideGUI;\nuniform mat4 vxProj;\n"
+                  "void main() { gl_FragColor = texture2D(colortex5, vec2(mine)) * "
+                  "texture2D(lut, vec2(preset)) * frameTimeCounter * hideGUI * vxProj[0]; }",
+                  "uniform.float.mine = 1.0\ncustomTexture.lut = minecraft:a.png\n")),
+              IsEmpty());
+}
+
+TEST(Names, an_unknown_one_that_is_used_gets_the_nearest) {
+  const Files files = fragmentOf(
+      "uniform float frameTimeCounterr;\nuniform sampler2D colortexx5;\nuniform float unused1;\n"
+      "void main() { gl_FragColor = texture2D(colortexx5, vec2(frameTimeCounterr)); }");
+  EXPECT_THAT(messages(files),
+              ElementsAre("uniform-unknown /composite.fsh:2:15: warning: no uniform is called "
+                          "'frameTimeCounterr'",
+                          "uniform-unknown /composite.fsh:3:19: warning: no sampler is called "
+                          "'colortexx5'"));
+  EXPECT_THAT(messages(files, "mesa", true).back(),
+              "uniform-unknown /composite.fsh:4:15: note: no uniform is called 'unused1'");
+}
+
+TEST(Names, a_misspelt_declaration_is_found_although_only_the_right_name_is_used) {
+  EXPECT_THAT(messages(fragmentOf("uniform float frameTimeCountr;\n"
+                                  "void main() { gl_FragColor = vec4(frameTimeCounter); }")),
+              ElementsAre("uniform-unknown /composite.fsh:2:15: warning: no uniform is called "
+                          "'frameTimeCountr'"));
+}
+
+TEST(Names, a_global_that_nothing_uses_does_not_use_its_initialiser) {
+  EXPECT_THAT(messages(fragmentOf("uniform float foo;\nfloat bar = foo * 2.0;\n"
+                                  "void main() { gl_FragColor = vec4(1); }")),
+              IsEmpty());
+}
+
+TEST(Names, variables_of_shaders_properties_are_not_seen_by_shaders) {
+  EXPECT_THAT(
+      messages(fragmentOf("uniform float step1;\nvoid main() { gl_FragColor = vec4(step1); }",
+                          "variable.float.step1 = 1.0\n")),
+      ElementsAre("uniform-unknown /composite.fsh:2:15: warning: 'step1' is a variable of "
+                  "shaders.properties, which shaders do not see"));
+}
+
+TEST(Names, unknown_attributes) {
+  EXPECT_THAT(messages(packOf("in vec4 at_tangant;\nin vec4 mc_Entity;\n"
+                              "void main() { gl_Position = at_tangant + mc_Entity; }",
+                              "void main() { gl_FragColor = vec4(1); }")),
+              ElementsAre("attribute-unknown /composite.vsh:2:9: warning: no attribute is called "
+                          "'at_tangant'"));
+}
+
+TEST(Names, a_declaration_made_by_a_macro_is_located_where_it_is_used) {
+  EXPECT_THAT(messages(fragmentOf("#define DECLARE(name) uniform float name;\n\nDECLARE(nothing)\n"
+                                  "void main() { gl_FragColor = vec4(nothing); }")),
+              ElementsAre("uniform-unknown /composite.fsh:4:9: warning: no uniform is called "
+                          "'nothing'"));
+}
+
+TEST(Types, of_the_contract_and_of_custom_uniforms) {
+  EXPECT_THAT(messages(fragmentOf("uniform int frameTimeCounter;\nuniform vec3 mine;\n"
+                                  "void main() { gl_FragColor = vec4(mine, frameTimeCounter); }",
+                                  "uniform.float.mine = 1.0\n")),
+              ElementsAre("uniform-type /composite.fsh:2:13: error: 'frameTimeCounter' is declared "
+                          "as int, the host gives float",
+                          "uniform-type /composite.fsh:3:14: error: 'mine' is declared as vec3, "
+                          "shaders.properties gives float"));
+}
+
+TEST(Types, samplers_and_formats) {
+  EXPECT_THAT(
+      messages(fragmentOf("/*\nconst int colortex4Format = RG32UI;\n*/\n"
+                          "uniform sampler2D colortex4;\nuniform usampler2D colortex5;\n"
+                          "uniform sampler3D colortex6;\nuniform sampler2DShadow shadowtex0;\n"
+                          "void main() { gl_FragColor = texture(colortex4, vec2(0)) + "
+                          "texture(colortex5, vec2(0)) + texture(colortex6, vec3(0)) + "
+                          "texture(shadowtex0, vec3(0)); }")),
+      ElementsAre(
+          "sampler-format /composite.fsh:5:19: warning: sampler2D cannot read colortex4, "
+          "whose format is RG32UI",
+          "sampler-format /composite.fsh:6:20: warning: usampler2D cannot read colortex5, "
+          "whose format is RGBA",
+          "sampler-type /composite.fsh:7:19: warning: sampler3D cannot read colortex6, whose "
+          "format is RGBA",
+          "sampler-type /composite.fsh:8:25: warning: sampler2DShadow reads shadowtex0, "
+          "which is not compared"));
+}
+
+TEST(Types, a_custom_texture_may_have_any_type) {
+  EXPECT_THAT(messages(fragmentOf("uniform sampler3D colortex6;\n"
+                                  "void main() { gl_FragColor = texture(colortex6, vec3(0)); }",
+                                  "texture.composite.colortex6 = minecraft:a.png\n")),
+              IsEmpty());
+}
+
+// ---- outputs
+
+TEST(Outputs, one_beyond_the_list) {
+  EXPECT_THAT(
+      messages(fragmentOf("/* RENDERTARGETS: 0,3 */\nlayout(location = 0) out vec4 a;\n"
+                          "layout(location = 3) out vec4 b;\n"
+                          "void main() { a = vec4(1); b = vec4(1); }")),
+      ElementsAre("output-unlisted /composite.fsh:4:31: warning: 'b' at location 3 is "
+                  "written to no buffer: the program draws to colortex0, colortex3",
+                  "output-unwritten /composite.fsh:2:1: warning: buffer 3 is listed, and the "
+                  "program writes nothing to it"));
+  EXPECT_THAT(messages(fragmentOf("void main() { gl_FragData[0] = vec4(1); gl_FragData[1] = "
+                                  "vec4(1); }")),
+              ElementsAre("output-unlisted /composite.fsh:2:41: warning: gl_FragData[1] is written "
+                          "to no buffer: the program draws to colortex0"));
+}
+
+TEST(Outputs, a_listed_buffer_that_other_options_write_is_no_warning) {
+  EXPECT_THAT(messages(fragmentOf("/* DRAWBUFFERS:03 */\nvoid main() { gl_FragData[0] = vec4(1);\n"
+                                  "#ifdef NO\ngl_FragData[1] = vec4(1);\n#endif\n}")),
+              IsEmpty());
+  EXPECT_THAT(messages(fragmentOf("/* DRAWBUFFERS:03 */\nvoid main() { discard; }")), IsEmpty());
+}
+
+TEST(Outputs, two_at_one_location_and_two_kinds) {
+  EXPECT_THAT(
+      messages(fragmentOf("layout(location = 0) out vec4 a;\n"
+                          "layout(location = 0) out vec4 b;\n"
+                          "void main() { a = b = vec4(1); }")),
+      ElementsAre("output-overlap /composite.fsh:3:31: error: 'b' has the location 0, which "
+                  "'a' has too"));
+  EXPECT_THAT(messages(fragmentOf("/* DRAWBUFFERS:01 */\nlayout(location = 0) out vec4 a;\n"
+                                  "void main() { a = vec4(1); gl_FragData[1] = vec4(1); }")),
+              ElementsAre("output-mixed /composite.fsh:4:28: error: gl_FragData or gl_FragColor is "
+                          "written beside the output 'a'"));
+}
+
+// ---- limits
+
+TEST(TargetLimits, shared_memory_is_counted_as_mesa_counts_it) {
+  const auto compute = [](const std::string& declaration) {
+    Files files = fragmentOf("void main() { gl_FragColor = vec4(1); }");
+    files["/composite.csh"] = "#version 430\nlayout(local_size_x = 8) in;\n" + declaration +
+                              "void main() { data[0][0].x = 1.0; }\n";
+    return files;
+  };
+  EXPECT_THAT(messages(compute("shared vec3 data[256][9];\n")),
+              ElementsAre("target-limit /composite.csh:3:13: warning: the shared variables take "
+                          "36860 bytes, Mesa offers 32768"));
+  EXPECT_THAT(messages(compute("shared vec4 data[256][8];\n")), IsEmpty());
+  EXPECT_THAT(messages(compute("shared vec3 data[256][9];\n"), "nvidia"), IsEmpty());
+  EXPECT_THAT(
+      messages(compute("shared vec4 data[256][8];\n"), "apple"),
+      ElementsAre("target-limit /composite.csh:1:1: warning: #version 430 is more than macOS "
+                  "offers: 410",
+                  "target-limit /composite.csh:1:1: warning: macOS has no compute shaders"));
+}
+
+TEST(TargetLimits, samplers_are_counted_where_they_are_used) {
+  std::string text, sum = "vec4(0)";
+  for (int i = 0; i < 17; ++i) {
+    text += "uniform sampler2D " + (i < 16 ? "colortex" + std::to_string(i) : "noisetex") + ";\n";
+    sum += " + texture2D(" + (i < 16 ? "colortex" + std::to_string(i) : "noisetex") + ", vec2(0))";
+  }
+  const Files files = fragmentOf(text + "void main() { gl_FragColor = " + sum + "; }");
+  EXPECT_THAT(messages(files), IsEmpty());
+  EXPECT_THAT(messages(files, "apple"),
+              ElementsAre("target-limit /composite.fsh:18:19: warning: the fragment stage uses 17 "
+                          "samplers, macOS offers 16"));
+}
+
+// ---- text that is no GLSL
+
+TEST(Declarations, of_broken_text_are_read_without_harm) {
+  for (const std::string text : {"uniform", "in vec3 a[", "void main() {",
+                                 "out vec4 a[999999999999999999999];void main(){a;}",
+                                 "struct S { S s[9]; }; shared S x; void main() { x; }",
+                                 "layout(location = ) out vec4 a;", "((((((", "}}}}", "in B { vec3",
+                                 "uniform float a = ", "layout(", "void main() { gl_FragData["}) {
+    const StageText stage{Stage::Fragment, {.text = text}};
+    readStageInterface(stage);
+  }
+}
+
+}  // namespace
+}  // namespace orris
