@@ -59,6 +59,14 @@ int run(int argc, char** argv) {
       "failed.");
   int status = kClean;
   for (const AddCommand add : kCommands) add(app, status);
+  // CLI11 reads it for the main program only; a section for each command then names its flags.
+  app.set_config("--config", "orris.toml", "read flags from this file, in sections like [validate]")
+      ->type_name("FILE");
+  app.allow_config_extras(CLI::config_extras_mode::error);
+  for (CLI::App* command : app.get_subcommands({})) {
+    command->fallthrough();
+    command->allow_config_extras(CLI::config_extras_mode::error);
+  }
 
   std::vector<std::string> arguments = repeatAssignmentFlags(argc, argv);
   std::reverse(arguments.begin(), arguments.end());  // the order CLI11 takes a vector in

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -9,6 +10,7 @@
 #include <set>
 
 #include "app/commands.h"
+#include "app/graph.h"
 #include "app/inputs.h"
 
 namespace orris {
@@ -16,6 +18,7 @@ namespace {
 
 struct OptionsOptions {
   PackOptions pack;
+  std::string graph;  ///< file to write, "-" for standard output, "" for none
   OutputOptions output;
 };
 
@@ -111,6 +114,13 @@ void printText(const ShaderPack& pack) {
   }
 }
 
+/// What people call the pack: its folder or file without extension.
+std::string titleOf(const std::string& path) {
+  const std::filesystem::path absolute = std::filesystem::absolute(path).lexically_normal();
+  const std::filesystem::path last = absolute.has_filename() ? absolute : absolute.parent_path();
+  return last.extension() == ".zip" ? last.stem().string() : last.filename().string();
+}
+
 int runOptions(const OptionsOptions& options) {
   int status = kClean;
   Report report(options.output);
@@ -123,7 +133,12 @@ int runOptions(const OptionsOptions& options) {
     printJson(nlohmann::json::object(), report);
     return status;
   }
-  if (!options.output.json) printText(*pack);
+  if (!options.graph.empty()) {
+    if (!writeGraph(*pack, titleOf(options.pack.path), options.graph, report, status))
+      return status;
+  } else if (!options.output.json) {
+    printText(*pack);
+  }
   printJson(toJson(*pack), report);
   return report.status();
 }
@@ -136,6 +151,12 @@ void addOptionsCommand(CLI::App& app, int& status) {
       "options", "options of a pack: values, profiles, screens, programs reached");
   addPackArgument(*command, options->pack.path);
   addPackFlags(*command, options->pack);
+  command
+      ->add_option(
+          "--graph", options->graph,
+          "write the pass graph instead: .svg, .png, .pdf, .dot, .json, .md, or - to print "
+          "tables")
+      ->type_name("FILE");
   addOutputFlags(*command, options->output);
   command->callback([options, &status] { status = runOptions(*options); });
 }

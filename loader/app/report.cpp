@@ -15,15 +15,28 @@ std::string keyOf(const Diagnostic& diagnostic) {
                      diagnostic.at.line, diagnostic.at.column, diagnostic.message);
 }
 
+const std::string& entryFileOf(const Diagnostic& diagnostic) {
+  return diagnostic.includedFrom.empty() ? diagnostic.at.file : diagnostic.includedFrom.back().file;
+}
+
 }  // namespace
 
+bool isShown(Severity severity, const OutputOptions& output) {
+  const Severity least = output.quiet     ? Severity::Error
+                         : output.verbose ? Severity::Note
+                                          : Severity::Warning;
+  return severity >= least;
+}
+
 void Report::add(Diagnostics& diagnostics) {
-  const Severity least = output_.quiet     ? Severity::Error
-                         : output_.verbose ? Severity::Note
-                                           : Severity::Warning;
   for (Diagnostic& diagnostic : diagnostics) {
-    if (!seen_.insert(keyOf(diagnostic)).second) continue;
-    if (diagnostic.severity >= least) std::cerr << formatDiagnostic(diagnostic) << std::endl;
+    const auto [place, isNew] = seen_.emplace(keyOf(diagnostic), all_.size());
+    if (isNew) entryFiles_.emplace_back();
+    entryFiles_[place->second].insert(entryFileOf(diagnostic));
+    if (!isNew) continue;
+    if (mode_ == Mode::Print && isShown(diagnostic.severity, output_)) {
+      std::cerr << formatDiagnostic(diagnostic) << std::endl;
+    }
     all_.push_back(std::move(diagnostic));
   }
   diagnostics.clear();

@@ -1,8 +1,11 @@
-// Diagnostics as a command prints them: text on standard error, JSON on standard output.
+// Diagnostics as a command prints them: text on standard error, JSON on standard output; or kept, for
+// validate, which judges them (report_findings.h) and knows more formats (report_format.h).
 #pragma once
 
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <set>
+#include <vector>
 
 #include "app/common.h"
 #include "app/exit_status.h"
@@ -14,22 +17,33 @@ namespace orris {
 /// into the list that JSON reports. Call after each stage, so that long work shows its messages.
 class Report {
  public:
-  explicit Report(const OutputOptions& output) : output_(output) {}
+  /// Keep prints nothing.
+  enum class Mode { Print, Keep };
+
+  explicit Report(const OutputOptions& output, Mode mode = Mode::Print)
+      : output_(output), mode_(mode) {}
 
   const OutputOptions& output() const { return output_; }
   void add(Diagnostics& diagnostics);
   /// kProblems when an error was added, else kClean.
   ExitStatus status() const { return hasErrors(all_) ? kProblems : kClean; }
   const Diagnostics& all() const { return all_; }
+  /// The program files through which problem `i` of all() was met: "/world0/composite.fsh".
+  const std::set<std::string>& entryFiles(std::size_t i) const { return entryFiles_[i]; }
   /// Adds one error about the command line, or about the file `path` as a whole.
   void error(const std::string& id, const std::string& message, const std::string& hint = "",
              const std::string& path = "");
 
  private:
   OutputOptions output_;
+  Mode mode_;
   Diagnostics all_;
-  std::set<std::string> seen_;
+  std::vector<std::set<std::string>> entryFiles_;
+  std::map<std::string, std::size_t> seen_;  ///< index in all_
 };
+
+/// Whether the flags ask to print a problem of this severity.
+bool isShown(Severity severity, const OutputOptions& output);
 
 nlohmann::json toJson(const SourceLocation& location);
 nlohmann::json toJson(const Diagnostics& diagnostics);

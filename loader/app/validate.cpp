@@ -1,32 +1,26 @@
 // orris validate: checks packs without a world.
 #include <CLI/CLI.hpp>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "app/commands.h"
-#include "app/validate_print.h"
+#include "app/report_output.h"
 #include "app/validate_run.h"
 
 namespace orris {
 namespace {
 
 int runValidate(const ValidateOptions& options) {
-  int status = kClean;
+  ReportOutput output(options.report, options.output);
+  if (!output.open()) return kUsage;
   Checker checker{.jobs = options.jobs, .target = *findTarget(options.target)};
   if (options.draw && !openContext(options, checker)) return kHostFailed;
-  nlohmann::json packs = nlohmann::json::array();
   for (const std::string& path : options.paths) {
     // A report of its own for each pack: equal messages of two packs are two problems.
-    Report report(options.output);
+    Report report(options.output, Report::Mode::Keep);
     PackVerdict verdict = validatePack(path, options, checker, report);
-    verdict.status = std::max<int>(verdict.status, report.status());
-    status = std::max(status, verdict.status);
-    if (!options.output.json) printText(verdict);
-    packs.push_back(toJson(verdict));
-    packs.back()["diagnostics"] = toJson(report.all());
+    output.add(std::move(verdict), report);
   }
-  if (options.output.json) printJson({{"packs", packs}, {"status", status}});
-  return status;
+  return output.finish();
 }
 
 }  // namespace
@@ -54,11 +48,10 @@ void addValidateCommand(CLI::App& app, int& status) {
   for (const TargetLimits& target : targetTable()) targets.emplace_back(target.name);
   command->add_option("--target", options->target, "whose limits and macros: mesa, apple, ...")
       ->check(CLI::IsMember(targets));
-  command->add_option("--format", options->format, "text or json")
-      ->check(CLI::IsMember({"text", "json"}));
+  addReportFlags(*command, options->report);
   addOutputFlags(*command, options->output);
   command->callback([options, &status] {
-    options->output.json |= options->format == "json";
+    settleReportFlags(options->report, options->output.json);
     status = runValidate(*options);
   });
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/common.h"
+#include "app/report_options.h"
 
 namespace orris {
 
@@ -17,11 +18,11 @@ struct ValidateOptions {
   std::vector<std::string> dimensions{"all"};
   int jobs = std::max(1, int(std::thread::hardware_concurrency()));
   std::string target = "mesa";  ///< row of targetTable()
-  std::string format = "text";
   std::string patched;  ///< folder
   bool draw = false;
   gl::Backend backend = gl::Backend::Auto;
   OutputOptions output;
+  ReportOptions report;
 };
 
 }  // namespace orris

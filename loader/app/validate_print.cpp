@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <iostream>
 #include <nlohmann/json.hpp>
 
 namespace orris {
 
-void printText(const PackVerdict& verdict) {
+std::string toText(const PackVerdict& verdict) {
   const auto count = [](const ProgramVerdicts& programs, std::string_view kind) {
     return fmt::format("{}/{} {}", programs.all.size() - programs.failed.size(),
                        programs.all.size(), kind);
@@ -16,12 +15,13 @@ void printText(const PackVerdict& verdict) {
   for (const auto& [mod, programs] : verdict.modPrograms) text += ", " + count(programs, mod);
   if (verdict.dimensions.size() > 1) text += fmt::format(", {} folders", verdict.dimensions.size());
   if (verdict.profiles.size() > 1) text += fmt::format(", {} profiles", verdict.profiles.size());
-  std::cout << text << '\n';
-  const auto printFailed = [](const ProgramVerdicts& programs) {
-    for (const std::string& name : programs.failed) std::cout << "  failed: " << name << '\n';
+  text += '\n';
+  const auto addFailed = [&](const ProgramVerdicts& programs) {
+    for (const std::string& name : programs.failed) text += fmt::format("  failed: {}\n", name);
   };
-  printFailed(verdict.programs);
-  for (const auto& [mod, programs] : verdict.modPrograms) printFailed(programs);
+  addFailed(verdict.programs);
+  for (const auto& [mod, programs] : verdict.modPrograms) addFailed(programs);
+  return text;
 }
 
 nlohmann::json toJson(const PackVerdict& verdict) {

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <string>
 
 #include "app/validate_run.h"
 
 namespace orris {
 
-void printText(const PackVerdict& verdict);
+/// A line with the counts, and one for each program that failed.
+std::string toText(const PackVerdict& verdict);
 nlohmann::json toJson(const PackVerdict& verdict);
 
 }  // namespace orris

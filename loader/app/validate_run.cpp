@@ -87,6 +87,7 @@ PackVerdict validatePack(const std::string& path, const ValidateOptions& options
                          Report& report) {
   PackVerdict verdict{.path = path};
   const auto files = openPackFiles(path, report, verdict.status);
+  verdict.files = files;
   if (!files) return verdict;
   auto request =
       makeLoadRequest(files, options.pack, checker.environment(), report, verdict.status);

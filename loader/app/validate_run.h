@@ -22,6 +22,7 @@ struct ProgramVerdicts {
 /// What was checked of one pack.
 struct PackVerdict {
   std::string path;
+  std::shared_ptr<const FileSource> files;  ///< nullptr: the pack could not be opened
   ProgramVerdicts programs;
   std::map<std::string, ProgramVerdicts> modPrograms;  ///< by name of the mod, "Distant Horizons"
   std::set<std::string> dimensions, profiles;

@@ -32,10 +32,9 @@ ProgramUses namesOf(const ProgramSource& program, bool computes) {
   return names;
 }
 
-bool isProgramStep(const Step& step) {
-  return step.kind == Step::Kind::Compute || step.kind == Step::Kind::Fullscreen ||
-         step.kind == Step::Kind::Draw || step.kind == Step::Kind::DrawShadow ||
-         step.kind == Step::Kind::Present;
+bool isPass(const Step& step) {
+  return step.kind != Step::Kind::ClearImages && step.kind != Step::Kind::ClearShadow &&
+         step.kind != Step::Kind::ClearColor && step.kind != Step::Kind::ShadowMipmaps;
 }
 
 Kind kindOf(const Step& step) {
@@ -48,6 +47,10 @@ Kind kindOf(const Step& step) {
       return Kind::Shadow;
     case Step::Kind::Present:
       return Kind::Present;
+    case Step::Kind::CopyDepth:
+    case Step::Kind::CopyShadowDepth:
+    case Step::Kind::SampleCenterDepth:
+      return Kind::Copy;
     default:
       return Kind::Fullscreen;
   }
@@ -66,10 +69,11 @@ class PassLister {
 
  private:
   void add(const Step& step, bool setup) {
-    if (!isProgramStep(step)) return;
+    if (!isPass(step)) return;
     FramePass pass;
     pass.kind = kindOf(step);
     pass.group = step.group;
+    if (step.kind == Step::Kind::CopyShadowDepth) pass.group = ProgramGroup::Shadow;
     pass.setup = setup;
     pass.translucent = step.geometry == Geometry::Translucent;
     pass.writes = step.writes;
@@ -83,13 +87,17 @@ class PassLister {
       pass.name = pass.program->name;
       pass.names = namesOf(*pass.program, pass.kind == Kind::Compute);
     }
-    // One program draws several geometries in a row: sky and stars, solid and cutout terrain.
-    const bool geometry = pass.kind == Kind::Geometry || pass.kind == Kind::Shadow;
-    if (geometry && !passes_.empty() && passes_.back().kind == pass.kind &&
-        passes_.back().program == pass.program &&
-        (pass.kind == Kind::Shadow || passes_.back().translucent == pass.translucent))
-      return;
-    passes_.push_back(std::move(pass));
+    if (!drawnAlready(pass)) passes_.push_back(std::move(pass));
+  }
+
+  /// One program draws several geometries in a row: sky and stars, solid and cutout terrain.
+  bool drawnAlready(const FramePass& pass) const {
+    if (pass.kind != Kind::Geometry && pass.kind != Kind::Shadow) return false;
+    for (size_t i = passes_.size(); i-- > 0 && passes_[i].group == pass.group;)
+      if (passes_[i].kind == pass.kind && passes_[i].name == pass.name &&
+          (pass.kind == Kind::Shadow || passes_[i].translucent == pass.translucent))
+        return true;
+    return false;
   }
 
   /// The place of a geometry program: after the last that is drawn of its half.

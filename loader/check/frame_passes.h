@@ -14,9 +14,9 @@ namespace orris {
 
 /// One program at its place in the frame.
 struct FramePass {
-  enum class Kind { Compute, Fullscreen, Geometry, Shadow, Present };
+  enum class Kind { Compute, Fullscreen, Geometry, Shadow, Present, Copy };
   Kind kind = Kind::Fullscreen;
-  std::string name;                        ///< of the program: "composite3"
+  std::string name;                        ///< of the program ("composite3"), or what is copied
   const ProgramSource* program = nullptr;  ///< nullptr: built into the host
   ProgramGroup group = ProgramGroup::Composite;
   bool drawn = true;   ///< false: a geometry program that this host never draws (entities, hand)

@@ -19,6 +19,17 @@ void addWords(const StageText& stage, std::string_view word, std::vector<WordPla
   }
 }
 
+/// "imageLoad" when the word is the first argument of a call of that name.
+std::string_view calledFunction(const WordPlace& place) {
+  const std::string_view before =
+      trim(std::string_view(place.stage->text.text).substr(0, place.offset));
+  if (!before.ends_with('(')) return {};
+  const std::string_view name = trim(before.substr(0, before.size() - 1));
+  size_t begin = name.size();
+  while (begin > 0 && isWordCharacter(name[begin - 1])) --begin;
+  return name.substr(begin);
+}
+
 std::pair<int, int> lineAndColumn(const WordPlace& place) {
   const std::string_view before = std::string_view(place.stage->text.text).substr(0, place.offset);
   const auto line = std::count(before.begin(), before.end(), '\n') + 1;
@@ -58,6 +69,20 @@ bool isDeclaration(const WordPlace& place) {
       return true;
   }
   return false;
+}
+
+ImageAccess imageAccess(const ProgramSource& program, bool computes, std::string_view image) {
+  ImageAccess access;
+  for (const WordPlace& place : findWord(program, computes, image)) {
+    if (isDeclaration(place)) continue;
+    const std::string_view call = calledFunction(place);
+    const bool atomic = call.starts_with("imageAtomic");
+    const bool size = call == "imageSize" || call == "imageSamples";
+    const bool known = atomic || size || call == "imageLoad" || call == "imageStore";
+    access.loads |= atomic || call == "imageLoad" || !known;
+    access.stores |= atomic || call == "imageStore" || !known;
+  }
+  return access;
 }
 
 std::optional<Call> callAt(std::string_view text, size_t nameEnd) {

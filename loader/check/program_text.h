@@ -33,6 +33,13 @@ struct Call {
 };
 std::optional<Call> callAt(std::string_view text, size_t nameEnd);
 
+/// What a program does with an image.
+struct ImageAccess {
+  bool loads = false, stores = false;
+};
+/// From the calls that name the image; one handed to another function may do both.
+ImageAccess imageAccess(const ProgramSource& program, bool computes, std::string_view image);
+
 /// A diagnostic at the author's place of `place`, with includes and source line.
 Diagnostic diagnosticAt(const ShaderPack& pack, Severity severity, std::string id,
                         const WordPlace& place, std::string message, std::string hint);

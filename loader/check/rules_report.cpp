@@ -6,7 +6,11 @@
 namespace orris {
 
 std::span<const Rule> reportRules() {
-  static const std::vector<Rule> kRules = {};
+  static const std::vector<Rule> kRules = {
+      {"baseline-syntax", Severity::Error, "a baseline file cannot be read"},
+      {"ignore-unknown", Severity::Warning, "an ignore comment names an id that does not exist"},
+      {"ignore-unused", Severity::Note, "an ignore comment silences nothing"},
+  };
   return kRules;
 }
 

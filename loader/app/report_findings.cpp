@@ -1,0 +1,162 @@
+#include "app/report_findings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <map>
+#include <tuple>
+
+#include "check/ignore_comments.h"
+#include "pack/text.h"
+
+namespace orris {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 6> kStageEndings = {".vsh", ".tcs", ".tes",
+                                                           ".gsh", ".fsh", ".csh"};
+
+/// "/world0/composite.fsh" -> "/world0/composite"; "" for a file that is no stage.
+std::string programOf(std::string_view file) {
+  for (const std::string_view ending : kStageEndings) {
+    if (file.ends_with(ending)) return std::string(file.substr(0, file.size() - ending.size()));
+  }
+  return "";
+}
+
+// A zip is made from the repository's root, as a rule.
+std::string defaultRoot(const std::string& path) {
+  std::error_code error;
+  if (!fs::is_directory(path, error)) return "shaders";
+  fs::path root = fs::path(path);
+  if (fs::is_directory(root / "shaders", error)) root /= "shaders";
+  const fs::path here = fs::current_path(error);
+  const fs::path inside = root.is_absolute() ? root.lexically_relative(here) : fs::path();
+  if (!inside.empty() && *inside.begin() != "..") root = inside;
+  std::string text = root.lexically_normal().generic_string();
+  while (text.size() > 1 && text.ends_with('/')) text.pop_back();
+  return text;
+}
+
+/// Lines of the pack's files, each file read once.
+class SourceText {
+ public:
+  explicit SourceText(const FileSource* files) : files_(files) {}
+
+  std::string line(const SourceLocation& at) {
+    if (files_ == nullptr || at.line <= 0) return "";
+    const auto [place, isNew] = lines_.try_emplace(at.file);
+    if (isNew) {
+      if (const auto text = files_->read(at.file)) place->second = splitLines(*text);
+    }
+    const auto index = static_cast<std::size_t>(at.line - 1);
+    return index < place->second.size() ? place->second[index] : "";
+  }
+
+ private:
+  const FileSource* files_;
+  std::map<std::string, std::vector<std::string>> lines_;
+};
+
+class Judge {
+ public:
+  Judge(const PackResult& pack, const ReportOptions& options, Baseline* baseline)
+      : files_(pack.verdict.files.get()),
+        root_(pack.root),
+        options_(options),
+        baseline_(baseline),
+        text_(files_) {
+    if (files_ != nullptr) comments_.emplace(*files_);
+  }
+
+  void add(Diagnostic diagnostic, const std::set<std::string>& entryFiles) {
+    Finding finding{.diagnostic = std::move(diagnostic)};
+    Diagnostic& d = finding.diagnostic;
+    if (d.sourceLine.empty()) d.sourceLine = text_.line(d.at);
+    finding.uri = uriOf(d.at.file);
+    for (const std::string& file : entryFiles) {
+      if (std::string program = programOf(file); !program.empty()) finding.programs.insert(program);
+    }
+    if (comments_ && comments_->silences(d)) finding.silence = Silence::Comment;
+    applySeverity(finding);
+    finding.fingerprint = fingerprintOf(d);
+    findings_.push_back(std::move(finding));
+  }
+
+  std::vector<Finding> finish() {
+    if (comments_) {
+      for (Diagnostic& problem : comments_->problems()) add(std::move(problem), {});
+    }
+    const auto place = [](const Finding& finding) {
+      const SourceLocation& at = finding.diagnostic.at;
+      return std::tie(at.file, at.line, at.column);
+    };
+    std::ranges::stable_sort(findings_, {}, place);
+    for (Finding& finding : findings_) {
+      const bool open =
+          finding.silence == Silence::None && finding.diagnostic.severity != Severity::Note;
+      if (open && baseline_ != nullptr && baseline_->take(finding.fingerprint)) {
+        finding.silence = Silence::Baseline;
+      }
+    }
+    return std::move(findings_);
+  }
+
+ private:
+  void applySeverity(Finding& finding) const {
+    const auto chosen = options_.severities.find(finding.diagnostic.id);
+    if (chosen == options_.severities.end()) return;
+    if (chosen->second)
+      finding.diagnostic.severity = *chosen->second;
+    else if (finding.silence == Silence::None)
+      finding.silence = Silence::Flag;
+  }
+
+  // A problem of a program as a whole names the program: its first stage stands for it.
+  std::string uriOf(const std::string& file) const {
+    if (!file.starts_with('/') || files_ == nullptr) return file;
+    if (file == "/") return root_;
+    for (const std::string_view ending : kStageEndings) {
+      const std::string stage = file + std::string(ending);
+      if (files_->contains(stage)) return root_ + stage;
+    }
+    return root_ + file;
+  }
+
+  const FileSource* files_;
+  const std::string& root_;
+  const ReportOptions& options_;
+  Baseline* baseline_;
+  SourceText text_;
+  std::optional<IgnoreComments> comments_;
+  std::vector<Finding> findings_;
+};
+
+}  // namespace
+
+PackResult judgePack(PackVerdict verdict, const Report& report, const ReportOptions& options,
+                     Baseline* baseline) {
+  PackResult result;
+  result.root = options.sourceRoot.value_or(defaultRoot(verdict.path));
+  result.verdict = std::move(verdict);
+  Judge judge(result, options, baseline);
+  for (std::size_t i = 0; i < report.all().size(); ++i) {
+    judge.add(report.all()[i], report.entryFiles(i));
+  }
+  result.findings = judge.finish();
+  const bool failed = std::ranges::any_of(result.findings, [&](const Finding& finding) {
+    return countsAsFailure(finding, options.strict);
+  });
+  if (failed) result.verdict.status = std::max<int>(result.verdict.status, kProblems);
+  return result;
+}
+
+bool countsAsFailure(const Finding& finding, bool strict) {
+  return finding.silence == Silence::None &&
+         finding.diagnostic.severity >= (strict ? Severity::Warning : Severity::Error);
+}
+
+}  // namespace orris

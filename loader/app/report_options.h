@@ -1,0 +1,38 @@
+// What the command line asks of a report: which problems count, and where it goes in which format.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/diagnostic.h"
+
+namespace CLI {
+class App;
+}
+
+namespace orris {
+
+/// One file to write.
+struct ReportFile {
+  std::string format, path;
+};
+
+struct ReportOptions {
+  std::string format = "text";  ///< of standard output
+  std::string output;  ///< --output: where --format goes, standard output then gets the counts
+  std::vector<ReportFile> files;                              ///< --report
+  std::map<std::string, std::optional<Severity>> severities;  ///< by id; nullopt: off
+  bool strict = false;                                        ///< warnings make the exit status 1
+  std::optional<std::string> sourceRoot;  ///< where the pack's files are, seen from the repository
+  std::string baseline, writeBaseline;    ///< files
+};
+
+/// --format, --output, --report, --ignore, --severity, --strict, --source-root, --baseline
+/// and --write-baseline.
+void addReportFlags(CLI::App& command, ReportOptions& options);
+/// Call when all flags are read: makes one of --format, --output and `json` (the flag --json).
+void settleReportFlags(ReportOptions& options, bool json);
+
+}  // namespace orris

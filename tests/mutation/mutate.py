@@ -1,0 +1,249 @@
+#!/usr/bin/env python3
+"""Mutation score of `orris validate`: one fault at a time, in copies of real packs.
+
+A fault is found when an error or warning appears that the pack does not have without it, and located
+when one of these stands at the changed file and line, give or take one. A fault that changes no text
+that reaches the driver is equivalent: there is nothing to find.
+"""
+import argparse
+import json
+import queue
+import random
+import sys
+import tempfile
+from collections import Counter
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+import directive_faults
+import glsl_faults
+import properties_faults
+from pack_view import Orris, PackView, Reach, copy_pack, find_packs, read_lines
+
+KINDS = {**glsl_faults.KINDS, **directive_faults.KINDS, **properties_faults.KINDS}
+VERDICTS = ("found", "missed", "equivalent", "no answer")
+
+
+@dataclass
+class Result:
+    """What became of one fault."""
+    pack: str
+    fault: object
+    before: str
+    verdict: str = "missed"
+    reason: str = ""  # why it is equivalent
+    exact: bool = False  # a message at the changed line itself, give or take one
+    located: bool = False  # the same, or at the other end of the changed pair
+    first: bool = False  # the first message is a located one
+    messages: tuple = ()
+
+
+def key(diagnostic):
+    return tuple(diagnostic[part] for part in ("severity", "id", "file", "line", "message"))
+
+
+def new_messages(before, after):
+    """Errors and warnings of `after` that `before` lacks, in the order of the report."""
+    known = Counter(map(key, before))
+    fresh = []
+    for diagnostic in after:
+        if known[key(diagnostic)] > 0:
+            known[key(diagnostic)] -= 1
+        elif diagnostic["severity"] != "note":
+            fresh.append(diagnostic)
+    return fresh
+
+
+def apply(view, fault, root):
+    """Writes the changed file into a copy; returns the line as it was."""
+    path = Path(root) / "shaders" / fault.file.lstrip("/")
+    lines = read_lines(path)
+    before = lines[fault.line - 1]
+    for number, text in ((fault.line, fault.text), *fault.also):
+        end = "\r" if lines[number - 1].endswith("\r") else ""
+        lines[number - 1] = text.rstrip("\r") + end
+    path.write_bytes("\n".join(lines).encode("latin-1"))
+    return before.rstrip("\r")
+
+
+def restore(view, fault, root):
+    path = Path(root) / "shaders" / fault.file.lstrip("/")
+    path.write_bytes(view.path(fault.file).read_bytes())
+
+
+def equivalence(view, fault, root):
+    """Why nothing could be found, or "": only texts that reach the driver prove it."""
+    if fault.kind in properties_faults.KINDS:
+        return ""
+    with tempfile.TemporaryDirectory(prefix="orris-mutation-") as folder:
+        view.orris.validate(root, fault.options, patched=folder)
+        texts = Reach(folder).texts
+    before = view.reach_with(fault.options).texts if fault.options else view.reach.texts
+    return "no text that reaches the driver changes" if texts == before else ""
+
+
+def compare(view, fault, root, folder):
+    """Verdict with the messages of one folder, or of all when `folder` is None."""
+    after = view.orris.validate(root, fault.options, folder)
+    if after is None:
+        return "no answer", []
+    fresh = new_messages(view.baseline(fault.options, folder), after)
+    return ("found" if fresh else "missed"), fresh
+
+
+def judge(view, fault, root):
+    """One folder is quicker; all are asked when it does not show the fault at its place."""
+    result = Result(view.name, fault, apply(view, fault, root))
+    places = (fault.line, *fault.ends)
+    folder = view.folder_of(fault.file)
+    try:
+        fresh = []
+        if folder:
+            result.verdict, fresh = compare(view, fault, root, folder)
+        if not any(near(message, fault.file, places) for message in fresh):
+            result.verdict, fresh = compare(view, fault, root, None)
+        if result.verdict == "missed":
+            result.reason = equivalence(view, fault, root)
+            result.verdict = "equivalent" if result.reason else "missed"
+    finally:
+        restore(view, fault, root)
+    if fresh:
+        result.exact = any(near(message, fault.file, (fault.line,)) for message in fresh)
+        result.located = any(near(message, fault.file, places) for message in fresh)
+        result.first = near(fresh[0], fault.file, places)
+        result.messages = tuple("{file}:{line}: {severity}: {message} [{id}]".format(**message)
+                                for message in fresh[:4])
+    return result
+
+
+def near(diagnostic, file, lines):
+    return diagnostic["file"] == file and any(abs(diagnostic["line"] - line) <= 1 for line in lines)
+
+
+def choose(views, kinds, count, seed):
+    """`count` faults, spread over kinds and packs as evenly as the places allow."""
+    places = {}
+    for view in views:
+        for kind in kinds:
+            found = list(KINDS[kind](view))
+            random.Random(f"{seed} {view.name} {kind}").shuffle(found)
+            if found:
+                places[kind, view.name] = found
+    chosen, by_name = [], {view.name: view for view in views}
+    while len(chosen) < count and places:
+        for kind in kinds:
+            rows = [entry for entry in places if entry[0] == kind]
+            if rows and len(chosen) < count:
+                # The pack with most turns left gives the next one of this kind.
+                turn = min(rows, key=lambda entry: sum(1 for v, f in chosen if f.kind == kind
+                                                       and v.name == entry[1]))
+                chosen.append((by_name[turn[1]], places[turn].pop()))
+                if not places[turn]:
+                    del places[turn]
+    return chosen
+
+
+class Copies:
+    """Copies of packs for the threads: one of each pack for each thread at work on it."""
+
+    def __init__(self, folder):
+        self.folder, self.free, self.made = Path(folder), {}, 0
+
+    def judge(self, job):
+        view, fault = job
+        free = self.free.setdefault(view.name, queue.SimpleQueue())
+        try:
+            root = free.get_nowait()
+        except queue.Empty:
+            self.made += 1
+            root = self.folder / f"{self.made}-{view.name.replace('/', '-')}"
+            copy_pack(view.root, root)
+        result = judge(view, fault, root)
+        free.put(root)
+        return result
+
+
+def table(results, name, part):
+    rows = {}
+    for result in results:
+        rows.setdefault(part(result), []).append(result)
+    lines = [f"{name:26} faults equiv  found missed  exact  located first"]
+    for row, group in [*sorted(rows.items()), ("all", results)]:
+        found = [result for result in group if result.verdict == "found"]
+        equivalent = sum(result.verdict == "equivalent" for result in group)
+        lines.append(f"{row:26} {len(group):6} {equivalent:5} {len(found):6} "
+                     f"{len(group) - len(found) - equivalent:6} "
+                     f"{sum(result.exact for result in found):6} "
+                     f"{sum(result.located for result in found):7} "
+                     f"{sum(result.first for result in found):6}")
+    return "\n".join(lines)
+
+
+def describe(result):
+    fault = result.fault
+    lines = [f"{result.pack}{fault.file}:{fault.line}: {fault.kind}: {result.verdict}"
+             + (f": {result.reason}" if result.reason else ""),
+             f"  - {result.before.strip()}", f"  + {fault.text.strip()}"]
+    if fault.options:
+        lines.append(f"  with {' '.join(fault.options)}")
+    return "\n".join(lines + [f"    {message}" for message in result.messages])
+
+
+def report(results):
+    def select(test, title):
+        rows = [describe(result) for result in results if test(result)]
+        return [f"\n{title}: {len(rows)}", *rows] if rows else []
+    print("\n".join([
+        *select(lambda r: r.verdict == "equivalent", "equivalent"),
+        *select(lambda r: r.verdict in ("missed", "no answer"), "not found"),
+        *select(lambda r: r.verdict == "found" and not r.located, "found elsewhere"),
+        "", table(results, "kind", lambda r: r.fault.kind), "",
+        table(results, "pack", lambda r: r.pack)]))
+
+
+def score(results):
+    """Share of the faults found and share of these located, in percent."""
+    real = [result for result in results if result.verdict != "equivalent"]
+    found = [result for result in real if result.verdict == "found"]
+    located = [result for result in found if result.located]
+    return 100 * len(found) / max(len(real), 1), 100 * len(located) / max(len(found), 1)
+
+
+def parse_arguments():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("orris")
+    parser.add_argument("packs", help="folder of packs; they are copied, never changed")
+    parser.add_argument("--faults", type=int, default=600)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--pack", action="append", help="only this pack; may be repeated")
+    parser.add_argument("--kind", action="append", choices=sorted(KINDS), metavar="KIND")
+    parser.add_argument("--json", help="write every fault and its verdict")
+    parser.add_argument("--min-found", type=float, default=0, help="percent")
+    parser.add_argument("--min-located", type=float, default=0, help="percent")
+    return parser.parse_args()
+
+
+def main():
+    arguments = parse_arguments()
+    orris = Orris(arguments.orris)
+    sources = {name: path for name, path in find_packs(arguments.packs).items()
+               if not arguments.pack or name in arguments.pack}
+    with ThreadPoolExecutor(arguments.jobs) as pool:
+        views = list(pool.map(lambda item: PackView(*item, orris), sources.items()))
+        jobs = choose(views, arguments.kind or list(KINDS), arguments.faults, arguments.seed)
+        with tempfile.TemporaryDirectory(prefix="orris-mutation-") as folder:
+            results = list(pool.map(Copies(folder).judge, jobs))
+    report(results)
+    if arguments.json:
+        Path(arguments.json).write_text(json.dumps([asdict(r) for r in results], indent=1))
+    found, located = score(results)
+    print(f"\n{len(results)} faults in {len(views)} packs, seed {arguments.seed}: "
+          f"{found:.1f} % found, {located:.1f} % of those located")
+    good = results and found >= arguments.min_found and located >= arguments.min_located
+    return 0 if good else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
