@@ -3,6 +3,17 @@
 #include <fmt/format.h>
 
 namespace orris {
+namespace {
+
+std::shared_ptr<const ShaderPack> withoutErrors(std::optional<ShaderPack> pack,
+                                                const Diagnostics& problems,
+                                                Diagnostics& diagnostics) {
+  diagnostics.insert(diagnostics.end(), problems.begin(), problems.end());
+  if (!pack || hasErrors(problems)) return nullptr;
+  return std::make_shared<const ShaderPack>(std::move(*pack));
+}
+
+}  // namespace
 
 MacroDefinitions environmentFor(const gl::DriverInfo& driver) {
   HostDescription host;
@@ -39,15 +50,23 @@ std::shared_ptr<const ShaderPack> RenderSession::loadPack(Diagnostics& diagnosti
   auto source = request_.openPack(problems);
   std::optional<ShaderPack> pack;
   if (source != nullptr) pack = loadShaderPack(std::move(source), request_.load, problems);
-  const bool failed = !pack || hasErrors(problems);
-  diagnostics.insert(diagnostics.end(), problems.begin(), problems.end());
-  if (failed) return nullptr;
-  return std::make_shared<const ShaderPack>(std::move(*pack));
+  return withoutErrors(std::move(pack), problems, diagnostics);
+}
+
+std::shared_ptr<const ShaderPack> RenderSession::rebuildPack(Diagnostics& diagnostics) {
+  Diagnostics problems;
+  auto pack = rebuildShaderPack(renderer_->pack(), request_.load, problems);
+  return withoutErrors(std::move(pack), problems, diagnostics);
 }
 
 bool RenderSession::reload(const std::string& cause, Diagnostics& diagnostics) {
+  return use(cause, loadPack(diagnostics), diagnostics);
+}
+
+bool RenderSession::use(const std::string& cause, std::shared_ptr<const ShaderPack> pack,
+                        Diagnostics& diagnostics) {
   SessionReload reload{frame_, cause, false, {}};
-  if (const auto pack = loadPack(diagnostics); pack != nullptr) {
+  if (pack != nullptr) {
     const float level = pack->directives.ambientOcclusionLevel;
     const bool newLevel = level != renderer_->pack().directives.ambientOcclusionLevel;
     if (newLevel) rebuildMesh(scene_, level);
@@ -62,7 +81,7 @@ bool RenderSession::setOption(const std::string& name, const std::string& value,
                               Diagnostics& diagnostics) {
   const OptionValues before = request_.load.values;
   request_.load.values[name] = value;
-  if (reload(fmt::format("{}={}", name, value), diagnostics)) return true;
+  if (use(fmt::format("{}={}", name, value), rebuildPack(diagnostics), diagnostics)) return true;
   request_.load.values = before;
   return false;
 }
@@ -70,7 +89,7 @@ bool RenderSession::setOption(const std::string& name, const std::string& value,
 bool RenderSession::setProfile(const std::string& name, Diagnostics& diagnostics) {
   const std::string before = request_.load.profile;
   request_.load.profile = name;
-  if (reload("profile " + name, diagnostics)) return true;
+  if (use("profile " + name, rebuildPack(diagnostics), diagnostics)) return true;
   request_.load.profile = before;
   return false;
 }

@@ -41,8 +41,9 @@ class RenderSession {
   /// Applies the events of the next frame and draws it.
   void renderFrame(Diagnostics& diagnostics);
 
-  /// Loads the pack again, with other options if given. false: the last good one keeps running.
+  /// Loads the pack again from its files. false: the last good one keeps running.
   bool reload(const std::string& cause, Diagnostics& diagnostics);
+  /// The same files under other values: only the programs that the option reaches are built again.
   bool setOption(const std::string& name, const std::string& value, Diagnostics& diagnostics);
   bool setProfile(const std::string& name, Diagnostics& diagnostics);
   void setCamera(const Camera& camera) { request_.camera = camera; }
@@ -59,6 +60,9 @@ class RenderSession {
  private:
   RenderSession(gl::Context& context, SessionRequest request, SceneData scene);
   std::shared_ptr<const ShaderPack> loadPack(Diagnostics& diagnostics);
+  std::shared_ptr<const ShaderPack> rebuildPack(Diagnostics& diagnostics);
+  bool use(const std::string& cause, std::shared_ptr<const ShaderPack> pack,
+           Diagnostics& diagnostics);
   void applyEvents(Diagnostics& diagnostics);
   void rebuildScene(Diagnostics& diagnostics);
 

@@ -82,7 +82,7 @@ class Builder {
   }
 
   int indexOf(const ProgramSource* program) const {
-    return program == nullptr ? -1 : static_cast<int>(program - pack_.programs.data());
+    return program == nullptr ? -1 : pack_.programs.indexOf(program);
   }
 
   // Contract properties.csv "shadow.enabled": the pass exists when something outside it looks at

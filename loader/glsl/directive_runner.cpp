@@ -83,12 +83,12 @@ const DirectiveRunner::Directive* DirectiveRunner::find(std::string_view name) {
 }
 
 DirectiveRunner::DirectiveRunner(const FlatSource& source, const MacroDefinitions& environment,
-                                 TokenStream& stream, Diagnostics& diagnostics)
+                                 TokenStream& stream, Diagnostics& diagnostics, NameWatch* watch)
     : reader_(source),
       sites_(source.sites),
       stream_(stream),
       diagnostics_(diagnostics),
-      macros_(environment),
+      macros_(environment, watch),
       expansion_{macros_, stream.macroNames, stream.macroOrigins,
                  [this](const Token& at, std::string id, std::string message) {
                    report(Severity::Error, std::move(id), at.origin, std::move(message));
@@ -194,6 +194,13 @@ bool DirectiveRunner::replaceDefined(const std::vector<Token>& tokens, std::vect
   return true;
 }
 
+bool DirectiveRunner::isTrue(const std::vector<Token>& tokens) {
+  const unsigned char purpose = macros_.setPurpose(NameWatch::kCondition);
+  const bool result = tokens.front().text.ends_with("def") ? macroNamed(tokens) : evaluate(tokens);
+  macros_.setPurpose(purpose);
+  return result;
+}
+
 // The condition of #if or #elif; a malformed one is false.
 bool DirectiveRunner::evaluate(const std::vector<Token>& tokens) {
   const std::string& name = tokens.front().text;
@@ -244,18 +251,18 @@ void DirectiveRunner::reportUnbalanced(const Origin& at, std::string problem) {
 }
 
 void DirectiveRunner::onIf(const std::vector<Token>& tokens) {
-  const bool condition = conditionals_.active() && evaluate(tokens);
+  const bool condition = conditionals_.active() && isTrue(tokens);
   conditionals_.open(tokens.front().origin, tokens.front().text, condition);
 }
 
 void DirectiveRunner::onIfdef(const std::vector<Token>& tokens) {
   bool condition = false;
-  if (conditionals_.active()) condition = macroNamed(tokens) == (tokens.front().text == "ifdef");
+  if (conditionals_.active()) condition = isTrue(tokens) == (tokens.front().text == "ifdef");
   conditionals_.open(tokens.front().origin, tokens.front().text, condition);
 }
 
 void DirectiveRunner::onElif(const std::vector<Token>& tokens) {
-  const bool condition = conditionals_.wantsElif() && evaluate(tokens);
+  const bool condition = conditionals_.wantsElif() && isTrue(tokens);
   const std::string problem = conditionals_.elif (condition);
   if (problem.empty()) return;
   reportUnbalanced(tokens.front().origin, problem);

@@ -16,7 +16,7 @@ class DirectiveRunner : public TokenSource {
  public:
   /// `stream` takes the version, the extensions and the names of used macros.
   DirectiveRunner(const FlatSource& source, const MacroDefinitions& environment,
-                  TokenStream& stream, Diagnostics& diagnostics);
+                  TokenStream& stream, Diagnostics& diagnostics, NameWatch* watch = nullptr);
 
   bool next(Token& token) override;
   ExpansionState& expansion() { return expansion_; }
@@ -39,6 +39,7 @@ class DirectiveRunner : public TokenSource {
   void reportUnbalanced(const Origin& at, std::string problem);
   void warnTrailing(const std::vector<Token>& tokens, std::size_t from, const std::string& name);
   bool evaluate(const std::vector<Token>& tokens);
+  bool isTrue(const std::vector<Token>& tokens);
   bool replaceDefined(const std::vector<Token>& tokens, std::vector<Token>& out);
   bool macroNamed(const std::vector<Token>& tokens);
 

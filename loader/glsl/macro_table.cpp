@@ -66,15 +66,19 @@ void assignRoles(Macro& macro) {
 
 }  // namespace
 
-MacroTable::MacroTable(const MacroDefinitions& environment) {
-  byName_.reserve(environment.size() * 2);
+MacroTable::MacroTable(const MacroDefinitions& environment, NameWatch* watch) : watch_(watch) {
+  const std::size_t watched = watch ? watch->names.size() : 0;
+  byName_.reserve(environment.size() * 2 + watched);
+  for (std::size_t i = 0; i < watched; ++i) {
+    byName_[watch->names[i]].watched = static_cast<int>(i);
+  }
   for (const auto& [name, body] : environment) {
     Macro& macro = all_.emplace_back();
     macro.name = name;
     if (!body.empty()) macro.body = tokenize(body);
     for (Token& token : macro.body) token.origin = {};
     assignRoles(macro);
-    byName_[name] = &macro;
+    byName_[name].macro = &macro;
   }
 }
 
@@ -96,18 +100,21 @@ std::string MacroTable::define(const std::vector<Token>& tokens, const Origin& o
   macro.body.assign(tokens.begin() + static_cast<std::ptrdiff_t>(i), tokens.end());
   assignRoles(macro);
   Macro& kept = all_.emplace_back(std::move(macro));
-  byName_[kept.name] = &kept;
+  byName_[kept.name].macro = &kept;
   return "";
 }
 
 void MacroTable::undefine(std::string_view name) {
   const auto found = byName_.find(name);
-  if (found != byName_.end()) byName_.erase(found);
+  if (found != byName_.end()) found->second.macro = nullptr;
 }
 
 Macro* MacroTable::find(std::string_view name) {
   const auto found = byName_.find(name);
-  return found == byName_.end() ? nullptr : found->second;
+  if (found == byName_.end()) return nullptr;
+  const Entry& entry = found->second;
+  if (entry.watched >= 0) watch_->uses[static_cast<std::size_t>(entry.watched)] |= purpose_;
+  return entry.macro;
 }
 
 }  // namespace orris

@@ -6,8 +6,10 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
+#include "glsl/name_watch.h"
 #include "glsl/preprocessor.h"
 #include "glsl/token.h"
 
@@ -29,7 +31,8 @@ struct Macro {
 
 class MacroTable {
  public:
-  explicit MacroTable(const MacroDefinitions& environment);
+  /// `watch`, when given, learns which of its names find() is asked for.
+  explicit MacroTable(const MacroDefinitions& environment, NameWatch* watch = nullptr);
 
   /// Defines from the tokens after "#define" (comments removed), replacing any former definition.
   /// Returns what is wrong, "" when nothing is.
@@ -37,6 +40,8 @@ class MacroTable {
   void undefine(std::string_view name);
   /// nullptr when there is no such macro.
   Macro* find(std::string_view name);
+  /// What the names are looked up for from now on: a use of NameWatch. Returns what it was.
+  unsigned char setPurpose(unsigned char use) { return std::exchange(purpose_, use); }
 
  private:
   struct Hash {
@@ -45,8 +50,14 @@ class MacroTable {
       return std::hash<std::string_view>{}(text);
     }
   };
-  std::unordered_map<std::string, Macro*, Hash, std::equal_to<>> byName_;
+  struct Entry {
+    Macro* macro = nullptr;
+    int watched = -1;  ///< index of the name in the watch
+  };
+  std::unordered_map<std::string, Entry, Hash, std::equal_to<>> byName_;
   std::deque<Macro> all_;
+  NameWatch* watch_;
+  unsigned char purpose_ = NameWatch::kText;
 };
 
 }  // namespace orris

@@ -7,10 +7,10 @@
 namespace orris {
 
 TokenStream preprocess(const FlatSource& source, const MacroDefinitions& environment,
-                       Diagnostics& diagnostics) {
+                       Diagnostics& diagnostics, NameWatch* watch) {
   TokenStream stream;
   stream.sites = source.sites;
-  DirectiveRunner runner(source, environment, stream, diagnostics);
+  DirectiveRunner runner(source, environment, stream, diagnostics, watch);
   {
     MacroExpander expander(runner, runner.expansion());
     Token token;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/diagnostic.h"
+#include "glsl/name_watch.h"
 #include "glsl/token.h"
 
 namespace orris {
@@ -19,8 +20,9 @@ using MacroDefinitions = std::vector<std::pair<std::string, std::string>>;
 /// ordinary names; #extension and #version of active branches are collected; comments survive as
 /// tokens. Errors (unbalanced conditionals, malformed directives, #error) are located diagnostics;
 /// preprocessing goes on after each. A source without an active #version keeps version 0.
+/// `watch`, when given, learns which of its names were looked up.
 TokenStream preprocess(const FlatSource& source, const MacroDefinitions& environment,
-                       Diagnostics& diagnostics);
+                       Diagnostics& diagnostics, NameWatch* watch = nullptr);
 
 /// Reports a stage without an active #version. Contract: "Exactly one active #version is required".
 void requireVersion(const TokenStream& stream, Diagnostics& diagnostics);
@@ -32,6 +34,7 @@ void requireVersion(const TokenStream& stream, Diagnostics& diagnostics);
 /// branches become empty. Bodies in `environment` are taken as they are: an empty macro expands to
 /// nothing, so give it the body "1" where the contract wants that.
 std::string preprocessProperties(const std::string& file, const std::string& text,
-                                 const MacroDefinitions& environment, Diagnostics& diagnostics);
+                                 const MacroDefinitions& environment, Diagnostics& diagnostics,
+                                 NameWatch* watch = nullptr);
 
 }  // namespace orris

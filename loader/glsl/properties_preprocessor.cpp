@@ -23,8 +23,8 @@ std::string_view trim(std::string_view text) {
 class PropertiesPreprocessor {
  public:
   PropertiesPreprocessor(const std::string& file, const MacroDefinitions& environment,
-                         Diagnostics& diagnostics)
-      : source_{{{file, -1, 0}}, {}}, runner_(source_, environment, stream_, diagnostics) {}
+                         Diagnostics& diagnostics, NameWatch* watch)
+      : source_{{{file, -1, 0}}, {}}, runner_(source_, environment, stream_, diagnostics, watch) {}
 
   std::string run(std::string_view text) {
     std::string out;
@@ -90,8 +90,9 @@ class PropertiesPreprocessor {
 }  // namespace
 
 std::string preprocessProperties(const std::string& file, const std::string& text,
-                                 const MacroDefinitions& environment, Diagnostics& diagnostics) {
-  return PropertiesPreprocessor(file, environment, diagnostics).run(text);
+                                 const MacroDefinitions& environment, Diagnostics& diagnostics,
+                                 NameWatch* watch) {
+  return PropertiesPreprocessor(file, environment, diagnostics, watch).run(text);
 }
 
 }  // namespace orris

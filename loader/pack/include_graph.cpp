@@ -39,22 +39,25 @@ class Reader {
 
   void include(const std::string& from, int line, const std::string& text) {
     open_.push_back({from, line});
-    if (const auto target = resolve(from, text)) {
-      graph_.includes[from][line] = *target;
-      const bool isOpen =
-          std::any_of(open_.begin(), open_.end(), [&](const Open& o) { return o.file == *target; });
-      if (isOpen) {
-        reportCycle(*target, text);
-      } else if (!graph_.files.contains(*target)) {
-        if (open_.size() > kDeepestInclude) {
-          report("include-too-deep", text,
-                 fmt::format("includes are nested deeper than {} files", kDeepestInclude), "");
-        } else {
-          visit(*target);
-        }
-      }
-    }
+    const auto target = resolve(from, text);
+    const bool good = target && mayOpen(*target, text);
+    graph_.includes[from][line] = good ? *target : "";
+    if (good && !graph_.files.contains(*target)) visit(*target);
     open_.pop_back();
+  }
+
+  /// False when reported as an error.
+  bool mayOpen(const std::string& target, const std::string& text) {
+    const bool isOpen =
+        std::any_of(open_.begin(), open_.end(), [&](const Open& o) { return o.file == target; });
+    if (isOpen) {
+      reportCycle(target, text);
+      return false;
+    }
+    if (graph_.files.contains(target) || open_.size() <= kDeepestInclude) return true;
+    report("include-too-deep", text,
+           fmt::format("includes are nested deeper than {} files", kDeepestInclude), "");
+    return false;
   }
 
   /// The file that the line names; nullopt when reported as an error.
@@ -118,27 +121,26 @@ class Reader {
 
 class Flattener {
  public:
-  Flattener(const IncludeGraph& graph, const std::map<std::string, FileLines>& files,
-            FlatSource& flat)
+  Flattener(const IncludeGraph& graph, const FileLookup& files, FlatSource& flat)
       : graph_(graph), files_(files), flat_(flat) {}
 
   /// False when the result is too large.
   bool expand(const std::string& path, int parent, int parentLine) {
     const int site = static_cast<int>(flat_.sites.size());
     flat_.sites.push_back({path, parent, parentLine});
-    const auto found = files_.find(path);
-    if (found == files_.end()) return true;
+    const FileLines* lines = files_(path);
+    if (!lines) return true;
     const auto includes = graph_.includes.find(path);
-    for (size_t i = 0; i < found->second.size(); ++i) {
+    for (size_t i = 0; i < lines->size(); ++i) {
       const int line = static_cast<int>(i) + 1;
       if (includes != graph_.includes.end()) {
         if (const auto target = includes->second.find(line); target != includes->second.end()) {
-          if (!expand(target->second, site, line)) return false;
+          if (!target->second.empty() && !expand(target->second, site, line)) return false;
           continue;
         }
       }
       if (flat_.lines.size() >= kMostLines) return false;
-      flat_.lines.push_back({found->second[i], site, line});
+      flat_.lines.push_back({(*lines)[i], site, line});
     }
     // Empty files can still be included without end.
     return flat_.sites.size() < kMostSites;
@@ -146,7 +148,7 @@ class Flattener {
 
  private:
   const IncludeGraph& graph_;
-  const std::map<std::string, FileLines>& files_;
+  const FileLookup& files_;
   FlatSource& flat_;
 };
 
@@ -161,8 +163,8 @@ IncludeGraph readIncludeGraph(const FileSource& source, const std::vector<std::s
   return graph;
 }
 
-FlatSource flatten(const IncludeGraph& graph, const std::map<std::string, FileLines>& files,
-                   const std::string& entry, Diagnostics& diagnostics) {
+FlatSource flatten(const IncludeGraph& graph, const FileLookup& files, const std::string& entry,
+                   Diagnostics& diagnostics) {
   FlatSource flat;
   if (!Flattener(graph, files, flat).expand(entry, -1, 0)) {
     diagnostics.push_back(
@@ -184,7 +186,7 @@ std::vector<std::string> reachableFiles(const IncludeGraph& graph, const std::st
     open.pop_back();
     if (includes == graph.includes.end()) continue;
     for (const auto& [line, target] : includes->second) {
-      if (seen.insert(target).second) open.push_back(target);
+      if (!target.empty() && seen.insert(target).second) open.push_back(target);
     }
   }
   return {seen.begin(), seen.end()};

@@ -1,6 +1,7 @@
 // All files a pack's programs reach through #include, each read once.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
@@ -14,8 +15,9 @@ namespace orris {
 
 /// The #include edges between files; they do not depend on options or conditionals.
 struct IncludeGraph {
-  std::map<std::string, FileLines> files;                      ///< every reachable file
-  std::map<std::string, std::map<int, std::string>> includes;  ///< file -> line (from 1) -> target
+  std::map<std::string, FileLines> files;  ///< every reachable file
+  /// File -> line (from 1) -> target; "" for an #include that is in error, which includes nothing.
+  std::map<std::string, std::map<int, std::string>> includes;
 };
 
 /// Reads `entries` and all that they include. Missing files, cycles, paths that leave the root and
@@ -24,11 +26,13 @@ struct IncludeGraph {
 IncludeGraph readIncludeGraph(const FileSource& source, const std::vector<std::string>& entries,
                               Diagnostics& diagnostics);
 
-/// The entry with its includes in place. `files` are those of the graph with options applied; the
-/// graph must be free of errors. An error and no lines when they would be more than 500000, or the
-/// inclusions more than 50000.
-FlatSource flatten(const IncludeGraph& graph, const std::map<std::string, FileLines>& files,
-                   const std::string& entry, Diagnostics& diagnostics);
+/// The lines of a file with options applied; nullptr: there is no such file.
+using FileLookup = std::function<const FileLines*(const std::string& file)>;
+
+/// The entry with its includes in place. An error and no lines when they would be more than 500000,
+/// or the inclusions more than 50000.
+FlatSource flatten(const IncludeGraph& graph, const FileLookup& files, const std::string& entry,
+                   Diagnostics& diagnostics);
 
 /// `entry` and all files that it reaches, sorted.
 std::vector<std::string> reachableFiles(const IncludeGraph& graph, const std::string& entry);

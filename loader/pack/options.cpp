@@ -136,19 +136,28 @@ OptionSet discoverOptions(const std::map<std::string, FileLines>& files, Diagnos
   return options;
 }
 
-std::map<std::string, FileLines> applyOptions(const std::map<std::string, FileLines>& files,
-                                              const OptionSet& options,
-                                              const OptionValues& values) {
-  std::map<std::string, FileLines> edited = files;
+std::map<std::string, FileLines> editedFiles(const std::map<std::string, FileLines>& files,
+                                             const OptionSet& options, const OptionValues& values) {
+  std::map<std::string, FileLines> edited;
   for (const auto& [name, value] : values) {
     const Option* option = options.find(name);
     if (!option || value == option->defaultValue) continue;
     for (const SourceLocation& at : option->at) {
-      std::string& line = edited.at(at.file).at(static_cast<size_t>(at.line) - 1);
+      auto file = edited.find(at.file);
+      if (file == edited.end()) file = edited.emplace(at.file, files.at(at.file)).first;
+      std::string& line = file->second.at(static_cast<size_t>(at.line) - 1);
       if (const auto parsed = parseOptionLine(line)) line = editOptionLine(line, *parsed, value);
     }
   }
   return edited;
+}
+
+std::map<std::string, FileLines> applyOptions(const std::map<std::string, FileLines>& files,
+                                              const OptionSet& options,
+                                              const OptionValues& values) {
+  std::map<std::string, FileLines> result = editedFiles(files, options, values);
+  result.insert(files.begin(), files.end());
+  return result;
 }
 
 }  // namespace orris

@@ -59,6 +59,9 @@ OptionSet discoverOptions(const std::map<std::string, FileLines>& files, Diagnos
 /// The files with the lines of changed options edited.
 std::map<std::string, FileLines> applyOptions(const std::map<std::string, FileLines>& files,
                                               const OptionSet& options, const OptionValues& values);
+/// Only those files in which a line changes.
+std::map<std::string, FileLines> editedFiles(const std::map<std::string, FileLines>& files,
+                                             const OptionSet& options, const OptionValues& values);
 
 /// Reads an option file ("NAME=value" lines, Java properties). Unknown names are warned about.
 OptionValues parseOptionFile(const std::string& file, const std::string& text,

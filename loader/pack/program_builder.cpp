@@ -1,9 +1,6 @@
 #include "pack/program_builder.h"
 
 #include <algorithm>
-#include <atomic>
-#include <set>
-#include <thread>
 
 #include "pack/mods.h"
 #include "pack/text.h"
@@ -61,10 +58,10 @@ std::array<int, 3> readLocalSize(const std::vector<Token>& tokens) {
 class ProgramBuild {
  public:
   ProgramBuild(const ProgramEntry& entry, const BuildContext& context)
-      : entry_(entry), context_(context) {}
+      : entry_(entry), context_(context), watch_(context.optionNames) {}
 
-  BuiltProgram run() {
-    ProgramSource& source = built_.source;
+  ProgramSource run() {
+    ProgramSource& source = built_;
     source.name = entry_.name.program;
     source.folder = entry_.name.folder;
     source.group = entry_.name.group;
@@ -72,7 +69,8 @@ class ProgramBuild {
     for (const auto& [stage, file] : entry_.stages) addStage(stage, file);
     for (const auto& [name, file] : entry_.computes) addCompute(name, file);
     applyProperties();
-    source.options.assign(options_.begin(), options_.end());
+    source.options = watch_.used();
+    source.conditionOptions = watch_.used(NameWatch::kCondition);
     source.hash = hash_;
     return std::move(built_);
   }
@@ -80,14 +78,8 @@ class ProgramBuild {
  private:
   TokenStream preprocessFile(const std::string& file) {
     if (file.empty()) return preprocess(defaultVertexSource(), context_.macros, built_.diagnostics);
-    for (const std::string& reached : reachableFiles(context_.graph, file)) {
-      const auto mentioned = context_.mentions.find(reached);
-      if (mentioned != context_.mentions.end()) {
-        options_.insert(mentioned->second.begin(), mentioned->second.end());
-      }
-    }
     const FlatSource flat = flatten(context_.graph, context_.files, file, built_.diagnostics);
-    TokenStream stream = preprocess(flat, context_.macros, built_.diagnostics);
+    TokenStream stream = preprocess(flat, context_.macros, built_.diagnostics, &watch_);
     requireVersion(stream, built_.diagnostics);
     return stream;
   }
@@ -95,16 +87,27 @@ class ProgramBuild {
   void addStage(Stage stage, const std::string& file) {
     TokenStream stream = preprocessFile(file);
     if (stage == Stage::Fragment) {
-      built_.source.directives =
-          readProgramDirectives(stream, targetsOf(entry_.name), built_.diagnostics);
+      built_.directives = readProgramDirectives(stream, targetsOf(entry_.name), built_.diagnostics);
       built_.constLines = findConstLines(stream);
-      built_.sites = stream.sites;
+      built_.constSites = stream.sites;
+      watchConstLines();
     }
     RewriteResult result = rewrite(stream, stage, context_.names);
-    built_.source.writesFragData |= result.writesFragData;
+    built_.writesFragData |= result.writesFragData;
     addRules(result.rules);
-    built_.source.stages.push_back({stage, print(stream)});
-    addToHash(stageName(stage), built_.source.stages.back().text.text);
+    built_.stages.push_back({stage, print(stream)});
+    addToHash(stageName(stage), built_.stages.back().text.text);
+  }
+
+  // A const line inside a comment is a directive although no token of the text names it.
+  void watchConstLines() {
+    const auto& names = context_.optionNames;
+    for (const ConstLine& line : built_.constLines) {
+      const auto at = std::lower_bound(names.begin(), names.end(), line.name);
+      if (at != names.end() && *at == line.name) {
+        watch_.uses[static_cast<size_t>(at - names.begin())] |= NameWatch::kText;
+      }
+    }
   }
 
   void addCompute(const std::string& name, const std::string& file) {
@@ -115,12 +118,12 @@ class ProgramBuild {
     compute.rules = rewrite(stream, Stage::Compute).rules;
     compute.text = {Stage::Compute, print(stream)};
     addToHash(name, compute.text.text.text);
-    built_.source.computes.push_back(std::move(compute));
+    built_.computes.push_back(std::move(compute));
   }
 
   void addRules(const std::vector<AppliedRule>& rules) {
     for (const AppliedRule& rule : rules) {
-      auto& all = built_.source.rules;
+      auto& all = built_.rules;
       const auto same =
           std::find_if(all.begin(), all.end(), [&](auto& r) { return r.rule == rule.rule; });
       if (same == all.end()) {
@@ -148,7 +151,7 @@ class ProgramBuild {
   }
 
   void applyProperties() {
-    ProgramSource& source = built_.source;
+    ProgramSource& source = built_;
     const ShaderProperties& properties = context_.properties;
     source.drawBuffers = source.directives.drawBuffers.value_or(
         drawsShadow(entry_.name) ? std::vector{0, 1} : std::vector{0});
@@ -161,42 +164,15 @@ class ProgramBuild {
 
   const ProgramEntry& entry_;
   const BuildContext& context_;
-  BuiltProgram built_;
-  std::set<std::string> options_;
+  ProgramSource built_;
+  NameWatch watch_;
   std::uint64_t hash_ = 0xcbf29ce484222325ULL;
 };
 
 }  // namespace
 
-std::vector<BuiltProgram> buildPrograms(const std::vector<ProgramEntry>& entries,
-                                        const BuildContext& context) {
-  std::vector<BuiltProgram> built(entries.size());
-  std::atomic<size_t> next = 0;
-  const auto work = [&] {
-    for (size_t i = next++; i < entries.size(); i = next++) {
-      built[i] = ProgramBuild(entries[i], context).run();
-    }
-  };
-  std::jthread second(work);
-  work();
-  second.join();
-  return built;
-}
-
-Mentions findMentions(const std::map<std::string, FileLines>& files, const OptionSet& options) {
-  Mentions mentions;
-  for (const auto& [file, lines] : files) {
-    std::set<std::string> names;
-    for (const std::string_view line : lines) {
-      for (size_t at = 0; at < line.size();) {
-        const std::string_view word = leadingWord(line.substr(at));
-        if (!word.empty() && options.find(word)) names.emplace(word);
-        at += std::max<size_t>(word.size(), 1);
-      }
-    }
-    if (!names.empty()) mentions[file].assign(names.begin(), names.end());
-  }
-  return mentions;
+ProgramSource buildProgram(const ProgramEntry& entry, const BuildContext& context) {
+  return ProgramBuild(entry, context).run();
 }
 
 }  // namespace orris

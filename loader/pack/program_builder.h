@@ -19,38 +19,24 @@ struct ProgramEntry {
   std::vector<std::pair<std::string, std::string>> computes;  ///< name, file; in dispatch order
 };
 
-/// The programs of `folder` among `paths`, in frame order then name, those of other mods last. `isEnabled` is
+/// The programs of `folder` among `paths`, in frame order then name, those of other mods
+/// last. `isEnabled` is
 /// asked per file with its name without extension ("world0/composite_a"). Contract:
 /// programs.csv, contract/README "Loading order" 6.
 std::vector<ProgramEntry> listPrograms(const std::vector<std::string>& paths,
                                        const std::string& folder, bool tessellation,
                                        const std::function<bool(const std::string&)>& isEnabled);
 
-/// What building one program yields besides the program.
-struct BuiltProgram {
-  ProgramSource source;
-  std::vector<ConstLine> constLines;  ///< of the fragment stage
-  std::vector<IncludeSite> sites;     ///< of the fragment stage
-  Diagnostics diagnostics;
-};
-
-/// Of each file, the sorted names of options whose words occur in it.
-using Mentions = std::map<std::string, std::vector<std::string>>;
-
-/// What all programs of a pack share while they are built.
+/// What all programs of a folder share while they are built.
 struct BuildContext {
   const IncludeGraph& graph;
-  const std::map<std::string, FileLines>& files;
+  const FileLookup& files;
   const ShaderProperties& properties;
   const MacroDefinitions& macros;
-  const Mentions& mentions;
-  std::span<const HostName> names{};  ///< that a mod declares for its programs
+  const std::vector<std::string>& optionNames;  ///< sorted
+  std::span<const HostName> names{};            ///< that a mod declares for its programs
 };
 
-/// All programs, on two threads; the result does not depend on which thread did what.
-std::vector<BuiltProgram> buildPrograms(const std::vector<ProgramEntry>& entries,
-                                        const BuildContext& context);
-
-Mentions findMentions(const std::map<std::string, FileLines>& files, const OptionSet& options);
+ProgramSource buildProgram(const ProgramEntry& entry, const BuildContext& context);
 
 }  // namespace orris

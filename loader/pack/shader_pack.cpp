@@ -1,236 +1,194 @@
 #include "pack/shader_pack.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <atomic>
 #include <functional>
+#include <thread>
 
 #include "pack/chosen_values.h"
-#include "pack/dimensions.h"
-#include "pack/features.h"
-#include "pack/include_graph.h"
-#include "pack/language.h"
-#include "pack/mods.h"
-#include "pack/program_builder.h"
-#include "pack/properties_text.h"
-#include "pack/property_keys.h"
-#include "pack/resource_check.h"
+#include "pack/folder_build.h"
 #include "pack/text.h"
 
 namespace orris {
 namespace {
 
-constexpr const char* kPropertiesFile = "/shaders.properties";
+int scanRank(const ProgramSource& program) {
+  constexpr ProgramGroup kFirst[] = {ProgramGroup::ShadowComp, ProgramGroup::Begin,
+                                     ProgramGroup::Prepare};
+  constexpr int kGeometry = 3, kAfterGeometry = 1000;
+  const auto early = std::find(std::begin(kFirst), std::end(kFirst), program.group);
+  if (early != std::end(kFirst)) return static_cast<int>(early - std::begin(kFirst));
+  if (program.group == ProgramGroup::Deferred) return kAfterGeometry + 1;
+  if (program.group == ProgramGroup::Composite) return kAfterGeometry + 2;
+  const auto& geometry = geometryPrograms();
+  const auto found = std::find_if(geometry.begin(), geometry.end(),
+                                  [&](auto& g) { return g.name == program.name; });
+  return found == geometry.end() ? kAfterGeometry
+                                 : kGeometry + static_cast<int>(found - geometry.begin());
+}
 
-/// Loads one pack step by step; each step returns false when the pack cannot run.
-class Loader {
+/// Contract: constants.csv "(precedence)"; the last directive wins.
+void readDirectives(ShaderPack& pack, Diagnostics& diagnostics) {
+  std::vector<const ProgramSource*> order;
+  for (const ProgramSource& program : pack.programs) order.push_back(&program);
+  std::stable_sort(order.begin(), order.end(),
+                   [](auto* a, auto* b) { return scanRank(*a) < scanRank(*b); });
+  for (const ProgramSource* program : order) {
+    readPackDirectives(program->constLines, program->constSites, pack.directives, diagnostics);
+  }
+}
+
+/// All that `reusable` does not give, on two threads; the result does not depend on which thread did
+/// what. Returns how many were built.
+int buildAll(const FolderBuild& build,
+             const std::function<ProgramList::Pointer(const ProgramEntry&)>& reusable,
+             ProgramList& programs) {
+  std::vector<ProgramList::Pointer> built;
+  std::vector<size_t> missing;
+  for (const ProgramEntry& entry : build.programs()) {
+    built.push_back(reusable(entry));
+    if (!built.back()) missing.push_back(built.size() - 1);
+  }
+  std::atomic<size_t> next = 0;
+  const auto work = [&] {
+    for (size_t i = next++; i < missing.size(); i = next++) {
+      built[missing[i]] =
+          std::make_shared<const ProgramSource>(build.build(build.programs()[missing[i]]));
+    }
+  };
+  {
+    std::jthread second(work);
+    work();
+  }
+  for (ProgramList::Pointer& program : built) programs.push_back(std::move(program));
+  return static_cast<int>(missing.size());
+}
+
+template <typename Map>
+bool sameEntry(const Map& a, const Map& b, const std::string& key) {
+  const auto inA = a.find(key), inB = b.find(key);
+  if (inA == a.end() || inB == b.end()) return (inA == a.end()) == (inB == b.end());
+  return inA->second == inB->second;
+}
+
+/// Do both say the same of one program?
+bool sameState(const ShaderProperties& a, const ShaderProperties& b, const std::string& program) {
+  return &a == &b ||
+         (sameEntry(a.alphaTest, b.alphaTest, program) && sameEntry(a.blend, b.blend, program) &&
+          sameEntry(a.bufferBlend, b.bufferBlend, program) &&
+          sameEntry(a.scale, b.scale, program) && sameEntry(a.flip, b.flip, program));
+}
+
+/// Programs of an earlier build that no differing value can change.
+class Reuse {
  public:
-  Loader(std::shared_ptr<const FileSource> source, const LoadRequest& request,
-         Diagnostics& diagnostics)
-      : request_(request), diagnostics_(diagnostics) {
-    pack_.name = request.name;
-    pack_.source = std::move(source);
+  Reuse(const FolderBuild* old, const ProgramList& programs, const FolderBuild& build)
+      : old_(old), programs_(programs), build_(build) {
+    if (!old) return;
+    usable_ = old->folder() == build.folder() &&
+              old->properties().shaderMacros == build.properties().shaderMacros;
+    changed_ = differingOptions(build.files().options, old->values(), build.values());
   }
 
-  std::optional<ShaderPack> load() {
-    if (!readFiles() || !readOptions() || !readProperties()) return std::nullopt;
-    pack_.files = applyOptions(graph_.files, pack_.options, pack_.values);
-    readIds();
-    pack_.languages = readLanguages(*pack_.source);
-    if (request_.buildSources) buildSources();
-    return std::move(pack_);
+  ProgramList::Pointer operator()(const ProgramEntry& entry) const {
+    for (size_t i = 0; usable_ && i < programs_.size(); ++i) {
+      const auto& program = programs_.share(i);
+      if (program->name == entry.name.program && isSame(entry, *program)) return program;
+    }
+    return nullptr;
   }
 
  private:
-  bool failedSince(size_t count) const {
-    return std::any_of(diagnostics_.begin() + static_cast<std::ptrdiff_t>(count),
-                       diagnostics_.end(),
-                       [](const Diagnostic& d) { return d.severity == Severity::Error; });
+  bool isSame(const ProgramEntry& entry, const ProgramSource& program) const {
+    return !haveCommonName(changed_, program.options) && sameFiles(entry, program) &&
+           sameState(old_->properties().shader, build_.properties().shader, program.name);
   }
 
-  bool readFiles() {
-    const size_t before = diagnostics_.size();
-    dimensions_ = readDimensions(*pack_.source, request_.environment, diagnostics_);
-    pack_.dimensions = dimensions_.folders;
-    pack_.folder = dimensions_.resolve(request_.dimension);
-    for (const std::string& path : pack_.source->files()) {
-      const auto program = parseProgramFile(path);
-      const auto& folders = dimensions_.folders;
-      if (program && std::find(folders.begin(), folders.end(), program->folder) != folders.end()) {
-        entries_.push_back(path);
-      }
-    }
-    if (entries_.empty()) {
-      diagnostics_.push_back(
-          {.severity = Severity::Error,
-           .id = "no-programs",
-           .at = {.file = "/"},
-           .message = "the pack has no program that this host knows",
-           .hint = "program files are named like composite.fsh, in shaders/ or shaders/world0/"});
-    }
-    graph_ = readIncludeGraph(*pack_.source, entries_, diagnostics_);
-    return !failedSince(before);
+  // A single compute shader of a program can be disabled, too.
+  static bool sameFiles(const ProgramEntry& entry, const ProgramSource& program) {
+    return entry.stages.size() == program.stages.size() &&
+           std::equal(entry.computes.begin(), entry.computes.end(), program.computes.begin(),
+                      program.computes.end(), [](auto& a, auto& b) { return a.first == b.name; });
   }
 
-  bool readOptions() {
-    const size_t before = diagnostics_.size();
-    pack_.options = discoverOptions(graph_.files, diagnostics_);
-    propertiesText_ = pack_.source->read(kPropertiesFile);
-    // Profiles do not depend on option values, so they can be read before the values are known;
-    // their problems are reported when the whole file is read.
-    ShaderProperties early;
-    Diagnostics ignored;
-    const auto entries = lastValues(
-        parseProperties(kPropertiesFile, propertiesText_.value_or(""), Continuation::Java));
-    readProfiles(entries, early, pack_.options, ignored);
-    pack_.values = chooseValues(request_, pack_.options, early.profiles, diagnostics_);
-    return !failedSince(before);
-  }
-
-  bool readProperties() {
-    const size_t before = diagnostics_.size();
-    if (propertiesText_) {
-      pack_.properties = parseShaderProperties(kPropertiesFile, *propertiesText_, propertyMacros(),
-                                               pack_.options, diagnostics_);
-      checkDeclared(pack_.properties, diagnostics_);
-      checkResources(pack_.properties, *pack_.source, diagnostics_);
-    }
-    shaderMacros_ = request_.environment;
-    for (auto& macro : shaderFeatureMacros(pack_.properties))
-      shaderMacros_.push_back(std::move(macro));
-    return !failedSince(before);
-  }
-
-  /// Environment, features and options as *.properties files see them: no macro is empty there.
-  MacroDefinitions propertyMacros() const {
-    MacroDefinitions macros;
-    for (const auto& [name, option] : pack_.options.all()) {
-      const std::string value = pack_.options.value(pack_.values, name);
-      if (!option.isBoolean || value == "true")
-        macros.emplace_back(name, option.isBoolean ? "1" : value);
-    }
-    for (const MacroDefinitions& more : {request_.environment, propertyFeatureMacros()}) {
-      for (const auto& [name, body] : more) macros.emplace_back(name, body.empty() ? "1" : body);
-    }
-    return macros;
-  }
-
-  void readIds() {
-    const MacroDefinitions macros = propertyMacros();
-    const auto read = [&](const std::string& file, auto parse) {
-      const auto text = pack_.source->read(file);
-      if (text) parse(file, preprocessProperties(file, *text, macros, diagnostics_), *text);
-    };
-    read("/block.properties", [&](auto& file, const auto& text, auto& original) {
-      pack_.blockIds = parseBlockProperties(file, text, original, diagnostics_);
-    });
-    read("/item.properties", [&](auto& file, const auto& text, auto& original) {
-      pack_.itemIds = parseIdProperties(file, text, original, "item.", diagnostics_);
-    });
-    read("/entity.properties", [&](auto& file, const auto& text, auto& original) {
-      pack_.entityIds = parseIdProperties(file, text, original, "entity.", diagnostics_);
-    });
-  }
-
-  bool isEnabled(const std::string& program, const ShaderProperties& properties) const {
-    const auto found = properties.programEnabled.find(program);
-    if (found != properties.programEnabled.end() && !found->second) return false;
-    const Profile* profile = detectProfile(pack_.properties.profiles, pack_.options, pack_.values);
-    return !profile || std::find(profile->disabledPrograms.begin(), profile->disabledPrograms.end(),
-                                 program) == profile->disabledPrograms.end();
-  }
-
-  void buildSources() {
-    const Mentions mentions = findMentions(pack_.files, pack_.options);
-    const auto enabled = [this](const std::string& name) {
-      if (isEnabled(name, pack_.properties)) return true;
-      auto& disabled = pack_.disabledPrograms;
-      if (std::find(disabled.begin(), disabled.end(), name) == disabled.end())
-        disabled.push_back(name);
-      return false;
-    };
-    auto programs = list(enabled);
-    std::erase_if(programs, [](const ProgramEntry& p) { return modFamilyOf(p.name.group); });
-    auto built =
-        buildPrograms(programs, {graph_, pack_.files, pack_.properties, shaderMacros_, mentions});
-    readDirectives(built);
-    take(built, pack_.programs);
-    if (request_.buildModPrograms) {
-      for (const ModFamily& family : modFamilies()) buildModPrograms(family, mentions);
-    }
-    removeDuplicates(diagnostics_);
-  }
-
-  std::vector<ProgramEntry> list(const std::function<bool(const std::string&)>& enabled) const {
-    const bool tessellation = pack_.properties.feature("TESSELLATION_SHADERS") ||
-                              pack_.properties.feature("TESSELATION_SHADERS");
-    return listPrograms(entries_, pack_.folder, tessellation, enabled);
-  }
-
-  void take(std::vector<BuiltProgram>& built, std::vector<ProgramSource>& programs) {
-    for (BuiltProgram& program : built) {
-      diagnostics_.insert(diagnostics_.end(), program.diagnostics.begin(),
-                          program.diagnostics.end());
-      programs.push_back(std::move(program.source));
-    }
-  }
-
-  /// Packs ask for the mod in shaders.properties too, often to enable its programs.
-  void buildModPrograms(const ModFamily& family, const Mentions& mentions) {
-    const auto isOther = [&](const ProgramEntry& p) { return p.name.group != family.group; };
-    auto programs = list([](const std::string&) { return true; });
-    std::erase_if(programs, isOther);
-    if (programs.empty()) return;
-    MacroDefinitions macros = propertyMacros();
-    macros.emplace_back(family.macro, "1");
-    Diagnostics ignored;  // what is wrong with the file was told when it was read
-    const ShaderProperties properties = parseShaderProperties(
-        kPropertiesFile, propertiesText_.value_or(""), macros, pack_.options, ignored);
-    programs = list([&](const std::string& name) { return isEnabled(name, properties); });
-    std::erase_if(programs, isOther);
-    macros = shaderMacros_;
-    macros.emplace_back(family.macro, "");
-    auto built =
-        buildPrograms(programs, {graph_, pack_.files, properties, macros, mentions, family.names});
-    for (BuiltProgram& program : built) markAsOfMod(family.name, program.diagnostics);
-    take(built, pack_.modPrograms);
-  }
-
-  /// Contract: constants.csv "(precedence)"; the last directive wins.
-  void readDirectives(std::vector<BuiltProgram>& built) {
-    std::vector<std::pair<int, BuiltProgram*>> order;
-    for (BuiltProgram& program : built) order.emplace_back(scanRank(program.source), &program);
-    std::stable_sort(order.begin(), order.end(),
-                     [](auto& a, auto& b) { return a.first < b.first; });
-    for (const auto& [rank, program] : order) {
-      readPackDirectives(program->constLines, program->sites, pack_.directives, diagnostics_);
-    }
-  }
-
-  static int scanRank(const ProgramSource& program) {
-    constexpr ProgramGroup kFirst[] = {ProgramGroup::ShadowComp, ProgramGroup::Begin,
-                                       ProgramGroup::Prepare};
-    constexpr int kGeometry = 3, kAfterGeometry = 1000;
-    const auto early = std::find(std::begin(kFirst), std::end(kFirst), program.group);
-    if (early != std::end(kFirst)) return static_cast<int>(early - std::begin(kFirst));
-    if (program.group == ProgramGroup::Deferred) return kAfterGeometry + 1;
-    if (program.group == ProgramGroup::Composite) return kAfterGeometry + 2;
-    const auto& geometry = geometryPrograms();
-    const auto found = std::find_if(geometry.begin(), geometry.end(),
-                                    [&](auto& g) { return g.name == program.name; });
-    return found == geometry.end() ? kAfterGeometry
-                                   : kGeometry + static_cast<int>(found - geometry.begin());
-  }
-
-  const LoadRequest& request_;
-  Diagnostics& diagnostics_;
-  ShaderPack pack_;
-  Dimensions dimensions_;
-  std::vector<std::string> entries_;
-  IncludeGraph graph_;
-  std::optional<std::string> propertiesText_;
-  MacroDefinitions shaderMacros_;
+  const FolderBuild* old_;
+  const ProgramList& programs_;
+  const FolderBuild& build_;
+  bool usable_ = false;
+  std::vector<std::string> changed_;
 };
+
+void append(const Diagnostics& found, Diagnostics& diagnostics) {
+  diagnostics.insert(diagnostics.end(), found.begin(), found.end());
+}
+
+ShaderPack emptyPack(const PackFiles& files, const LoadRequest& request, const FolderBuild& build) {
+  const PackProperties& properties = build.properties();
+  ShaderPack pack{.name = request.name,
+                  .options = files.options,
+                  .values = build.values(),
+                  .properties = properties.shader,
+                  .blockIds = properties.blockIds,
+                  .itemIds = properties.itemIds,
+                  .entityIds = properties.entityIds,
+                  .languages = files.languages,
+                  .folder = build.folder(),
+                  .dimensions = files.dimensions.folders};
+  pack.disabledPrograms = build.disabled();
+  pack.files = applyOptions(files.graph.files, files.options, build.values());
+  pack.source = files.source;
+  return pack;
+}
+
+/// The build of the same programs that `previous` was made from.
+const FolderBuild* buildOf(const ShaderPack* previous, const ModFamily* mod) {
+  if (!previous) return nullptr;
+  for (const auto& build : previous->builds) {
+    if (build->mod() == mod) return build.get();
+  }
+  return nullptr;
+}
+
+int buildSources(const LoadRequest& request, const ShaderPack* previous, ShaderPack& pack,
+                 Diagnostics& diagnostics) {
+  static const ProgramList kNone;
+  const FolderBuild& host = *pack.builds.front();
+  int built =
+      buildAll(host, Reuse(buildOf(previous, nullptr), previous ? previous->programs : kNone, host),
+               pack.programs);
+  readDirectives(pack, diagnostics);
+  for (const ModFamily& mod : modFamilies()) {
+    if (!request.buildModPrograms) break;
+    const FolderBuild* old = buildOf(previous, &mod);
+    const auto build = std::make_shared<const FolderBuild>(host, mod, request.environment, old);
+    built += buildAll(*build, Reuse(old, previous ? previous->modPrograms : kNone, *build),
+                      pack.modPrograms);
+    pack.builds.push_back(build);
+  }
+  for (const ProgramList* programs : {&pack.programs, &pack.modPrograms}) {
+    for (const ProgramSource& program : *programs) append(program.diagnostics, diagnostics);
+  }
+  removeDuplicates(diagnostics);
+  return built;
+}
+
+std::optional<ShaderPack> buildPack(const std::shared_ptr<const PackFiles>& files,
+                                    const LoadRequest& request, const ShaderPack* previous,
+                                    Diagnostics& diagnostics, int& built) {
+  Diagnostics chosen;
+  const OptionValues values = chooseValues(request, files->options, files->profiles, chosen);
+  append(chosen, diagnostics);
+  if (hasErrors(chosen)) return std::nullopt;
+  const auto host =
+      std::make_shared<const FolderBuild>(files, files->dimensions.resolve(request.dimension),
+                                          values, request.environment, buildOf(previous, nullptr));
+  append(host->properties().diagnostics, diagnostics);
+  if (host->properties().refused && !request.keepGoing) return std::nullopt;
+  ShaderPack pack = emptyPack(*files, request, *host);
+  pack.builds.push_back(host);
+  if (request.buildSources) built = buildSources(request, previous, pack, diagnostics);
+  return pack;
+}
 
 }  // namespace
 
@@ -266,7 +224,19 @@ std::string ShaderPack::currentProfile() const {
 
 std::optional<ShaderPack> loadShaderPack(std::shared_ptr<const FileSource> source,
                                          const LoadRequest& request, Diagnostics& diagnostics) {
-  return Loader(std::move(source), request, diagnostics).load();
+  const auto files = readPackFiles(std::move(source), request.environment, diagnostics);
+  if (!files->complete && !request.keepGoing) return std::nullopt;
+  int built = 0;
+  return buildPack(files, request, nullptr, diagnostics, built);
+}
+
+std::optional<ShaderPack> rebuildShaderPack(const ShaderPack& previous, const LoadRequest& request,
+                                            Diagnostics& diagnostics, int* rebuilt) {
+  int built = 0;
+  auto pack =
+      buildPack(previous.builds.front()->sharedFiles(), request, &previous, diagnostics, built);
+  if (rebuilt) *rebuilt = built;
+  return pack;
 }
 
 }  // namespace orris

@@ -14,9 +14,12 @@
 #include "pack/directives.h"
 #include "pack/id_map.h"
 #include "pack/program_id.h"
+#include "pack/program_list.h"
 #include "pack/shader_properties.h"
 
 namespace orris {
+
+class FolderBuild;
 
 /// A compute shader of a program, ready to compile.
 struct ComputeSource {
@@ -44,7 +47,11 @@ struct ProgramSource {
   bool writesFragData = false;        ///< fixed-function alpha test applies (glsl/rewrite.h)
   std::map<std::string, bool> flips;  ///< explicit flip.* of this program, canonical buffer names
   std::vector<AppliedRule> rules;
-  std::vector<std::string> options;  ///< names of options whose lines occur in its files
+  std::vector<std::string> options;  ///< sorted: those that its text depends on, no other does
+  std::vector<std::string> conditionOptions;  ///< of these, those that a condition asks for
+  std::vector<ConstLine> constLines;          ///< of the fragment stage
+  std::vector<IncludeSite> constSites;        ///< where `constLines` come from
+  Diagnostics diagnostics;                    ///< of building it
   /// Hash of all final texts: equal hash, equal GL program.
   std::uint64_t hash = 0;
 };
@@ -59,6 +66,8 @@ struct LoadRequest {
   MacroDefinitions environment;                   ///< see standardMacros()
   bool buildSources = true;                       ///< false: options, properties and screens only
   bool buildModPrograms = false;                  ///< those of other mods too
+  /// Go on after errors for which Iris refuses the whole pack, so that all mistakes are told.
+  bool keepGoing = false;
 };
 
 struct ShaderPack {
@@ -72,13 +81,13 @@ struct ShaderPack {
   std::map<std::string, std::map<std::string, std::string>> languages;  ///< "en_us" -> key -> text
   std::string folder;                   ///< program folder in use: "/" or "/world0"
   std::vector<std::string> dimensions;  ///< all program folders: "/", "/world0", ...
-  std::vector<ProgramSource>
-      programs;  ///< of `folder`, in frame order then name; enabled ones only
-  /// Those of other mods (pack/mods.h), each as if its mod were there.
-  std::vector<ProgramSource> modPrograms;
+  ProgramList programs;     ///< of `folder`, in frame order then name; enabled ones only
+  ProgramList modPrograms;  ///< those of other mods (pack/mods.h), each as if its mod were there
   std::vector<std::string> disabledPrograms;
   std::map<std::string, FileLines> files;    ///< every file of the include graph, options applied
   std::shared_ptr<const FileSource> source;  ///< for textures and buffer contents
+  /// What the programs were made from: those of the host first, then those of each mod.
+  std::vector<std::shared_ptr<const FolderBuild>> builds;
 
   /// A program by exact name, or through the fallback tree; nullptr when there is none.
   const ProgramSource* find(std::string_view name) const;
@@ -110,5 +119,10 @@ int biomeId(std::string_view name);
 /// program is still listed. Single-program preprocessing runs on both cores.
 std::optional<ShaderPack> loadShaderPack(std::shared_ptr<const FileSource> source,
                                          const LoadRequest& request, Diagnostics& diagnostics);
+
+/// The same pack, from files already read, under other values. Programs of `previous` that the
+/// values that differ cannot change are taken over; `rebuilt`, when given, is the number of others.
+std::optional<ShaderPack> rebuildShaderPack(const ShaderPack& previous, const LoadRequest& request,
+                                            Diagnostics& diagnostics, int* rebuilt = nullptr);
 
 }  // namespace orris

@@ -187,9 +187,9 @@ std::string knownBuffer(std::string_view name) {
 
 ShaderProperties parseShaderProperties(const std::string& file, const std::string& text,
                                        const MacroDefinitions& macros, const OptionSet& options,
-                                       Diagnostics& diagnostics) {
+                                       Diagnostics& diagnostics, NameWatch* watch) {
   ShaderProperties properties;
-  const std::string preprocessed = preprocessProperties(file, text, macros, diagnostics);
+  const std::string preprocessed = preprocessProperties(file, text, macros, diagnostics, watch);
   for (const PropertyEntry& entry :
        lastValues(parseProperties(file, preprocessed, Continuation::Preprocessed, text))) {
     readEntry({properties, entry, options, diagnostics});

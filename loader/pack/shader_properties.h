@@ -19,6 +19,7 @@ namespace orris {
 struct BlendMode {
   bool off = false;
   std::array<std::string, 4> factors;
+  bool operator==(const BlendMode&) const = default;
 };
 
 /// alphaTest.<program>: function by name ("GREATER"), reference; off: no test.
@@ -26,6 +27,7 @@ struct AlphaTest {
   bool off = false;
   std::string function = "GREATER";
   float reference = 0.1f;
+  bool operator==(const AlphaTest&) const = default;
 };
 
 /// size.buffer.<buffer>: each axis relative to the window or in pixels.
@@ -114,9 +116,10 @@ struct ShaderProperties {
 std::string canonicalBuffer(std::string_view name);
 
 /// Parses the file twice as the contract says: preprocessed for most keys, original for profiles,
-/// screens, sliders and features. `macros` holds environment and option macros.
+/// screens, sliders and features. `macros` holds environment and option macros; `watch` learns which
+/// of its names the preprocessed text asks for.
 ShaderProperties parseShaderProperties(const std::string& file, const std::string& text,
                                        const MacroDefinitions& macros, const OptionSet& options,
-                                       Diagnostics& diagnostics);
+                                       Diagnostics& diagnostics, NameWatch* watch = nullptr);
 
 }  // namespace orris

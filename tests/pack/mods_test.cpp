@@ -29,7 +29,7 @@ Loaded load(Files files, bool mods = true) {
   return loaded;
 }
 
-std::vector<std::string> names(const std::vector<ProgramSource>& programs) {
+std::vector<std::string> names(const ProgramList& programs) {
   std::vector<std::string> result;
   for (const ProgramSource& program : programs) result.push_back(program.name);
   return result;

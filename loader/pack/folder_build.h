@@ -1,0 +1,62 @@
+// One program folder of a pack under certain option values: which programs there are, and each of
+// them built on demand.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "pack/mods.h"
+#include "pack/pack_properties.h"
+#include "pack/program_builder.h"
+
+namespace orris {
+
+class FolderBuild {
+ public:
+  /// `similar`, a build of the same pack with other values, lends its properties if the values that
+  /// differ leave them as they are. Nothing is built yet.
+  FolderBuild(std::shared_ptr<const PackFiles> files, std::string folder, OptionValues values,
+              const MacroDefinitions& environment, const FolderBuild* similar = nullptr);
+  /// The programs of another mod, as if it were there.
+  FolderBuild(const FolderBuild& host, const ModFamily& mod, const MacroDefinitions& environment,
+              const FolderBuild* similar = nullptr);
+
+  const PackFiles& files() const { return *files_; }
+  const std::shared_ptr<const PackFiles>& sharedFiles() const { return files_; }
+  const std::string& folder() const { return folder_; }
+  const ModFamily* mod() const { return mod_; }  ///< nullptr: the host's own programs
+  const OptionValues& values() const { return values_; }
+  const PackProperties& properties() const { return *properties_; }
+  /// Enabled programs in frame order, then name.
+  const std::vector<ProgramEntry>& programs() const { return programs_; }
+  const std::vector<std::string>& disabled() const { return disabled_; }
+  /// Lines of a file of the include graph with the values applied, nullptr for another file.
+  const FileLines* lines(const std::string& file) const;
+
+  /// From its files to texts that compile. Safe to call from several threads.
+  ProgramSource build(const ProgramEntry& entry) const;
+
+ private:
+  void readProperties(const MacroDefinitions& environment, const FolderBuild* similar);
+  void listAll();
+  bool isEnabled(const std::string& program, const Profile* profile);
+
+  std::shared_ptr<const PackFiles> files_;
+  std::string folder_;
+  OptionValues values_;
+  const ModFamily* mod_ = nullptr;
+  std::shared_ptr<const PackProperties> properties_;
+  std::map<std::string, FileLines> edited_;  ///< files that the values change
+  std::vector<ProgramEntry> programs_;
+  std::vector<std::string> disabled_;
+};
+
+/// Names of options whose values differ, sorted.
+std::vector<std::string> differingOptions(const OptionSet& options, const OptionValues& a,
+                                          const OptionValues& b);
+/// Do two sorted lists have a name in common?
+bool haveCommonName(const std::vector<std::string>& a, const std::vector<std::string>& b);
+
+}  // namespace orris

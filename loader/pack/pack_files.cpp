@@ -1,0 +1,65 @@
+#include "pack/pack_files.h"
+
+#include <algorithm>
+
+#include "pack/language.h"
+#include "pack/program_id.h"
+#include "pack/properties_text.h"
+#include "pack/property_keys.h"
+
+namespace orris {
+namespace {
+
+std::vector<std::string> programFiles(const FileSource& source, const Dimensions& dimensions) {
+  std::vector<std::string> entries;
+  const auto& folders = dimensions.folders;
+  for (const std::string& path : source.files()) {
+    const auto program = parseProgramFile(path);
+    if (program && std::find(folders.begin(), folders.end(), program->folder) != folders.end()) {
+      entries.push_back(path);
+    }
+  }
+  return entries;
+}
+
+// Profiles do not depend on option values, so they can be read before the values are known; their
+// problems are reported when the whole file is read.
+std::vector<Profile> profilesOf(const PackFiles& files) {
+  ShaderProperties early;
+  Diagnostics ignored;
+  const auto entries = lastValues(
+      parseProperties(kPropertiesFile, files.properties.value_or(""), Continuation::Java));
+  readProfiles(entries, early, files.options, ignored);
+  return early.profiles;
+}
+
+}  // namespace
+
+std::shared_ptr<const PackFiles> readPackFiles(std::shared_ptr<const FileSource> source,
+                                               const MacroDefinitions& environment,
+                                               Diagnostics& diagnostics) {
+  auto files = std::make_shared<PackFiles>();
+  Diagnostics found;
+  files->dimensions = readDimensions(*source, environment, found);
+  files->entries = programFiles(*source, files->dimensions);
+  if (files->entries.empty()) {
+    found.push_back({.severity = Severity::Error,
+                     .id = "no-programs",
+                     .at = {.file = "/"},
+                     .message = "the pack has no program that this host knows",
+                     .hint = "program files are named like composite.fsh, in shaders/ or "
+                             "shaders/world0/"});
+  }
+  files->graph = readIncludeGraph(*source, files->entries, found);
+  files->complete = !hasErrors(found);
+  files->options = discoverOptions(files->graph.files, found);
+  for (const auto& [name, option] : files->options.all()) files->optionNames.push_back(name);
+  files->properties = source->read(kPropertiesFile);
+  files->profiles = profilesOf(*files);
+  files->languages = readLanguages(*source);
+  files->source = std::move(source);
+  diagnostics.insert(diagnostics.end(), found.begin(), found.end());
+  return files;
+}
+
+}  // namespace orris

@@ -1,0 +1,64 @@
+#include "pack/pack_properties.h"
+
+#include "glsl/name_watch.h"
+#include "pack/features.h"
+#include "pack/resource_check.h"
+
+namespace orris {
+namespace {
+
+/// Environment, features and options as *.properties files see them: no macro is empty there.
+MacroDefinitions propertyMacros(const PackFiles& files, const OptionValues& values,
+                                const MacroDefinitions& environment) {
+  MacroDefinitions macros;
+  for (const auto& [name, option] : files.options.all()) {
+    const std::string value = files.options.value(values, name);
+    if (!option.isBoolean || value == "true")
+      macros.emplace_back(name, option.isBoolean ? "1" : value);
+  }
+  for (const MacroDefinitions& more : {environment, propertyFeatureMacros()}) {
+    for (const auto& [name, body] : more) macros.emplace_back(name, body.empty() ? "1" : body);
+  }
+  return macros;
+}
+
+void readIds(const PackFiles& files, const MacroDefinitions& macros, NameWatch& watch,
+             PackProperties& out) {
+  const auto read = [&](const std::string& file, auto parse) {
+    const auto text = files.source->read(file);
+    if (text)
+      parse(file, preprocessProperties(file, *text, macros, out.diagnostics, &watch), *text);
+  };
+  read("/block.properties", [&](auto& file, const auto& text, auto& original) {
+    out.blockIds = parseBlockProperties(file, text, original, out.diagnostics);
+  });
+  read("/item.properties", [&](auto& file, const auto& text, auto& original) {
+    out.itemIds = parseIdProperties(file, text, original, "item.", out.diagnostics);
+  });
+  read("/entity.properties", [&](auto& file, const auto& text, auto& original) {
+    out.entityIds = parseIdProperties(file, text, original, "entity.", out.diagnostics);
+  });
+}
+
+}  // namespace
+
+PackProperties readPackProperties(const PackFiles& files, const OptionValues& values,
+                                  const MacroDefinitions& environment) {
+  PackProperties out;
+  NameWatch watch(files.optionNames);
+  const MacroDefinitions macros = propertyMacros(files, values, environment);
+  if (files.properties) {
+    out.shader = parseShaderProperties(kPropertiesFile, *files.properties, macros, files.options,
+                                       out.diagnostics, &watch);
+    checkDeclared(out.shader, out.diagnostics);
+    checkResources(out.shader, *files.source, out.diagnostics);
+  }
+  out.refused = hasErrors(out.diagnostics);
+  out.shaderMacros = environment;
+  for (auto& macro : shaderFeatureMacros(out.shader)) out.shaderMacros.push_back(std::move(macro));
+  readIds(files, macros, watch, out);
+  out.options = watch.used();
+  return out;
+}
+
+}  // namespace orris

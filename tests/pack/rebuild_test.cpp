@@ -1,0 +1,142 @@
+// Loading a pack again under other values: equal to loading it afresh, with less work.
+#include <gmock/gmock.h>
+
+#include "pack/folder_build.h"
+#include "pack/shader_pack.h"
+
+namespace orris {
+namespace {
+
+using testing::ElementsAre;
+using Files = std::map<std::string, std::string>;
+
+constexpr const char* kHead = "#version 330 compatibility\n#include \"/settings.glsl\"\n";
+constexpr const char* kMain = "void main() {}\n";
+
+Files threePrograms() {
+  return {{"/settings.glsl",
+           "#define BLOOM // bloom\n#define Q 2 // [1 2 3]\n#define TINT 5 // [5 6]\n"
+           "#define HUE (TINT * 2)\nconst int shadowMapResolution = 1024; // [1024 2048]\n"
+           "#define MODE 0 // [0 1]\n"},
+          {"/composite.fsh", std::string(kHead) + "#ifdef BLOOM\nfloat q = Q;\n#endif\n" + kMain},
+          {"/composite1.fsh", std::string(kHead) + "float hue = HUE;\n" + kMain},
+          {"/final.fsh", std::string(kHead) + "#if defined(BLOOM) && MODE == 1\n#endif\n" + kMain},
+          {"/shaders.properties",
+           "program.final.enabled = BLOOM\n#if MODE == 1\nblend.composite1 = off\n#endif\n"}};
+}
+
+LoadRequest requestOf(OptionValues values) {
+  return {.values = std::move(values), .environment = standardMacros({})};
+}
+
+ShaderPack load(const Files& files, OptionValues values = {}) {
+  Diagnostics diagnostics;
+  auto pack = loadShaderPack(memorySource(files), requestOf(std::move(values)), diagnostics);
+  EXPECT_TRUE(pack) << (diagnostics.empty() ? "" : formatDiagnostic(diagnostics[0]));
+  return std::move(*pack);
+}
+
+std::vector<std::string> optionsOf(const ShaderPack& pack, const char* program) {
+  return pack.find(program)->options;
+}
+
+TEST(Rebuild, options_of_a_program_are_those_its_text_asks_for) {
+  const ShaderPack pack = load(threePrograms());
+  EXPECT_THAT(optionsOf(pack, "composite"), ElementsAre("BLOOM", "Q", "shadowMapResolution"));
+  EXPECT_THAT(optionsOf(pack, "composite1"), ElementsAre("TINT", "shadowMapResolution"));
+  EXPECT_THAT(optionsOf(pack, "final"), ElementsAre("BLOOM", "MODE", "shadowMapResolution"));
+  EXPECT_THAT(pack.find("composite")->conditionOptions, ElementsAre("BLOOM"));
+  EXPECT_THAT(pack.builds[0]->properties().options, ElementsAre("BLOOM", "MODE"));
+}
+
+TEST(Rebuild, option_behind_another_is_not_asked_for_while_that_is_off) {
+  const ShaderPack pack = load(threePrograms(), {{"BLOOM", "false"}});
+  EXPECT_THAT(optionsOf(pack, "composite"), ElementsAre("BLOOM", "shadowMapResolution"));
+}
+
+TEST(Rebuild, const_line_in_a_comment_counts) {
+  const ShaderPack pack = load(
+      {{"/final.fsh", "#version 330\n/*\nconst float shadowDistance = 1.0; // [1.0 2.0]\n*/\n" +
+                          std::string(kMain)}});
+  EXPECT_THAT(optionsOf(pack, "final"), ElementsAre("shadowDistance"));
+}
+
+int rebuilt(const ShaderPack& pack, OptionValues values) {
+  Diagnostics diagnostics;
+  int count = -1;
+  EXPECT_TRUE(rebuildShaderPack(pack, requestOf(std::move(values)), diagnostics, &count));
+  return count;
+}
+
+TEST(Rebuild, switching_an_option_builds_only_the_programs_it_reaches) {
+  const ShaderPack pack = load(threePrograms());
+  EXPECT_EQ(rebuilt(pack, {}), 0);
+  EXPECT_EQ(rebuilt(pack, {{"Q", "3"}}), 1);
+  EXPECT_EQ(rebuilt(pack, {{"TINT", "6"}}), 1);
+  EXPECT_EQ(rebuilt(pack, {{"shadowMapResolution", "2048"}}), 3);
+}
+
+TEST(Rebuild, program_whose_properties_change_is_built_again) {
+  const ShaderPack pack = load(threePrograms());
+  EXPECT_EQ(rebuilt(pack, {{"MODE", "1"}}), 2) << "final by its text, composite1 by its blend mode";
+  EXPECT_EQ(rebuilt(pack, {{"BLOOM", "false"}}), 1) << "final is disabled";
+  EXPECT_EQ(rebuilt(load(threePrograms(), {{"BLOOM", "false"}}), {}), 2);
+}
+
+std::string summary(const ShaderPack& pack, const Diagnostics& diagnostics) {
+  std::string text;
+  for (const ProgramSource& program : pack.programs) {
+    text += program.name + " " + std::to_string(program.hash) + "\n";
+  }
+  text += std::to_string(pack.directives.shadowMapResolution) + "\n";
+  for (const Diagnostic& diagnostic : diagnostics) text += formatDiagnostic(diagnostic) + "\n";
+  return text;
+}
+
+void expectSameAsFresh(const std::shared_ptr<const FileSource>& source, const ShaderPack& base,
+                       const OptionValues& values) {
+  Diagnostics fresh, again;
+  LoadRequest request = requestOf(values);
+  request.dimension = base.folder;
+  const auto expected = loadShaderPack(source, request, fresh);
+  const auto pack = rebuildShaderPack(base, request, again);
+  ASSERT_EQ(bool(expected), bool(pack));
+  // What reading the files told is told once, by the first load.
+  std::erase_if(fresh, [](const Diagnostic& d) { return d.id.starts_with("option-"); });
+  if (!pack) return;
+  EXPECT_EQ(summary(*pack, again), summary(*expected, fresh));
+}
+
+TEST(Rebuild, equals_a_fresh_load_for_every_option_of_our_pack) {
+  Diagnostics diagnostics;
+  const std::shared_ptr<const FileSource> source =
+      openPack(ORRIS_SOURCE_DIR "/shaderpack", diagnostics);
+  ASSERT_TRUE(source);
+  const auto base = loadShaderPack(source, requestOf({}), diagnostics);
+  ASSERT_TRUE(base);
+  for (const auto& [name, option] : base->options.all()) {
+    const auto other = std::find_if(option.values.begin(), option.values.end(),
+                                    [&](auto& value) { return value != option.defaultValue; });
+    if (other == option.values.end()) continue;
+    SCOPED_TRACE(name + "=" + *other);
+    expectSameAsFresh(source, *base, {{name, *other}});
+  }
+}
+
+TEST(Rebuild, broken_files_do_not_hide_each_other_when_the_load_keeps_going) {
+  Diagnostics diagnostics;
+  LoadRequest request = requestOf({});
+  request.keepGoing = true;
+  const auto pack = loadShaderPack(
+      memorySource({{"/composite.fsh", "#version 330\n#include \"/gone.glsl\"\nvoid main() {}\n"},
+                    {"/final.fsh", "#version 330\n#error stop\n"},
+                    {"/shaders.properties", "blend.final = ONE\n"}}),
+      request, diagnostics);
+  ASSERT_TRUE(pack);
+  std::vector<std::string> ids;
+  for (const Diagnostic& diagnostic : diagnostics) ids.push_back(diagnostic.id);
+  EXPECT_THAT(ids, ElementsAre("include-missing", "blend-syntax", "directive-error"));
+}
+
+}  // namespace
+}  // namespace orris
