@@ -15,6 +15,9 @@ namespace {
 // A broken source can be wrong on every line; more than this tells nothing new.
 constexpr std::size_t kMaxReports = 100;
 
+// Iris: JcppProcessor logs what its preprocessor complains about and goes on.
+constexpr const char* kTolerated = "Iris goes on after this, other hosts refuse the program";
+
 bool isPunctuator(const Token& token, std::string_view text) {
   return token.kind == TokenKind::Punctuator && token.text == text;
 }
@@ -154,8 +157,8 @@ void DirectiveRunner::run(std::vector<Token> tokens, const Origin& hash) {
     tokens.front().origin = {tokens.front().origin.site, hash.line, hash.column};
     (this->*directive->run)(tokens);
   } else if (!directive && conditionals_.active() && tokens.front().kind != TokenKind::Number) {
-    report(Severity::Error, "directive-unknown", hash,
-           fmt::format("unknown preprocessor directive '#{}'", tokens.front().text));
+    report(Severity::Warning, "directive-unknown", hash,
+           fmt::format("unknown preprocessor directive '#{}'", tokens.front().text), kTolerated);
   }
 }
 
@@ -180,8 +183,8 @@ bool DirectiveRunner::replaceDefined(const std::vector<Token>& tokens, std::vect
     const bool named = i < tokens.size() && tokens[i].kind == TokenKind::Identifier;
     const bool closed = !parenthesis || (i + 1 < tokens.size() && isPunctuator(tokens[i + 1], ")"));
     if (!named || !closed) {
-      report(Severity::Error, "directive-malformed", operatorToken.origin,
-             "expected 'defined NAME' or 'defined(NAME)'");
+      report(Severity::Warning, "directive-malformed", operatorToken.origin,
+             "expected 'defined NAME' or 'defined(NAME)'", kTolerated);
       return false;
     }
     Token value = operatorToken;
@@ -207,8 +210,8 @@ bool DirectiveRunner::evaluate(const std::vector<Token>& tokens) {
   std::vector<Token> expression;
   if (!replaceDefined(tokens, expression)) return false;
   if (expression.empty()) {
-    report(Severity::Error, "condition-empty", tokens.front().origin,
-           fmt::format("#{} without a condition counts as false", name));
+    report(Severity::Warning, "condition-empty", tokens.front().origin,
+           fmt::format("#{} without a condition counts as false", name), kTolerated);
     return false;
   }
   expression = expandTokens(std::move(expression), expansion_);
@@ -224,9 +227,9 @@ bool DirectiveRunner::evaluate(const std::vector<Token>& tokens) {
   if (!result.problem.empty()) {
     const Token& at =
         result.problemAt < expression.size() ? expression[result.problemAt] : expression.back();
-    report(Severity::Error, "condition-malformed", at.origin,
-           fmt::format("condition of #{}: {}", name, result.problem));
-    return false;
+    report(Severity::Warning, "condition-malformed", at.origin,
+           fmt::format("condition of #{}: {}", name, result.problem), kTolerated);
+    return result.value != 0;
   }
   warnTrailing(expression, result.used, name);
   return result.value != 0;
@@ -236,18 +239,16 @@ bool DirectiveRunner::evaluate(const std::vector<Token>& tokens) {
 bool DirectiveRunner::macroNamed(const std::vector<Token>& tokens) {
   const std::string& name = tokens.front().text;
   if (tokens.size() < 2 || tokens[1].kind != TokenKind::Identifier) {
-    report(Severity::Error, "directive-malformed", tokens.front().origin,
-           fmt::format("expected a macro name after #{}", name));
+    report(Severity::Warning, "directive-malformed", tokens.front().origin,
+           fmt::format("expected a macro name after #{}", name), kTolerated);
     return false;
   }
   warnTrailing(tokens, 2, name);
   return macros_.find(tokens[1].text) != nullptr;
 }
 
-// Iris: JcppProcessor logs what its preprocessor complains about and goes on.
 void DirectiveRunner::reportUnbalanced(const Origin& at, std::string problem) {
-  report(Severity::Warning, "conditional-unbalanced", at, std::move(problem),
-         "Iris goes on after this, other hosts refuse the program");
+  report(Severity::Warning, "conditional-unbalanced", at, std::move(problem), kTolerated);
 }
 
 void DirectiveRunner::onIf(const std::vector<Token>& tokens) {
@@ -284,13 +285,13 @@ void DirectiveRunner::onDefine(const std::vector<Token>& tokens) {
   const std::vector<Token> definition(tokens.begin() + 1, tokens.end());
   const std::string problem = macros_.define(definition, tokens.front().origin);
   if (problem.empty()) return;
-  report(Severity::Error, "directive-malformed", tokens.front().origin, problem);
+  report(Severity::Warning, "directive-malformed", tokens.front().origin, problem, kTolerated);
 }
 
 void DirectiveRunner::onUndef(const std::vector<Token>& tokens) {
   if (tokens.size() < 2 || tokens[1].kind != TokenKind::Identifier) {
-    report(Severity::Error, "directive-malformed", tokens.front().origin,
-           "expected a macro name after #undef");
+    report(Severity::Warning, "directive-malformed", tokens.front().origin,
+           "expected a macro name after #undef", kTolerated);
     return;
   }
   warnTrailing(tokens, 2, "undef");

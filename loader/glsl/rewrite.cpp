@@ -28,8 +28,8 @@ constexpr std::array<StageNames, 6> kStages = {{
 constexpr void (*kRules[])(RewriteContext&) = {
     ruleExtensions,    ruleAttributeVarying, ruleTextureFunctions, ruleTextureName,
     ruleReservedNames, ruleStraySemicolon,   ruleUnusedFunctions,  ruleGlobalConst,
-    ruleMixBool,       ruleZeroInit,         ruleOutColor,         ruleHostNames,
-    ruleVersion,
+    ruleMixBool,       ruleZeroInit,         ruleOutColor,         ruleFragData,
+    ruleHostNames,     ruleVersion,
 };
 
 bool writesFragData(const TokenStream& stream, Stage stage) {
@@ -52,8 +52,8 @@ RewriteResult rewrite(TokenStream& stream, Stage stage, std::span<const HostName
   context.moreNames = moreNames;
   for (auto* rule : kRules) rule(context);
   RewriteResult result;
+  result.writesFragData = writesFragData(stream, stage) || context.hasFired("frag-data");
   result.rules = std::move(context.rules);
-  result.writesFragData = writesFragData(stream, stage);
   return result;
 }
 

@@ -52,6 +52,7 @@ struct HostName {
 /// - mix-bool: mix(vecN, vecN, bool) -> orris_mix with its overloads
 /// - zero-init: variables declared without a value, small arrays and structs included, are zero
 /// - out-color: an output outColorN without layout gets location N
+/// - frag-data: gl_FragData and gl_FragColor beside outputs of the pack's own -> orris_FragDataN
 /// - host-names: names Iris provides (entityId, vaPosition, ...) used without declaration
 /// - version: "450 compatibility"; compute: the pack's version, at least 430
 RewriteResult rewrite(TokenStream& stream, Stage stage, std::span<const HostName> moreNames = {});

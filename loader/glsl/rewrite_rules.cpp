@@ -6,6 +6,11 @@
 
 namespace orris {
 
+bool RewriteContext::hasFired(std::string_view rule) const {
+  return std::any_of(rules.begin(), rules.end(),
+                     [rule](const AppliedRule& applied) { return applied.rule == rule; });
+}
+
 void RewriteContext::fired(std::string_view rule, const Origin& origin) {
   const auto known = std::find_if(rules.begin(), rules.end(),
                                   [rule](const AppliedRule& r) { return r.rule == rule; });

@@ -20,6 +20,7 @@ class RewriteContext {
 
   /// Notes that `rule` changed something at `origin`.
   void fired(std::string_view rule, const Origin& origin);
+  bool hasFired(std::string_view rule) const;
 
   TokenStream& stream;
   const Stage stage;
@@ -70,6 +71,7 @@ void ruleGlobalConst(RewriteContext& context);
 void ruleMixBool(RewriteContext& context);
 void ruleZeroInit(RewriteContext& context);
 void ruleOutColor(RewriteContext& context);
+void ruleFragData(RewriteContext& context);
 void ruleHostNames(RewriteContext& context);
 void ruleVersion(RewriteContext& context);
 

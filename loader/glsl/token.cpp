@@ -210,7 +210,7 @@ class Printer {
       if (newlines_ > 1 && previous_) newline();
       // The author's indentation; deep macro bodies and host tokens start at the margin.
       indent(token);
-    } else if (column_ > 1 && (space_ || (previous_ && wouldGlue(*previous_, token)))) {
+    } else if (column_ > 1 && (space_ || (previous_ && mustNotGlue(*previous_, token)))) {
       append(" ");
     }
     out_.lines.back().push_back({column_, token.origin, token.macro});
@@ -218,6 +218,12 @@ class Printer {
     previous_ = &token;
     newlines_ = 0;
     space_ = false;
+  }
+
+  // Tokens of the pack run together as Iris prints them: with N defined as 16, "N.0" is 16.0.
+  // (Iris: JcppProcessor appends the text of each token.)
+  static bool mustNotGlue(const Token& left, const Token& right) {
+    return (left.origin.site < 0 || right.origin.site < 0) && wouldGlue(left, right);
   }
 
   void indent(const Token& token) {

@@ -50,7 +50,8 @@ TEST(condition, operand_that_is_not_needed_may_divide_by_zero) {
   EXPECT_EQ(evaluate("1 ? 2 : 1 / 0"), "1\n");
   EXPECT_EQ(
       evaluate("1 / X"),
-      "0\n---\n/a.fsh:1:7: error: condition of #if: division by zero\n  #if 1 / X\n        ^\n");
+      "0\n---\n/a.fsh:1:7: warning: condition of #if: division by zero\n  #if 1 / X\n        ^\n"
+      "  hint: Iris goes on after this, other hosts refuse the program\n");
 }
 
 TEST(condition, overflow_wraps) {
@@ -67,23 +68,29 @@ TEST(condition, macro_without_value_counts_as_false_with_a_warning) {
             "  hint: use #ifdef to ask whether a macro without a value is defined\n");
 }
 
-TEST(condition, missing_condition_is_an_error) {
+TEST(condition, missing_condition_counts_as_false) {
   EXPECT_EQ(evaluate(""),
-            "0\n---\n/a.fsh:1:1: error: #if without a condition counts as false\n  #if \n  ^\n");
+            "0\n---\n/a.fsh:1:1: warning: #if without a condition counts as false\n  #if \n  ^\n"
+            "  hint: Iris goes on after this, other hosts refuse the program\n");
 }
 
+// Iris: JcppProcessor; a missing operand is 0 and the rest still counts.
 TEST(condition, malformed_expressions_say_what_was_expected) {
   EXPECT_EQ(evaluate("(1"),
-            "0\n---\n/a.fsh:1:6: error: condition of #if: expected ')'\n  #if (1\n       ^\n");
+            "0\n---\n/a.fsh:1:6: warning: condition of #if: expected ')'\n  #if (1\n       ^\n"
+            "  hint: Iris goes on after this, other hosts refuse the program\n");
   EXPECT_EQ(evaluate("1 +"),
-            "0\n---\n/a.fsh:1:7: error: condition of #if: expected a value at the end of the "
-            "expression\n  #if 1 +\n        ^\n");
+            "1\n---\n/a.fsh:1:7: warning: condition of #if: expected a value at the end of the "
+            "expression\n  #if 1 +\n        ^\n"
+            "  hint: Iris goes on after this, other hosts refuse the program\n");
   EXPECT_EQ(evaluate("* 2"),
-            "0\n---\n/a.fsh:1:5: error: condition of #if: expected a value, found '*'\n"
-            "  #if * 2\n      ^\n");
+            "0\n---\n/a.fsh:1:5: warning: condition of #if: expected a value, found '*'\n"
+            "  #if * 2\n      ^\n"
+            "  hint: Iris goes on after this, other hosts refuse the program\n");
   EXPECT_EQ(evaluate("defined(A"),
-            "0\n---\n/a.fsh:1:5: error: expected 'defined NAME' or 'defined(NAME)'\n"
-            "  #if defined(A\n      ^\n");
+            "0\n---\n/a.fsh:1:5: warning: expected 'defined NAME' or 'defined(NAME)'\n"
+            "  #if defined(A\n      ^\n"
+            "  hint: Iris goes on after this, other hosts refuse the program\n");
 }
 
 TEST(condition, trailing_text_is_tolerated_with_a_warning) {

@@ -9,6 +9,15 @@ namespace {
 
 using test::preprocessed;
 
+// Iris: JcppProcessor appends the text of each token, so expansions run together.
+TEST(preprocessor, expansions_run_together_with_what_follows) {
+  EXPECT_EQ(preprocessed("#define N 16\nx = N.0 + (N.5) - N .5;\n"),
+            "x = 16.0 + (16.5) - 16 .5;\n");
+  EXPECT_EQ(preprocessed("#define M -1\nx = 2-M;\n"), "x = 2--1;\n");
+  EXPECT_EQ(preprocessed("#define N 1\n#define D .5\nN D; a.b;\n"), "1 .5; a.b;\n");
+  EXPECT_EQ(preprocessed("a/**/b\n"), "a b\n");
+}
+
 TEST(preprocessor, object_macro_expands_and_its_lines_vanish) {
   EXPECT_EQ(preprocessed("#define N 3\nint a = N;\n"), "int a = 3;\n");
 }
@@ -79,12 +88,6 @@ TEST(preprocessor, paste_and_stringify) {
 
 TEST(preprocessor, variadic_macro_keeps_commas) {
   EXPECT_EQ(preprocessed("#define V(a, ...) f(a, __VA_ARGS__)\nV(1, 2, 3)\n"), "f(1, 2, 3)\n");
-}
-
-TEST(preprocessor, results_are_not_glued_to_their_neighbours) {
-  EXPECT_EQ(preprocessed("#define M -1\nint a = -M;\nint b=M-M;\n"),
-            "int a = - -1;\nint b=-1- -1;\n");
-  EXPECT_EQ(preprocessed("#define N 1\n#define D .5\nN D; a.b;\n"), "1 .5; a.b;\n");
 }
 
 TEST(preprocessor, continuation_joins_lines_everywhere) {
@@ -180,15 +183,18 @@ TEST(preprocessor, error_directive_of_an_active_branch_is_reported_verbatim) {
 
 TEST(preprocessor, malformed_directives_are_reported_and_the_rest_goes_on) {
   EXPECT_EQ(preprocessed("#define 1x\n"),
-            "---\n/a.fsh:1:1: error: '1x' cannot be the name of a macro\n  #define 1x\n  ^\n");
+            "---\n/a.fsh:1:1: warning: '1x' cannot be the name of a macro\n  #define 1x\n  ^\n"
+            "  hint: Iris goes on after this, other hosts refuse the program\n");
   EXPECT_EQ(preprocessed("#define F(a\nb\n"),
-            "b\n---\n/a.fsh:1:1: error: parameter list of macro 'F' is not closed\n"
-            "  #define F(a\n  ^\n");
+            "b\n---\n/a.fsh:1:1: warning: parameter list of macro 'F' is not closed\n"
+            "  #define F(a\n  ^\n"
+            "  hint: Iris goes on after this, other hosts refuse the program\n");
   EXPECT_EQ(preprocessed("#extension GL_A\n"),
             "---\n/a.fsh:1:1: error: expected '#extension NAME : enable', 'require', 'warn' or "
             "'disable'\n  #extension GL_A\n  ^\n");
   EXPECT_EQ(preprocessed("#frob\n#if 0\n#frob\n#endif\n"),
-            "---\n/a.fsh:1:1: error: unknown preprocessor directive '#frob'\n  #frob\n  ^\n");
+            "---\n/a.fsh:1:1: warning: unknown preprocessor directive '#frob'\n  #frob\n  ^\n"
+            "  hint: Iris goes on after this, other hosts refuse the program\n");
   EXPECT_EQ(preprocessed("#version abc\n"),
             "---\n/a.fsh:1:1: error: expected a number after #version, such as '#version 330 "
             "compatibility'\n  #version abc\n  ^\n");

@@ -45,13 +45,15 @@ TEST(properties_preprocessor, carriage_returns_vanish) {
 }
 
 TEST(properties_preprocessor, problems_are_located_in_the_file) {
-  EXPECT_EQ(properties("a=1\n  #if (\nb=2\n"),
-            "a=1\n\n\n---\n"
-            "/shaders.properties:2:7: error: condition of #if: expected a value at the end of the "
-            "expression\n    #if (\n        ^\n"
-            "/shaders.properties:2:3: warning: #if is not closed: expected #endif before the end\n"
-            "    #if (\n    ^\n"
-            "  hint: Iris goes on after this, other hosts refuse the program\n");
+  EXPECT_EQ(
+      properties("a=1\n  #if (\nb=2\n"),
+      "a=1\n\n\n---\n"
+      "/shaders.properties:2:7: warning: condition of #if: expected a value at the end of the "
+      "expression\n    #if (\n        ^\n"
+      "  hint: Iris goes on after this, other hosts refuse the program\n"
+      "/shaders.properties:2:3: warning: #if is not closed: expected #endif before the end\n"
+      "    #if (\n    ^\n"
+      "  hint: Iris goes on after this, other hosts refuse the program\n");
 }
 
 }  // namespace

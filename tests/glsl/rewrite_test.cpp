@@ -250,6 +250,32 @@ TEST(mix_bool, a_mix_of_the_pack_is_left_alone) {
             "");
 }
 
+// Iris: CompatibilityTransformer.
+TEST(frag_data, becomes_outputs_beside_outputs_of_the_pack) {
+  EXPECT_EQ(
+      rewritten("layout(location = 1) out vec4 more;\n"
+                "void main() { gl_FragData[0] = more = vec4(1.0); gl_FragData[2].x = 0.0; }\n"),
+      "layout(location = 0) out vec4 orris_FragData0;\n"
+      "layout(location = 2) out vec4 orris_FragData2;\n"
+      "layout(location = 1) out vec4 more;\n"
+      "void main() { orris_FragData0 = more = vec4(1.0); orris_FragData2.x = 0.0; }\n");
+  EXPECT_EQ(fired("out vec4 a;\nvoid main() { gl_FragColor = a = vec4(1.0); }\n"),
+            "frag-data*1@2:15");
+}
+
+TEST(frag_data, stays_where_it_is_the_only_output) {
+  EXPECT_EQ(fired("void main() { gl_FragData[0] = vec4(1.0); }\n"), "");
+  EXPECT_EQ(fired("out vec4 a;\nvoid main() { int i = 0; gl_FragData[i] = a; }\n"), "");
+  EXPECT_EQ(fired("out vec4 a;\nvoid main() { a = vec4(1.0); }\n"), "");
+}
+
+TEST(frag_data, is_remembered_for_the_alpha_test) {
+  RewriteResult result;
+  rewritten("out vec4 a;\nvoid main() { gl_FragColor = a = vec4(1.0); }\n", Stage::Fragment,
+            &result);
+  EXPECT_TRUE(result.writesFragData);
+}
+
 TEST(out_color, gets_its_number_as_location) {
   EXPECT_EQ(rewritten("out vec4 outColor0;\n/* x */ flat out ivec2 outColor7;\n"),
             "layout(location = 0) out vec4 outColor0;\nlayout(location = 7) flat out ivec2 "
