@@ -5,10 +5,10 @@
 
 #include "app/commands.h"
 #include "app/inputs.h"
-#include "check/program_check.h"
-#include "app/progress.h"
 #include "app/patched_sources.h"
+#include "app/progress.h"
 #include "app/render_output.h"
+#include "check/program_check.h"
 #include "frame/render_session.h"
 
 namespace orris {

@@ -71,7 +71,9 @@ std::string summaryOf(const PackResult& pack) {
   if (silenced[Silence::Baseline] > 0) {
     parts.push_back(fmt::format("{} known", silenced[Silence::Baseline]));
   }
-  std::string text = toText(pack.verdict);
+  // Nothing was checked when a log was explained, or when the pack did not load.
+  const bool checked = !pack.verdict.dimensions.empty();
+  std::string text = checked ? toText(pack.verdict) : pack.verdict.path + ": no program checked\n";
   if (!parts.empty()) text += fmt::format("  {}\n", fmt::join(parts, ", "));
   return text;
 }

@@ -3,11 +3,20 @@
 #include <memory>
 
 #include "app/commands.h"
+#include "app/explain.h"
 #include "app/report_output.h"
 #include "app/validate_run.h"
 
 namespace orris {
 namespace {
+
+int runExplain(const ValidateOptions& options) {
+  ReportOutput output(options.report, options.output);
+  if (!output.open()) return kUsage;
+  Report report(options.output, Report::Mode::Keep);
+  output.add(explainGameLog(options.paths.front(), options, report), report);
+  return output.finish();
+}
 
 int runValidate(const ValidateOptions& options) {
   ReportOutput output(options.report, options.output);
@@ -48,11 +57,23 @@ void addValidateCommand(CLI::App& app, int& status) {
   for (const TargetLimits& target : targetTable()) targets.emplace_back(target.name);
   command->add_option("--target", options->target, "whose limits and macros: mesa, apple, ...")
       ->check(CLI::IsMember(targets));
+  CLI::Option* log = command->add_option("--explain-log", options->explainLog,
+                                         "put the compiler messages of a game log (- for standard "
+                                         "input) at the pack's lines, instead of checking");
+  log->type_name("FILE");
+  command
+      ->add_option("--patched-shaders", options->patchedShaders,
+                   "the folder patched_shaders that Iris wrote in debug mode")
+      ->type_name("DIR")
+      ->needs(log);
+  command->add_option("--stage", options->stage, "what a bare driver log is about: composite.fsh")
+      ->type_name("NAME")
+      ->needs(log);
   addReportFlags(*command, options->report);
   addOutputFlags(*command, options->output);
   command->callback([options, &status] {
     settleReportFlags(options->report, options->output.json);
-    status = runValidate(*options);
+    status = options->explainLog.empty() ? runValidate(*options) : runExplain(*options);
   });
 }
 

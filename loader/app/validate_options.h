@@ -21,6 +21,9 @@ struct ValidateOptions {
   std::string patched;  ///< folder
   bool draw = false;
   gl::Backend backend = gl::Backend::Auto;
+  std::string explainLog;      ///< file, or "-"
+  std::string patchedShaders;  ///< folder that Iris wrote
+  std::string stage;           ///< "composite.fsh": what a bare driver log is about
   OutputOptions output;
   ReportOptions report;
 };
