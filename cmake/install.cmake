@@ -18,7 +18,7 @@ foreach(folder IN LISTS folders)
           DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/orris FILES_MATCHING PATTERN "*.h")
 endforeach()
 install(TARGETS orris_all EXPORT OrrisTargets)
-install(TARGETS orris)
+install(TARGETS orris COMPONENT orris)
 
 install(EXPORT OrrisTargets NAMESPACE Orris:: DESTINATION ${package_dir})
 configure_package_config_file(cmake/OrrisConfig.cmake.in OrrisConfig.cmake
@@ -26,6 +26,3 @@ configure_package_config_file(cmake/OrrisConfig.cmake.in OrrisConfig.cmake
 write_basic_package_version_file(OrrisConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/OrrisConfig.cmake ${PROJECT_BINARY_DIR}/OrrisConfigVersion.cmake
               cmake/OrrisDependencies.cmake DESTINATION ${package_dir})
-install(FILES docs/orris.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
-install(FILES share/orris.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
-        RENAME orris)
