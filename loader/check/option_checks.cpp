@@ -67,11 +67,12 @@ void checkSameLists(AuthorLines& lines, const Option& option, Diagnostics& diagn
   const auto other = std::find_if(option.at.begin() + 1, option.at.end(),
                                   [&](const auto& place) { return setOf(place) != setOf(first); });
   if (other == option.at.end()) return;
-  diagnostics.push_back(
-      optionDiagnostic(lines, Severity::Warning, "option-list-differs", *other, option.name,
-                       fmt::format("the list of {} differs from the one in {}:{}", option.name,
-                                   first.file, first.line),
-                       "only one of them is shown, and which one is up to chance"));
+  diagnostics.push_back(optionDiagnostic(
+      lines, Severity::Warning, "option-list-differs", *other, option.name,
+      fmt::format("the list of {} differs from the one in {}:{}", option.name, first.file,
+                  first.line),
+      other->file == first.file ? "the first one is shown, whatever #if stands around it"
+                                : "only one of them is shown, and which one is up to chance"));
 }
 
 /// Names that texts mention outside the lines that define them.

@@ -1,10 +1,13 @@
 #include "check/pack_checks.h"
 
 #include "check/declaration_checks.h"
+#include "check/directive_checks.h"
 #include "check/frame_checks.h"
+#include "check/id_checks.h"
 #include "check/include_checks.h"
 #include "check/language_checks.h"
 #include "check/option_checks.h"
+#include "check/property_checks.h"
 #include "check/screen_checks.h"
 
 namespace orris {
@@ -16,15 +19,18 @@ using WholePackCheck = void (*)(std::span<const ShaderPack>, Diagnostics&);
 // In the order of the report.
 constexpr FolderCheck kFolderChecks[] = {checkDeclarations, checkTargetsRead, checkTargetsWritten};
 constexpr WholePackCheck kWholePackChecks[] = {
-    checkOptionLists,    //
-    checkOptionUse,      //
-    checkHiddenOptions,  //
-    checkScreenLinks,    //
-    checkSliders,        //
-    checkProfiles,       //
-    checkLanguageKeys,   //
-    checkLanguageCover,  //
-    checkUnusedIncludes,
+    checkOptionLists,     //
+    checkOptionUse,       //
+    checkHiddenOptions,   //
+    checkScreenLinks,     //
+    checkSliders,         //
+    checkProfiles,        //
+    checkLanguageKeys,    //
+    checkLanguageCover,   //
+    checkUnusedIncludes,  //
+    checkIdMaps,          //
+    checkDirectiveNames,  //
+    checkPropertiesTwice,
 };
 
 }  // namespace

@@ -26,6 +26,39 @@ const std::string& AuthorLines::at(const SourceLocation& place) {
   return exists ? lines[static_cast<size_t>(place.line) - 1] : kNone;
 }
 
+Branches::Branches(std::string_view text) : parents_{-1} {
+  int current = 0;
+  const auto open = [&](int parent) {
+    parents_.push_back(parent);
+    return static_cast<int>(parents_.size()) - 1;
+  };
+  for (const std::string& line : splitLines(text)) {
+    const std::string_view start = trim(line);
+    const int parent = parents_[static_cast<size_t>(current)];
+    if (start.starts_with("#if")) {
+      current = open(current);
+    } else if (start.starts_with("#el") && parent >= 0) {
+      current = open(parent);
+    } else if (start.starts_with("#endif") && parent >= 0) {
+      current = parent;
+    }
+    branches_.push_back(current);
+  }
+}
+
+int Branches::at(int line) const {
+  const size_t index = static_cast<size_t>(std::max(line, 1)) - 1;
+  return index < branches_.size() ? branches_[index] : 0;
+}
+
+bool Branches::implies(int b, int a) const {
+  const int outer = at(a);
+  int branch = at(b);
+  // A branch is opened after the one it stands in.
+  while (branch > outer) branch = parents_[static_cast<size_t>(branch)];
+  return branch == outer;
+}
+
 bool isScreenKey(std::string_view key) {
   return key == "screen" ||
          (key.starts_with("screen.") && !key.ends_with(".columns") && key != "screen.columns");

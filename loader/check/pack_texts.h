@@ -30,6 +30,19 @@ class AuthorLines {
   std::map<std::string, FileLines> files_;
 };
 
+/// The #if branches of a text, by line from 1, whatever they test.
+class Branches {
+ public:
+  explicit Branches(std::string_view text);
+  /// Is line `a` in the text whenever line `b` is? False also where that cannot be told.
+  bool implies(int b, int a) const;
+
+ private:
+  int at(int line) const;
+  std::vector<int> branches_;  ///< of each line; 0 is the text outside all #if
+  std::vector<int> parents_;
+};
+
 /// Is it "screen" or "screen.SUB", and not a number of columns?
 bool isScreenKey(std::string_view key);
 

@@ -27,6 +27,8 @@ std::span<const Rule> propertyRules() {
       {"program-condition", Severity::Warning,
        "the condition of program.NAME.enabled cannot be read"},
       {"program-unknown", Severity::Warning, "a property names a program that does not exist"},
+      {"property-twice", Severity::Warning,
+       "a key of shaders.properties is given twice with different values"},
       {"property-unknown", Severity::Warning, "a key of shaders.properties is unknown"},
       {"property-value", Severity::Warning, "a property has a value that it cannot have"},
       {"texture-format", Severity::Warning, "a raw texture has unknown formats"},

@@ -7,6 +7,8 @@ namespace orris {
 
 std::span<const Rule> targetRules() {
   static const std::vector<Rule> kRules = {
+      {"directive-misspelt", Severity::Warning,
+       "a constant or comment has nearly the name of a directive"},
       {"directive-value", Severity::Warning, "a const directive has a value that cannot be used"},
       {"format-unknown", Severity::Error, "a texture format does not exist"},
       {"render-target-limit", Severity::Error,

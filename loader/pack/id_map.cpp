@@ -49,30 +49,6 @@ std::optional<int> parseId(const PropertyEntry& entry, size_t prefix, Diagnostic
   return std::nullopt;
 }
 
-/// "[%][ns:]name[:property=value...]". Iris: BlockEntry, TagEntry.
-BlockFilter parseFilter(const PropertyEntry& entry, std::string_view word, int id,
-                        Diagnostics& diagnostics) {
-  BlockFilter filter{.isTag = word.starts_with('%'), .id = id};
-  if (filter.isTag) word.remove_prefix(1);
-  const auto parts = splitAt(word, ':');
-  const bool hasNamespace = parts.size() > 1 && parts[1].find('=') == std::string_view::npos;
-  filter.name = withNamespace(parts[0]);
-  if (hasNamespace) filter.name = std::string(parts[0]) + ":" + std::string(parts[1]);
-  for (size_t i = hasNamespace ? 2 : 1; i < parts.size(); ++i) {
-    const size_t equals = parts[i].find('=');
-    if (equals == std::string_view::npos) {
-      diagnostics.push_back(propertyDiagnostic(
-          Severity::Warning, "id-state", entry,
-          fmt::format("\"{}\" in {} is no property=value", parts[i], word), "", word));
-      continue;
-    }
-    std::vector<std::string> values;
-    for (const auto value : splitAt(parts[i].substr(equals + 1), ',')) values.emplace_back(value);
-    filter.properties.emplace_back(parts[i].substr(0, equals), std::move(values));
-  }
-  return filter;
-}
-
 bool matches(const BlockFilter& filter, const std::string& name,
              const std::map<std::string, std::string>& properties) {
   if (filter.isTag ? !hasBlockTag(name, filter.name) : filter.name != name) return false;
@@ -98,7 +74,41 @@ void addLayer(const PropertyEntry& entry, std::string_view layer, BlockIdMap& ma
   }
 }
 
+/// The filters of one entry, with a warning for what is no state.
+void addFilters(const PropertyEntry& entry, int id, BlockIdMap& map, Diagnostics& diagnostics) {
+  for (const PropertyWord& word : locatedWords(entry)) {
+    std::vector<std::string> badParts;
+    map.filters.push_back(parseBlockFilter(word.text, id, badParts));
+    for (const std::string& part : badParts) {
+      diagnostics.push_back(
+          wordDiagnostic(Severity::Warning, "id-state", word,
+                         fmt::format("\"{}\" in {} is no property=value", part, word.text)));
+    }
+  }
+}
+
 }  // namespace
+
+// Iris: BlockEntry, TagEntry.
+BlockFilter parseBlockFilter(std::string_view word, int id, std::vector<std::string>& badParts) {
+  BlockFilter filter{.isTag = word.starts_with('%'), .id = id};
+  if (filter.isTag) word.remove_prefix(1);
+  const auto parts = splitAt(word, ':');
+  const bool hasNamespace = parts.size() > 1 && parts[1].find('=') == std::string_view::npos;
+  filter.name = withNamespace(parts[0]);
+  if (hasNamespace) filter.name = std::string(parts[0]) + ":" + std::string(parts[1]);
+  for (size_t i = hasNamespace ? 2 : 1; i < parts.size(); ++i) {
+    const size_t equals = parts[i].find('=');
+    if (equals == std::string_view::npos) {
+      badParts.emplace_back(parts[i]);
+      continue;
+    }
+    std::vector<std::string> values;
+    for (const auto value : splitAt(parts[i].substr(equals + 1), ',')) values.emplace_back(value);
+    filter.properties.emplace_back(parts[i].substr(0, equals), std::move(values));
+  }
+  return filter;
+}
 
 int BlockIdMap::idOf(const std::string& name,
                      const std::map<std::string, std::string>& properties) const {
@@ -121,9 +131,7 @@ BlockIdMap parseBlockProperties(const std::string& file, const std::string& text
     if (entry.key.starts_with(kLayer)) {
       addLayer(entry, std::string_view(entry.key).substr(kLayer.size()), map, diagnostics);
     } else if (const auto id = parseId(entry, kBlock.size(), diagnostics)) {
-      for (const std::string& word : splitBlanks(entry.value)) {
-        map.filters.push_back(parseFilter(entry, word, *id, diagnostics));
-      }
+      addFilters(entry, *id, map, diagnostics);
     }
   }
   return map;

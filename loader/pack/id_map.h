@@ -28,6 +28,10 @@ struct BlockIdMap {
   int idOf(const std::string& name, const std::map<std::string, std::string>& properties) const;
 };
 
+/// "[%][ns:]name[:property=value...]", a word of a block.<id> line. A part that is no property=value
+/// is left out and added to `badParts`.
+BlockFilter parseBlockFilter(std::string_view word, int id, std::vector<std::string>& badParts);
+
 /// `text` is already preprocessed, `original` is what the author wrote, line by line the same.
 BlockIdMap parseBlockProperties(const std::string& file, const std::string& text,
                                 const std::string& original, Diagnostics& diagnostics);

@@ -58,6 +58,7 @@ PackProperties readPackProperties(const PackFiles& files, const OptionValues& va
   for (auto& macro : shaderFeatureMacros(out.shader)) out.shaderMacros.push_back(std::move(macro));
   readIds(files, macros, watch, out);
   out.options = watch.used();
+  out.macros = macros;
   return out;
 }
 

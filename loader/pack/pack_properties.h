@@ -14,6 +14,7 @@ struct PackProperties {
   ShaderProperties shader;
   BlockIdMap blockIds;
   std::map<std::string, int> itemIds, entityIds;
+  MacroDefinitions macros;           ///< what the *.properties files are preprocessed with
   MacroDefinitions shaderMacros;     ///< what every shader sees: environment and feature flags
   std::vector<std::string> options;  ///< those that the files ask for; no other changes anything
   Diagnostics diagnostics;

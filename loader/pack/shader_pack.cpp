@@ -136,6 +136,7 @@ ShaderPack emptyPack(const PackFiles& files, const LoadRequest& request, const F
                   .dimensions = files.dimensions.folders};
   pack.disabledPrograms = build.disabled();
   pack.files = applyOptions(files.graph.files, files.options, build.values());
+  pack.propertyMacros = properties.macros;
   pack.source = files.source;
   return pack;
 }

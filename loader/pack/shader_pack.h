@@ -85,6 +85,7 @@ struct ShaderPack {
   ProgramList modPrograms;  ///< those of other mods (pack/mods.h), each as if its mod were there
   std::vector<std::string> disabledPrograms;
   std::map<std::string, FileLines> files;    ///< every file of the include graph, options applied
+  MacroDefinitions propertyMacros;           ///< what *.properties files are preprocessed with
   std::shared_ptr<const FileSource> source;  ///< for textures and buffer contents
   /// What the programs were made from: those of the host first, then those of each mod.
   std::vector<std::shared_ptr<const FolderBuild>> builds;

@@ -87,7 +87,14 @@ const std::vector<Setting>& settings() {
 }
 
 std::vector<std::string> settingNames() {
-  std::vector<std::string> names{"weather", "sliders", "screen"};
+  std::vector<std::string> names{"weather",
+                                 "sliders",
+                                 "screen",
+                                 "screen.columns",
+                                 "iris.features.required",
+                                 "iris.features.optional",
+                                 "orris.features.required",
+                                 "orris.features.optional"};
   for (const Setting& setting : settings()) names.emplace_back(setting.key);
   return names;
 }
@@ -123,6 +130,45 @@ void readWeather(const PropertyContext& context) {
   }
 }
 
+/// "texure.composite.x" for "texture.composite.x": a key whose first part is misspelt.
+std::string nearestByPrefix(const std::string& key) {
+  static const std::vector<std::string> kPrefixes = [] {
+    std::vector<std::string> all{"screen.", "profile."};
+    for (const PrefixReader& reader : kReaders) all.emplace_back(reader.prefix);
+    return all;
+  }();
+  constexpr size_t kMostSlips = 2;
+  for (const std::string& prefix : kPrefixes) {
+    const size_t dots = static_cast<size_t>(std::count(prefix.begin(), prefix.end(), '.'));
+    size_t end = 0;
+    for (size_t i = 0; i < dots && end != std::string::npos; ++i) {
+      end = key.find('.', end);
+      if (end != std::string::npos) ++end;
+    }
+    if (end == std::string::npos) continue;
+    const std::string head = key.substr(0, end);
+    if (editDistance(lowerCase(head), lowerCase(prefix)) <= kMostSlips)
+      return prefix + key.substr(end);
+  }
+  return "";
+}
+
+/// Keys of other hosts and mods are common, so only what looks misspelt is worth a word.
+void reportUnknown(const PropertyContext& context) {
+  static const std::vector<std::string> kNames = settingNames();
+  const std::string& key = context.entry.key;
+  if (key.size() <= 4) return;
+  const size_t dot = key.find('.');
+  const std::string head = key.substr(0, dot);
+  const bool setting =
+      dot != std::string::npos && std::find(kNames.begin(), kNames.end(), head) != kNames.end();
+  std::string nearest = setting ? head : nearestByPrefix(key);
+  if (nearest.empty()) nearest = nearestName(key, kNames);
+  if (nearest.empty() || nearest == key) return;
+  context.warn("property-unknown", fmt::format("unknown key {}", key),
+               fmt::format("did you mean {}?", nearest));
+}
+
 void readEntry(const PropertyContext& context) {
   const std::string& key = context.entry.key;
   if (key == "weather") return readWeather(context);
@@ -134,14 +180,8 @@ void readEntry(const PropertyContext& context) {
       return reader.read(context, std::string_view(key).substr(reader.prefix.size()));
     }
   }
-  if (key.starts_with("screen.") || key.starts_with("profile.")) return;
-  // Keys of other hosts and mods are common, so only what looks misspelt is worth a word.
-  static const std::vector<std::string> kNames = settingNames();
-  const std::string nearest = key.size() > 4 ? nearestName(key, kNames) : "";
-  if (!nearest.empty() && nearest != key) {
-    context.warn("property-unknown", fmt::format("unknown key {}", key),
-                 fmt::format("did you mean {}?", nearest));
-  }
+  if (key.starts_with("screen.") || key.starts_with("profile.") || key == "screen") return;
+  reportUnknown(context);
 }
 
 }  // namespace

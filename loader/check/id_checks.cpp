@@ -1,0 +1,203 @@
+#include "check/id_checks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+
+#include "check/block_states.h"
+#include "check/pack_texts.h"
+#include "pack/id_map.h"
+#include "pack/text.h"
+
+namespace orris {
+namespace {
+
+/// The entries of one file in active lines.
+struct IdFile {
+  std::vector<PropertyEntry> entries;
+  Branches branches;
+};
+
+IdFile readIdFile(const ShaderPack& pack, const std::string& file, std::string_view prefix) {
+  const std::string text = pack.source->read(file).value_or("");
+  Diagnostics told;
+  const std::string active = preprocessProperties(file, text, pack.propertyMacros, told);
+  IdFile read{parseProperties(file, active, Continuation::IdMap, text), Branches(text)};
+  std::erase_if(read.entries, [&](auto& entry) { return !entry.key.starts_with(prefix); });
+  return read;
+}
+
+void checkKeysTwice(const IdFile& file, Diagnostics& diagnostics) {
+  std::map<std::string_view, const PropertyEntry*> last;
+  for (const PropertyEntry& entry : file.entries) {
+    const auto [before, isNew] = last.try_emplace(entry.key, &entry);
+    if (isNew) continue;
+    const PropertyEntry& first = *before->second;
+    before->second = &entry;
+    // A default before the #if that changes it is no slip.
+    if (!file.branches.implies(first.at.line, entry.at.line)) continue;
+    const bool same = splitBlanks(first.value) == splitBlanks(entry.value);
+    diagnostics.push_back(propertyDiagnostic(
+        same ? Severity::Note : Severity::Warning, "id-key-twice", entry,
+        fmt::format("{} is given again, so what line {} lists is lost", entry.key, first.at.line),
+        same ? "" : "the last line of a key counts: put the names on one, or use another number"));
+  }
+}
+
+/// Does every state that `filter` accepts match `earlier` too?
+bool covers(const BlockFilter& earlier, const BlockFilter& filter) {
+  return std::all_of(earlier.properties.begin(), earlier.properties.end(), [&](const auto& wanted) {
+    const auto same = std::find_if(filter.properties.begin(), filter.properties.end(),
+                                   [&](const auto& p) { return p.first == wanted.first; });
+    if (same == filter.properties.end()) return false;
+    return std::all_of(same->second.begin(), same->second.end(), [&](const std::string& value) {
+      return std::find(wanted.second.begin(), wanted.second.end(), value) != wanted.second.end();
+    });
+  });
+}
+
+/// Filters that never match because an earlier one takes all their states.
+class BlockCheck {
+ public:
+  BlockCheck(const Branches& branches, Diagnostics& diagnostics)
+      : branches_(branches), diagnostics_(diagnostics) {}
+
+  void add(const PropertyEntry& entry) {
+    for (PropertyWord& word : locatedWords(entry)) {
+      std::vector<std::string> told;
+      BlockFilter filter = parseBlockFilter(word.text, 0, told);
+      checkStates(filter, word);
+      auto& before = seen_[{filter.isTag, filter.name}];
+      // Where the first may be missing, this one is what counts then.
+      const auto first = std::find_if(before.begin(), before.end(), [&](const Before& b) {
+        return covers(b.filter, filter) && branches_.implies(word.at.line, b.line);
+      });
+      if (first != before.end()) {
+        if (!isLegacy(filter)) report(*first, entry.key, word);
+      } else if (before.size() < kMostFilters) {
+        before.push_back({std::move(filter), entry.key, word.text, word.at.line});
+      }
+    }
+  }
+
+ private:
+  struct Before {
+    BlockFilter filter;
+    std::string key, text;
+    int line;
+  };
+  // A block has some hundred states; beyond that the search would grow with the square.
+  static constexpr size_t kMostFilters = 1024;
+
+  /// States of versions before 1.13 match nothing since, and their rules were OptiFine's.
+  static bool isLegacy(const BlockFilter& filter) {
+    return std::any_of(filter.properties.begin(), filter.properties.end(), [](const auto& wanted) {
+      const StateProperty* property = findStateProperty(wanted.first);
+      return property && property->values.empty();
+    });
+  }
+
+  void report(const Before& first, const std::string& key, const PropertyWord& word) {
+    const std::string& text = word.text;
+    if (first.key == key) {
+      diagnostics_.push_back(
+          wordDiagnostic(Severity::Note, "id-repeated", word,
+                         fmt::format("{} is covered by {} in line {}, of the same {}", text,
+                                     first.text, first.line, key)));
+      return;
+    }
+    const std::string what = first.text == text ? "" : fmt::format("as {} ", first.text);
+    diagnostics_.push_back(wordDiagnostic(
+        Severity::Warning, "id-twice", word,
+        fmt::format("{} has {} {}already, from line {}", text, first.key, what, first.line),
+        "the first line that fits a block counts, so this one does nothing"));
+  }
+
+  void checkStates(const BlockFilter& filter, const PropertyWord& word) {
+    if (!filter.name.starts_with("minecraft:")) return;
+    for (const auto& [name, values] : filter.properties) {
+      const StateProperty* property = findStateProperty(name);
+      if (!property) {
+        checkName(name, word);
+        continue;
+      }
+      for (const std::string& value : values) checkValue(*property, value, word);
+    }
+  }
+
+  void checkName(const std::string& name, const PropertyWord& word) {
+    constexpr size_t kShortest = 4;
+    std::vector<std::string> names;
+    for (const StateProperty& property : stateProperties()) names.emplace_back(property.name);
+    const std::string meant = name.size() < kShortest ? "" : likelyMeant(name, names);
+    if (meant.empty()) return;
+    diagnostics_.push_back(
+        wordDiagnostic(Severity::Warning, "id-property", word,
+                       fmt::format("\"{}\" in {} is no property of a block", name, word.text),
+                       fmt::format("did you mean {}?", meant)));
+  }
+
+  void checkValue(const StateProperty& property, const std::string& value,
+                  const PropertyWord& word) {
+    const auto& known = property.values;
+    if (known.empty() || std::find(known.begin(), known.end(), value) != known.end()) return;
+    const std::string meant = likelyMeant(value, known);
+    if (meant.empty() && !property.closed) return;
+    diagnostics_.push_back(wordDiagnostic(
+        Severity::Warning, "id-property", word,
+        fmt::format("\"{}\" in {} is no value of {}", value, word.text, property.name),
+        meant.empty() ? "its values are " + joinNames(known)
+                      : fmt::format("did you mean {}?", meant)));
+  }
+
+  const Branches& branches_;
+  Diagnostics& diagnostics_;
+  std::map<std::pair<bool, std::string>, std::vector<Before>> seen_;
+};
+
+void checkBlocks(const IdFile& file, Diagnostics& diagnostics) {
+  BlockCheck check(file.branches, diagnostics);
+  for (const PropertyEntry& entry : lastValues(file.entries)) check.add(entry);
+}
+
+/// Iris: IdMap.parseIdMap, parseDimensionMap: of two lines with the same name the later one counts,
+/// so that a line for many may stand before lines for some of them.
+void checkNames(const IdFile& file, Diagnostics& diagnostics) {
+  std::map<std::string, std::pair<std::string, int>> seen;
+  for (const PropertyEntry& entry : lastValues(file.entries)) {
+    for (const PropertyWord& word : locatedWords(entry)) {
+      const bool plain = word.text.find(':') == std::string::npos && word.text != "*";
+      const std::string name = (plain ? "minecraft:" : "") + word.text;
+      const auto [first, isNew] = seen.try_emplace(name, entry.key, word.at.line);
+      if (isNew) continue;
+      diagnostics.push_back(
+          wordDiagnostic(Severity::Note, "id-repeated", word,
+                         fmt::format("{} has {} already, from line {}; the last line counts",
+                                     word.text, first->second.first, first->second.second)));
+    }
+  }
+}
+
+}  // namespace
+
+void checkIdMaps(std::span<const ShaderPack> folders, Diagnostics& diagnostics) {
+  struct Map {
+    const char* file;
+    std::string_view prefix;
+    void (*check)(const IdFile&, Diagnostics&);
+  };
+  constexpr std::array<Map, 4> kMaps{{{"/block.properties", "block.", checkBlocks},
+                                      {"/item.properties", "item.", checkNames},
+                                      {"/entity.properties", "entity.", checkNames},
+                                      {"/dimension.properties", "dimension.", checkNames}}};
+  for (const Map& map : kMaps) {
+    const IdFile file = readIdFile(folders.front(), map.file, map.prefix);
+    checkKeysTwice(file, diagnostics);
+    map.check(file, diagnostics);
+  }
+}
+
+}  // namespace orris

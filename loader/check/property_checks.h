@@ -1,0 +1,14 @@
+// Checks of shaders.properties as a file.
+#pragma once
+
+#include <span>
+
+#include "core/diagnostic.h"
+#include "pack/shader_pack.h"
+
+namespace orris {
+
+/// Keys given twice with different values: the last one counts.
+void checkPropertiesTwice(std::span<const ShaderPack> folders, Diagnostics& diagnostics);
+
+}  // namespace orris

@@ -1,0 +1,107 @@
+#include "check/id_checks.h"
+
+#include "pack_fixture.h"
+
+namespace orris {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+const std::string kNothing = " | the first line that fits a block counts, so this one does nothing";
+
+std::vector<std::string> blocks(const std::string& text) {
+  return found(checkIdMaps, {{"/block.properties", text}});
+}
+
+TEST(IdTwice, a_block_under_a_second_id_is_reported_at_the_word) {
+  EXPECT_THAT(blocks("block.1 = stone \\\n  dirt\n# more\nblock.2 = glass \\\n  minecraft:dirt\n"),
+              ElementsAre("id-twice /block.properties:5:3: warning: minecraft:dirt has block.1 as "
+                          "dirt already, from line 2" +
+                          kNothing));
+}
+
+TEST(IdTwice, a_state_after_its_block_is_lost_and_before_it_is_not) {
+  EXPECT_THAT(
+      blocks("block.1=lantern\nblock.2=lantern:hanging=true\n"),
+      ElementsAre("id-twice /block.properties:2:9: warning: lantern:hanging=true has block.1 "
+                  "as lantern already, from line 1" +
+                  kNothing));
+  EXPECT_THAT(blocks("block.2=lantern:hanging=true\nblock.1=lantern\n"), IsEmpty());
+}
+
+TEST(IdTwice, states_overlap_when_every_listed_value_is_taken) {
+  EXPECT_THAT(blocks("block.1=a:x=1,2\nblock.2=a:x=2:y=3\n"), testing::SizeIs(1));
+  EXPECT_THAT(blocks("block.1=a:x=1,2\nblock.2=a:x=2,3\n"), IsEmpty());
+  EXPECT_THAT(blocks("block.1=a:x=1:y=3\nblock.2=a:x=1\n"), IsEmpty());
+  EXPECT_THAT(blocks("block.1=%logs\nblock.2=logs\n"), IsEmpty());
+}
+
+TEST(IdTwice, a_line_of_a_branch_that_may_be_away_takes_nothing) {
+  EXPECT_THAT(blocks("#ifdef MC_VERSION\nblock.1=dirt\n#endif\nblock.2=dirt\n"), IsEmpty());
+  EXPECT_THAT(blocks("block.1=dirt\n#ifdef MC_VERSION\nblock.2=dirt\n#endif\n"),
+              testing::SizeIs(1));
+  EXPECT_THAT(blocks("#ifdef MC_VERSION\nblock.1=dirt\n#else\nblock.2=dirt\n#endif\n"), IsEmpty());
+}
+
+TEST(IdTwice, within_one_id_it_is_a_note) {
+  EXPECT_THAT(
+      blocks("block.1=dirt stone dirt\n"),
+      ElementsAre("id-repeated /block.properties:1:20: note: dirt is covered by dirt in line "
+                  "1, of the same block.1"));
+}
+
+TEST(IdTwice, states_of_old_versions_were_for_another_host) {
+  EXPECT_THAT(blocks("block.1=stone\nblock.2=stone:variant=granite\n"), IsEmpty());
+}
+
+TEST(IdKeyTwice, the_earlier_line_is_lost) {
+  const std::string hint =
+      " | the last line of a key counts: put the names on one, or use another number";
+  EXPECT_THAT(
+      blocks("block.10=dirt\nblock.11=stone\nblock.10=glass\n"),
+      ElementsAre("id-key-twice /block.properties:3:1: warning: block.10 is given again, so "
+                  "what line 1 lists is lost" +
+                  hint));
+  EXPECT_THAT(blocks("block.10=dirt\nblock.10 = dirt\n"),
+              ElementsAre("id-key-twice /block.properties:2:1: note: block.10 is given again, so "
+                          "what line 1 lists is lost"));
+  EXPECT_THAT(found(checkIdMaps, {{"/item.properties", "item.1=a\nitem.1=b\n"}}),
+              ElementsAre("id-key-twice /item.properties:2:1: warning: item.1 is given again, so "
+                          "what line 1 lists is lost" +
+                          hint));
+}
+
+TEST(IdKeyTwice, branches_may_replace_a_default) {
+  EXPECT_THAT(blocks("block.1=dirt\n#ifdef MC_VERSION\nblock.1=stone\n#endif\n"), IsEmpty());
+  EXPECT_THAT(blocks("#ifdef NEVER\nblock.1=dirt\n#else\nblock.1=stone\n#endif\n"), IsEmpty());
+}
+
+TEST(IdNames, of_items_the_last_line_counts_so_it_is_a_note) {
+  EXPECT_THAT(found(checkIdMaps, {{"/item.properties", "item.1=torch lantern\nitem.2=torch\n"}}),
+              ElementsAre("id-repeated /item.properties:2:8: note: torch has item.1 already, from "
+                          "line 1; the last line counts"));
+}
+
+TEST(IdProperty, misspelt_states_are_reported_at_the_word) {
+  EXPECT_THAT(
+      blocks("block.1=oak_stairs:half=tpo oak_door:hafl=lower \\\n  furnace:lit=yes\n"),
+      ElementsAre(
+          "id-property /block.properties:1:9: warning: \"tpo\" in oak_stairs:half=tpo is no "
+          "value of half | its values are upper, lower, top, bottom",
+          "id-property /block.properties:1:29: warning: \"hafl\" in oak_door:hafl=lower is no "
+          "property of a block | did you mean half?",
+          "id-property /block.properties:2:3: warning: \"yes\" in furnace:lit=yes is no value "
+          "of lit | its values are true, false"));
+}
+
+TEST(IdProperty, mods_and_old_versions_have_states_of_their_own) {
+  EXPECT_THAT(
+      blocks("block.1=mod:lamp:hafl=1 sponge:wet=true stone:variant=andesite log:axis=none\n"
+             "block.2=candle:candles=4 oak_fence:north=true wall:east=low note_block:note=24\n"
+             "block.3=piston_head:type=sticky trial_spawner:trial_spawner_state=new_one\n"),
+      IsEmpty());
+}
+
+}  // namespace
+}  // namespace orris

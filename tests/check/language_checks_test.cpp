@@ -1,0 +1,93 @@
+#include "check/language_checks.h"
+
+#include "pack_fixture.h"
+
+namespace orris {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+const std::string kOptions =
+    "#define SHADOW_STEPS 4 // [2 4]\n#define MODE FAST // [FAST FANCY]\n#define WATER_FOG\n"
+    "#ifdef WATER_FOG\n#endif\n";
+const std::string kScreens =
+    "screen = <profile> SHADOW_STEPS \\\n  [WATER]\nscreen.WATER = MODE\n"
+    "profile.HIGH = WATER_FOG\n";
+
+std::vector<std::string> run(PackCheck check, const std::string& lang,
+                             const std::string& file = "/lang/en_us.lang") {
+  return found(check,
+               {{"/settings.glsl", kOptions}, {"/shaders.properties", kScreens}, {file, lang}});
+}
+
+TEST(LanguageKeys, known_keys_and_those_of_other_hosts_are_quiet) {
+  EXPECT_THAT(run(checkLanguageKeys,
+                  "# comment\noption.MODE=Mode\noption.MODE.comment=x\nvalue.MODE.FAST=Fast\n"
+                  "prefix.SHADOW_STEPS=~\nsuffix.SHADOW_STEPS=x\nscreen.WATER=Water\n"
+                  "screen.WATER.comment=x\nprofile.HIGH=High\nprofile.HIGH.comment=x\n"
+                  "profile.comment=x\npack.title=x\n"),
+              IsEmpty());
+}
+
+TEST(LanguageKeys, a_misspelt_key_is_a_warning_at_its_line) {
+  const std::string unused = " is used for nothing: there is no ";
+  EXPECT_THAT(
+      run(checkLanguageKeys,
+          "option.SHADOW_STPES=a\n\n  value.MODE.FNACY=b\nscreen.WATRE=c\nprofile.HIHG=d\n"
+          "opton.MODE=e\n"),
+      ElementsAre("language-key /lang/en_us.lang:1:1: warning: the text of option.SHADOW_STPES" +
+                      unused + "SHADOW_STPES | did you mean SHADOW_STEPS?",
+                  "language-key /lang/en_us.lang:3:3: warning: the text of value.MODE.FNACY" +
+                      unused + "FNACY | did you mean FANCY?",
+                  "language-key /lang/en_us.lang:4:1: warning: the text of screen.WATRE" + unused +
+                      "WATRE | did you mean WATER?",
+                  "language-key /lang/en_us.lang:5:1: warning: the text of profile.HIHG" + unused +
+                      "HIHG | did you mean HIGH?",
+                  "language-key /lang/en_us.lang:6:1: warning: the text of opton.MODE" + unused +
+                      "opton | did you mean option?"));
+}
+
+TEST(LanguageKeys, what_is_left_over_is_a_note) {
+  EXPECT_THAT(run(checkLanguageKeys,
+                  "option.BLOOM=a\noption.SHADOW_STEP=b\noption.SHADOW_STEPS=c\n"
+                  "value.MODE.SLOW=d\noption.SHADOW_STEPS_OLD=e\n"),
+              ElementsAre("language-stale /lang/en_us.lang:1:1: note: the pack has no option BLOOM",
+                          "language-stale /lang/en_us.lang:2:1: note: the pack has no option "
+                          "SHADOW_STEP",
+                          "language-stale /lang/en_us.lang:4:1: note: MODE has no value SLOW",
+                          "language-stale /lang/en_us.lang:5:1: note: the pack has no option "
+                          "SHADOW_STEPS_OLD"));
+}
+
+TEST(LanguageKeys, a_second_text_is_a_warning_where_it_differs) {
+  EXPECT_THAT(run(checkLanguageKeys, "option.MODE=a\noption.MODE = a\noption.MODE=b\n"),
+              ElementsAre("language-twice /lang/en_us.lang:3:1: warning: option.MODE has another "
+                          "text in line 1, which is lost"));
+}
+
+TEST(LanguageKeys, files_are_named_after_languages) {
+  EXPECT_THAT(
+      run(checkLanguageKeys, "", "/lang/english.lang"),
+      ElementsAre("language-file /lang/english.lang:0:0: warning: the file is named after no "
+                  "language, so nobody sees its texts | names are like en_us.lang, de_de.lang, "
+                  "zh_cn.lang"));
+  for (const char* name : {"/lang/en_US.lang", "/lang/lzh.lang", "/lang/sr_cs.lang"}) {
+    EXPECT_THAT(run(checkLanguageKeys, "", name), IsEmpty()) << name;
+  }
+}
+
+TEST(LanguageCover, what_the_screens_show_without_a_text_is_a_note) {
+  EXPECT_THAT(
+      run(checkLanguageCover, "option.SHADOW_STEPS=a\n"),
+      ElementsAre("language-missing /shaders.properties:2:3: note: en_us.lang has no text for "
+                  "screen.WATER",
+                  "language-missing /shaders.properties:3:16: note: en_us.lang has no text for "
+                  "option.MODE",
+                  "language-missing /shaders.properties:4:1: note: en_us.lang has no text for "
+                  "profile.HIGH"));
+  EXPECT_THAT(run(checkLanguageCover, "", "/lang/de_de.lang"), IsEmpty());
+}
+
+}  // namespace
+}  // namespace orris

@@ -1,0 +1,106 @@
+#include "check/option_checks.h"
+
+#include "pack_fixture.h"
+
+namespace orris {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+const std::string kUse = "float used = float(STEPS);\n";
+
+TEST(OptionLists, a_value_given_twice_is_a_warning_but_for_a_slider) {
+  const PackFilesByPath files{{"/settings.glsl", "\n  #define STEPS 4 // [2 4 8 4]\n"}};
+  EXPECT_THAT(
+      found(checkOptionLists, files),
+      ElementsAre("option-value-twice /settings.glsl:2:11: warning: the list of STEPS has 4 "
+                  "twice | the button that steps through the values never gets past the "
+                  "second one"));
+  PackFilesByPath slider = files;
+  slider["/shaders.properties"] = "sliders = STEPS\n";
+  EXPECT_THAT(found(checkOptionLists, slider),
+              ElementsAre("option-value-twice /settings.glsl:2:11: note: the list of STEPS has 4 "
+                          "twice"));
+}
+
+TEST(OptionLists, a_default_outside_the_list_is_a_note) {
+  EXPECT_THAT(found(checkOptionLists, {{"/settings.glsl", "#define STEPS 5 // [2 4 8]\n"}}),
+              ElementsAre("option-default /settings.glsl:1:9: note: STEPS is 5, which its list "
+                          "lacks; it is added at the end"));
+}
+
+TEST(OptionLists, lines_with_different_lists_are_reported_at_the_second) {
+  EXPECT_THAT(
+      found(checkOptionLists,
+            {{"/settings.glsl", "#define STEPS 4 // [2 4 8]\n#define STEPS 4 // [4 16]\n"}}),
+      ElementsAre("option-list-differs /settings.glsl:2:9: warning: the list of STEPS "
+                  "differs from the one in /settings.glsl:1 | the first one is shown, "
+                  "whatever #if stands around it"));
+  EXPECT_THAT(
+      found(checkOptionLists,
+            {{"/settings.glsl", "#define STEPS 4 // [2 4 8]\n#define STEPS 4 // [8 2 4]\n"}}),
+      IsEmpty());
+}
+
+TEST(OptionUse, an_option_that_only_its_definition_names_changes_nothing) {
+  EXPECT_THAT(found(checkOptionUse, {{"/settings.glsl", "#define STEPS 4 // [2 4 8] STEPS\n"}}),
+              ElementsAre("option-unused /settings.glsl:1:9: warning: STEPS changes nothing: no "
+                          "program and no properties file mentions it | use it, or take it off the "
+                          "screens"));
+}
+
+TEST(OptionUse, any_mention_counts) {
+  const std::string define = "#define STEPS 4 // [2 4 8]\n";
+  const std::vector<PackFilesByPath> uses = {
+      {{"/settings.glsl", define + "#if 0\n" + kUse + "#endif\n"}},
+      {{"/settings.glsl", define}, {"/world1/composite.fsh", kUse}, {"/world1/composite.vsh", ""}},
+      {{"/settings.glsl", define}, {"/shaders.properties", "#if STEPS > 2\n#endif\n"}},
+      {{"/settings.glsl", define}, {"/shaders.properties", "uniform.int.n = STEPS\n"}},
+      {{"/settings.glsl", define}, {"/block.properties", "#if STEPS > 2\nblock.1=dirt\n#endif\n"}},
+      {{"/settings.glsl", define + "#define JOIN(a) a##EPS\n"}}};
+  for (const PackFilesByPath& files : uses) {
+    EXPECT_THAT(found(checkOptionUse, files), IsEmpty()) << files.rbegin()->second;
+  }
+}
+
+TEST(OptionUse, what_only_shows_an_option_is_no_use) {
+  const std::string properties = "screen = STEPS\nsliders = STEPS\nprofile.LOW = STEPS=2\n";
+  EXPECT_THAT(found(checkOptionUse, {{"/settings.glsl", "#define STEPS 4 // [2 4 8]\n"},
+                                     {"/shaders.properties", properties}}),
+              testing::SizeIs(1));
+}
+
+TEST(OptionUse, what_may_be_meant_is_a_note) {
+  const std::vector<PackFilesByPath> cases = {
+      {{"/settings.glsl", "#define ABOUT 0 // [0]\n"}},
+      {{"/settings.glsl", "#define PACK_INFO 7 // [7 9]\n"}},
+      {{"/settings.glsl", "#define LEVEL 0 // [0 1 2]\n"}},
+      {{"/settings.glsl", "#define OCEAN_SUPPORT\n#ifdef OCEAN_SUPPORT\n#endif\n"}},
+      {{"/settings.glsl", "#define STEPS 4 // [2 4 8]\n"},
+       {"/shaders.properties", "screen = X\n"}}};
+  for (const PackFilesByPath& files : cases) {
+    EXPECT_THAT(found(checkOptionUse, files), ElementsAre(testing::HasSubstr(": note: ")))
+        << files.begin()->second;
+  }
+}
+
+TEST(OptionUse, directives_are_read_by_the_host) {
+  EXPECT_THAT(found(checkOptionUse,
+                    {{"/settings.glsl", "const float shadowDistance = 80.0; // [40.0 80.0]\n"}}),
+              IsEmpty());
+}
+
+TEST(HiddenOptions, an_option_on_no_screen_is_a_note_unless_the_rest_is_shown) {
+  PackFilesByPath files{{"/settings.glsl", "#define A 1 // [1 2]\n#define B 1 // [1 2]\n"},
+                        {"/shaders.properties", "screen = [SUB]\nscreen.SUB = A\n"}};
+  EXPECT_THAT(found(checkHiddenOptions, files),
+              ElementsAre("option-hidden /settings.glsl:2:9: note: no screen shows B"));
+  files["/shaders.properties"] = "screen = [SUB] *\nscreen.SUB = A\n";
+  EXPECT_THAT(found(checkHiddenOptions, files), IsEmpty());
+  files.erase("/shaders.properties");
+  EXPECT_THAT(found(checkHiddenOptions, files), IsEmpty());
+}
+
+}  // namespace
+}  // namespace orris

@@ -1,0 +1,98 @@
+// Includes, directives and shaders.properties as texts.
+#include "check/directive_checks.h"
+#include "check/include_checks.h"
+#include "check/property_checks.h"
+#include "pack_fixture.h"
+
+namespace orris {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+TEST(UnusedIncludes, a_file_that_no_program_reaches_is_a_note) {
+  EXPECT_THAT(
+      found(checkUnusedIncludes, {{"/settings.glsl", "#include \"lib/a.glsl\"\n"},
+                                  {"/lib/a.glsl", ""},
+                                  {"/lib/b.glsl", ""},
+                                  {"/program/c.fsh", ""},
+                                  {"/readme.txt", ""}}),
+      ElementsAre("include-unused /lib/b.glsl:0:0: note: no program includes this file",
+                  "include-unused /program/c.fsh:0:0: note: no program includes this file"));
+}
+
+TEST(UnusedIncludes, programs_of_mods_and_other_hosts_include_too) {
+  for (const char* file : {"/dh_terrain.fsh", "/world1/dh_water.vsh", "/voxy_opaque.glsl",
+                           "/clrwl_gbuffers.fsh", "/composite200.fsh"}) {
+    EXPECT_THAT(
+        found(checkUnusedIncludes, {{file, "#include \"/lib/a.glsl\"\n"}, {"/lib/a.glsl", ""}}),
+        IsEmpty())
+        << file;
+  }
+  EXPECT_THAT(found(checkUnusedIncludes, {{"/photonics/light.glsl", ""}}), IsEmpty());
+}
+
+TEST(DirectiveNames, a_misspelt_constant_that_nothing_uses_is_a_warning) {
+  EXPECT_THAT(found(checkDirectiveNames, {{"/settings.glsl",
+                                           "/*\nconst int colortex1Fromat = RGBA16F;\n*/\n"
+                                           "  const bool coloretx5MipmapEnabled = true;\n"
+                                           "const int shadowMapResoluton = 1024;\n"}}),
+              ElementsAre("directive-misspelt /settings.glsl:4:14: warning: nothing reads "
+                          "coloretx5MipmapEnabled, which is no directive | did you mean "
+                          "colortex5MipmapEnabled?",
+                          "directive-misspelt /settings.glsl:2:11: warning: nothing reads "
+                          "colortex1Fromat, which is no directive | did you mean colortex1Format?",
+                          "directive-misspelt /settings.glsl:5:11: warning: nothing reads "
+                          "shadowMapResoluton, which is no directive | did you mean "
+                          "shadowMapResolution?"));
+}
+
+TEST(DirectiveNames, the_constants_of_a_shader_and_of_larger_hosts_are_quiet) {
+  EXPECT_THAT(
+      found(checkDirectiveNames,
+            {{"/settings.glsl",
+              "const float shadowDistances = 3.0;\nfloat f = shadowDistances;\n"
+              "const int colortex17Format = RGBA16F;\nconst float pi = 3.14;\n"
+              "// const int colortex1Fromat = RGBA16F;\nconst bool gaux4Clear = false;\n"}}),
+      IsEmpty());
+}
+
+TEST(DirectiveNames, misspelt_comments_are_warnings) {
+  EXPECT_THAT(
+      found(checkDirectiveNames, {{"/settings.glsl",
+                                   "  /* RENDERTAGETS: 0,3 */\n"
+                                   "/* RENDERTARGETS: 0 */\n"
+                                   "/* DRAWBUFERS:03 */\n"
+                                   "/* NOTE: 3 */\n"}}),
+      ElementsAre("directive-misspelt /settings.glsl:1:6: warning: nothing reads RENDERTAGETS, "
+                  "which is no directive | did you mean RENDERTARGETS?",
+                  "directive-misspelt /settings.glsl:3:4: warning: nothing reads DRAWBUFERS, "
+                  "which is no directive | did you mean DRAWBUFFERS?"));
+}
+
+std::vector<std::string> properties(const std::string& text) {
+  return found(checkPropertiesTwice, {{"/shaders.properties", text}});
+}
+
+TEST(PropertiesTwice, the_earlier_value_is_lost) {
+  EXPECT_THAT(properties("sun=true\nmoon=false\nsun = false\nmoon = false\n"),
+              ElementsAre("property-twice /shaders.properties:3:1: warning: sun is given again, so "
+                          "its value in line 1 is lost | the last line of a key counts"));
+}
+
+TEST(PropertiesTwice, branches_tell_values_apart) {
+  EXPECT_THAT(properties("#ifdef A\nsun=true\n#else\nsun=false\n#endif\n"), IsEmpty());
+  EXPECT_THAT(properties("sun=true\n#ifdef MC_VERSION\nsun=false\n#endif\n"), IsEmpty());
+  EXPECT_THAT(properties("#ifdef MC_VERSION\nsun=true\n#endif\nsun=false\n"), testing::SizeIs(1));
+}
+
+TEST(PropertiesTwice, screens_and_profiles_know_no_branches) {
+  EXPECT_THAT(
+      properties("#ifdef A\nscreen=X\n#else\nscreen=Y\n#endif\n"),
+      ElementsAre("property-twice /shaders.properties:4:1: warning: screen is given again, so "
+                  "its value in line 2 is lost | for this key #if lines count for nothing: of "
+                  "all lines the last one counts"));
+}
+
+}  // namespace
+}  // namespace orris
