@@ -3,6 +3,7 @@
 #include "app/draw_check.h"
 #include "app/inputs.h"
 #include "app/patched_sources.h"
+#include "check/link_errors.h"
 #include "check/pack_checks.h"
 #include "frame/render_session.h"
 
@@ -50,6 +51,7 @@ std::optional<ShaderPack> checkOne(const std::shared_ptr<const FileSource>& file
   Diagnostics diagnostics = ruleNotes(*pack);
   checkPrograms(*pack, checker, diagnostics);
   checkFrame(*pack, checker.target, diagnostics);
+  dropRepeatedLinkErrors(diagnostics);
   verdict.dimensions.insert(pack->folder);
   verdict.profiles.insert(request.profile);
   for (const ProgramUnit& unit : programUnits(*pack)) {

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "check/declaration_checks.h"
 #include "check/glsl_types.h"
@@ -92,7 +93,6 @@ class StageNames {
       if (std::find(own.begin(), own.end(), global.name) == own.end())
         return reportUnknown(global, kind, own);
     }
-    if (!global.used) return;
     if (const auto problem = samplerProblem(pack_, *program_.program, global)) {
       report_.add(stage_, global.place,
                   {Severity::Warning, problem->id, problem->message, problem->hint, {}});
@@ -116,7 +116,7 @@ class StageNames {
 
   // Iris: ProgramUniforms. A bool is given as an int, any other difference turns the uniform off.
   void checkType(const StageGlobal& global, std::string_view type, const char* who) {
-    if (type.empty() || !global.used || global.storage != Storage::Uniform) return;
+    if (type.empty() || global.storage != Storage::Uniform) return;
     const auto plain = [](std::string_view name) { return name == "bool" ? "int" : name; };
     if (plain(type) == plain(global.type) && global.arraySizes.empty()) return;
     report_.add(
@@ -158,9 +158,41 @@ class StageNames {
   const ShaderPack& pack_;
 };
 
+/// A uniform is one variable for all stages of a program: drivers refuse two types.
+void checkConflicts(const ProgramInterface& program, DeclarationReport& report) {
+  struct Seen {
+    const StageInterface* stage;
+    const StageGlobal* global;
+  };
+  std::map<std::string_view, Seen> seen;
+  for (const StageInterface& stage : program.stages) {
+    for (const StageGlobal& global : stage.globals) {
+      if (global.storage != Storage::Uniform || global.block) continue;
+      const auto [first, isNew] = seen.try_emplace(global.name, Seen{&stage, &global});
+      if (isNew || first->second.global->type == global.type) continue;
+      const Seen sides[] = {{&stage, &global}, first->second};
+      for (int i = 0; i < 2; ++i) {
+        const Seen& there = sides[1 - i];
+        report.add(*sides[i].stage, sides[i].global->place,
+                   {Severity::Error,
+                    "uniform-conflict",
+                    fmt::format("'{}' is {} here and {} in the {} stage", global.name,
+                                sides[i].global->type, there.global->type,
+                                stageName(there.stage->stage->stage)),
+                    "use one type in all stages",
+                    {"in " + program.name(), fmt::format("in the {} stage it is declared at {}",
+                                                         stageName(there.stage->stage->stage),
+                                                         DeclarationReport::placeName(
+                                                             *there.stage, there.global->place))}});
+      }
+    }
+  }
+}
+
 }  // namespace
 
 void checkNames(const ProgramInterface& program, DeclarationReport& report) {
+  checkConflicts(program, report);
   for (const StageInterface& stage : program.stages) StageNames(program, stage, report).check();
 }
 

@@ -2,6 +2,7 @@
 
 #include "check/declaration_checks.h"
 #include "check/directive_checks.h"
+#include "check/file_name_checks.h"
 #include "check/frame_checks.h"
 #include "check/id_checks.h"
 #include "check/include_checks.h"
@@ -28,6 +29,7 @@ constexpr WholePackCheck kWholePackChecks[] = {
     checkLanguageKeys,    //
     checkLanguageCover,   //
     checkUnusedIncludes,  //
+    checkFileNames,  //
     checkIdMaps,          //
     checkDirectiveNames,  //
     checkPropertiesTwice,

@@ -7,6 +7,7 @@
 #include <set>
 #include <thread>
 
+#include "check/compile_hints.h"
 #include "frame/gpu_program.h"
 #include "glsl/validate.h"
 #include "pack/mods.h"
@@ -81,10 +82,12 @@ void checkWithGlslang(const ShaderPack& pack, int jobs, Verdicts& verdicts,
   const std::vector<ProgramUnit> units = unitsWithoutVerdict(pack, verdicts);
   std::vector<Diagnostics> found(units.size());
   const SourceLines lines = sourceLinesOf(pack);
+  DefinitionIndex index(pack);
   runOnThreads(jobs, units.size(), [&](size_t i) {
     std::vector<StageText> stages;
     for (const StageText* stage : units[i].stages) stages.push_back(*stage);
     validateWithGlslang(stages, lines, found[i]);
+    if (hasErrors(found[i])) explainUnknownNames(index, units[i].stages, found[i]);
   });
   for (size_t i = 0; i < units.size(); ++i) {
     verdicts[units[i].hash] = !hasErrors(found[i]);

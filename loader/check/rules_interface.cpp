@@ -27,6 +27,16 @@ std::span<const Rule> interfaceRules() {
       {"varying-type", Severity::Error, "a varying has different types in two stages"},
       {"varying-unread", Severity::Note, "a stage writes what the next one does not read"},
       {"varying-unwritten", Severity::Warning, "a stage reads what the one before it never writes"},
+      {"include-probably-missing", Severity::Error,
+       "a name is unknown, and a file that defines it is not included"},
+      {"name-misspelt", Severity::Warning,
+       "a declaration that nothing uses is a slip away from a name that nothing declares"},
+      {"program-file-alone", Severity::Warning, "a vertex stage has no fragment stage"},
+      {"program-file-unknown", Severity::Warning, "a program file has a name that no host reads"},
+      {"program-folder-unknown", Severity::Warning,
+       "a folder of programs is nearly called like one that a dimension uses"},
+      {"uniform-conflict", Severity::Error,
+       "a uniform has different types in two stages of a program"},
   };
   return kRules;
 }

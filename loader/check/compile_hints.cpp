@@ -1,0 +1,215 @@
+#include "check/compile_hints.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "check/known_names.h"
+#include "check/missing_include.h"
+#include "check/pack_texts.h"
+#include "check/stage_interface.h"
+#include "pack/text.h"
+
+namespace orris {
+namespace {
+
+// One missing #include leaves many names unknown: a few tell it all.
+constexpr std::size_t kMostExplained = 4;
+
+/// The name that `message` calls unknown, "" for other messages.
+std::string unknownName(const std::string& message) {
+  const bool undeclared = message.find("undeclared identifier") != std::string::npos ||
+                          message.find("no matching overloaded function") != std::string::npos;
+  if (!undeclared || message.empty() || message[0] != '\'') return "";
+  const std::size_t end = message.find('\'', 1);
+  return end == std::string::npos ? "" : message.substr(1, end - 1);
+}
+
+std::vector<std::string> filesOf(const StageText& stage) {
+  std::vector<std::string> files;
+  for (const IncludeSite& site : stage.text.sites) files.push_back(site.file);
+  return files;
+}
+
+bool contains(const std::vector<std::string>& files, const std::string& file) {
+  return std::find(files.begin(), files.end(), file) != files.end();
+}
+
+std::string declarationOf(std::string_view name) {
+  if (const KnownName* uniform = findKnownName(NameKind::Uniform, name);
+      uniform && !uniform->type.empty())
+    return fmt::format("uniform {} {};", uniform->type, name);
+  return "";
+}
+
+class StageHints {
+ public:
+  StageHints(DefinitionIndex& index, const StageText& stage, Diagnostics& found)
+      : index_(index), stage_(stage), found_(found), files_(filesOf(stage)) {}
+
+  bool isOf(const Diagnostic& diagnostic) const {
+    if (diagnostic.includedFrom.empty()) return contains(files_, diagnostic.at.file);
+    return !files_.empty() && files_.front() == diagnostic.includedFrom.back().file;
+  }
+
+  void explain(std::size_t index) {
+    const std::string name = unknownName(found_[index].message);
+    if (!name.empty()) {
+      explainName(index, name);
+    } else if (found_[index].message.find("syntax error") != std::string::npos) {
+      explainSyntax(index);
+    } else if (found_[index].message.find("Missing entry point") != std::string::npos) {
+      explainEntry(index);
+    }
+  }
+
+ private:
+  void explainName(std::size_t index, const std::string& name) {
+    if (explainMisspelling(index, name)) return;
+    if (const std::string declaration = declarationOf(name); !declaration.empty()) {
+      found_[index].hint = "it must be declared: " + declaration;
+    }
+    explainInclude(index, name);
+    if (found_[index].hint.empty()) suggestKnown(index, name);
+  }
+
+  // A declaration that nothing uses, a slip away from the name that nothing declares.
+  bool explainMisspelling(std::size_t index, const std::string& name) {
+    const StageInterface interface = readStageInterface(stage_);
+    std::vector<std::string> unused;
+    for (const StageGlobal& global : interface.globals) {
+      if (!global.used && !global.name.empty() && global.name != name)
+        unused.emplace_back(global.name);
+    }
+    const std::string meant = likelyMeant(name, unused);
+    if (meant.empty()) return false;
+    const auto global = std::find_if(interface.globals.begin(), interface.globals.end(),
+                                     [&](const StageGlobal& g) { return g.name == meant; });
+    const SourceLocation at = stage_.text.locate(global->place.line, global->place.column);
+    if (at.file.empty()) return false;
+    found_[index].hint =
+        fmt::format("did you mean {}, declared at {}:{}?", meant, at.file, at.line);
+    add({.severity = Severity::Warning,
+         .id = "name-misspelt",
+         .at = at,
+         .message =
+             fmt::format("nothing uses '{}', and '{}' is used without being declared", meant, name),
+         .includedFrom = stage_.text.includedFrom(global->place.line, global->place.column),
+         .sourceLine = sourceLine(at)});
+    return true;
+  }
+
+  /// Is the name defined, and only in files that the stage lacks?
+  std::optional<SourceLocation> definedElsewhere(const std::string& name) {
+    const auto& all = index_.definitionsOf(name);
+    const bool here = std::any_of(all.begin(), all.end(), [&](const SourceLocation& definition) {
+      return contains(files_, definition.file);
+    });
+    if (here || all.empty()) return std::nullopt;
+    // Entry files are not included by others.
+    const auto shared = std::find_if(all.begin(), all.end(), [&](const SourceLocation& definition) {
+      return !definition.file.ends_with("sh");
+    });
+    return shared == all.end() ? all.front() : *shared;
+  }
+
+  bool explainInclude(std::size_t index, const std::string& name) {
+    const auto definition = definedElsewhere(name);
+    if (!definition) return false;
+    const std::string where = fmt::format("defined at {}:{}, which is not included here",
+                                          definition->file, definition->line);
+    Diagnostic& error = found_[index];
+    error.hint += (error.hint.empty() ? "" : "; ") + where;
+    const auto missing = findMissingInclude(index_, files_, error.at, definition->file);
+    if (!missing) return true;
+    Diagnostic companion{.severity = Severity::Error,
+                         .id = "include-probably-missing",
+                         .at = missing->at,
+                         .message = fmt::format("'{}' is unknown at {}:{}: an #include seems to be "
+                                                "missing here",
+                                                name, error.at.file, error.at.line),
+                         .sourceLine = sourceLine(missing->at),
+                         .hint = fmt::format("#include \"{}\"", missing->target)};
+    if (missing->model.line > 0) {
+      companion.notes.push_back(
+          fmt::format("as {}:{} does", missing->model.file, missing->model.line));
+    }
+    add(std::move(companion));
+    return true;
+  }
+
+  // A type or macro that is not there reads as a syntax error: some word of the line is the cause.
+  void explainSyntax(std::size_t index) {
+    const std::string line = found_[index].sourceLine;
+    bool done = false;
+    forEachWord(line, [&](std::string_view word) {
+      if (!done && word.size() > 2) done = explainInclude(index, std::string(word));
+    });
+  }
+
+  // A stage without main is a stub whose only #include is missing.
+  void explainEntry(std::size_t index) {
+    if (files_.empty()) return;
+    const auto lines = index_.files().find(files_.front());
+    if (lines == index_.files().end() || found_[index].at.line > 0) return;
+    const auto& includes = index_.includesOf(files_.front());
+    const int last = static_cast<int>(lines->second.size());
+    found_[index].at.line = std::max(1, includes.empty() ? last : includes.back().line + 1);
+    found_[index].hint = "write void main() here, or #include the file that does";
+  }
+
+  void suggestKnown(std::size_t index, const std::string& name) {
+    std::vector<std::string> names;
+    for (const StageGlobal& global : readStageInterface(stage_).globals) {
+      if (!global.name.empty()) names.emplace_back(global.name);
+    }
+    const std::string declared = likelyMeant(name, names);
+    if (!declared.empty()) {
+      found_[index].hint = fmt::format("did you mean {}?", declared);
+      return;
+    }
+    const std::string known = likelyMeant(name, knownNames(NameKind::Uniform));
+    const std::string declaration = known.empty() ? "" : declarationOf(known);
+    if (declaration.empty()) return;
+    found_[index].hint =
+        fmt::format("did you mean {}? It must be declared: {}", known, declaration);
+  }
+
+  std::string sourceLine(const SourceLocation& at) {
+    const auto file = index_.files().find(at.file);
+    const bool exists = file != index_.files().end() && at.line > 0 &&
+                        static_cast<std::size_t>(at.line) <= file->second.size();
+    return exists ? file->second[static_cast<std::size_t>(at.line) - 1] : "";
+  }
+
+  void add(Diagnostic diagnostic) {
+    const bool known = std::any_of(found_.begin(), found_.end(), [&](const Diagnostic& d) {
+      return d.id == diagnostic.id && d.at == diagnostic.at;
+    });
+    if (!known) found_.push_back(std::move(diagnostic));
+  }
+
+  DefinitionIndex& index_;
+  const StageText& stage_;
+  Diagnostics& found_;
+  std::vector<std::string> files_;
+};
+
+}  // namespace
+
+void explainUnknownNames(DefinitionIndex& index, const std::vector<const StageText*>& stages,
+                         Diagnostics& found) {
+  const std::size_t count = found.size();
+  for (const StageText* stage : stages) {
+    StageHints hints(index, *stage, found);
+    std::size_t explained = 0;
+    for (std::size_t i = 0; i < count && explained < kMostExplained; ++i) {
+      if (found[i].severity != Severity::Error || !hints.isOf(found[i])) continue;
+      hints.explain(i);
+      ++explained;
+    }
+  }
+}
+
+}  // namespace orris

@@ -1,0 +1,18 @@
+// What a compiler's message about an unknown name means for a pack: a misspelling, a contract name
+// that was not declared, or an #include that is missing.
+#pragma once
+
+#include <vector>
+
+#include "check/definition_index.h"
+#include "core/diagnostic.h"
+#include "glsl/validate.h"
+
+namespace orris {
+
+/// Adds hints to the errors of one program, and located companions: name-misspelt at the declaration
+/// that was meant, include-probably-missing where the line should stand.
+void explainUnknownNames(DefinitionIndex& index, const std::vector<const StageText*>& stages,
+                         Diagnostics& found);
+
+}  // namespace orris
