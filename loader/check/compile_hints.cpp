@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <optional>
 
+#include "check/glsl_types.h"
 #include "check/known_names.h"
 #include "check/missing_include.h"
 #include "check/pack_texts.h"
 #include "check/stage_interface.h"
+#include "glsl/outline.h"
 #include "pack/text.h"
 
 namespace orris {
@@ -36,11 +38,24 @@ bool contains(const std::vector<std::string>& files, const std::string& file) {
   return std::find(files.begin(), files.end(), file) != files.end();
 }
 
+/// No word of the language.
+bool isOwnName(std::string_view word) {
+  constexpr std::string_view kWords[] = {"void", "struct", "return", "if",    "else",
+                                         "for",  "while",  "true",   "false", "main"};
+  return word.size() > 2 && !isQualifier(word) && !isNumeric(word) &&
+         opaqueType(word).component == 0 &&
+         std::find(std::begin(kWords), std::end(kWords), word) == std::end(kWords);
+}
+
 std::string declarationOf(std::string_view name) {
   if (const KnownName* uniform = findKnownName(NameKind::Uniform, name);
       uniform && !uniform->type.empty())
     return fmt::format("uniform {} {};", uniform->type, name);
   return "";
+}
+
+bool isOfContract(const std::string& name) {
+  return findKnownName(NameKind::Uniform, name) || findKnownName(NameKind::Sampler, name);
 }
 
 class StageHints {
@@ -114,9 +129,21 @@ class StageHints {
     return shared == all.end() ? all.front() : *shared;
   }
 
+  // Programs declare contract names for themselves; only a file made for many is worth including.
+  bool isShared(const std::string& file) {
+    constexpr int kMany = 3;
+    int users = 0;
+    for (const auto& [other, lines] : index_.files()) {
+      const auto& includes = index_.includesOf(other);
+      users += std::any_of(includes.begin(), includes.end(),
+                           [&](const IncludeLine& line) { return line.target == file; });
+    }
+    return users >= kMany;
+  }
+
   bool explainInclude(std::size_t index, const std::string& name) {
     const auto definition = definedElsewhere(name);
-    if (!definition) return false;
+    if (!definition || (isOfContract(name) && !isShared(definition->file))) return false;
     const std::string where = fmt::format("defined at {}:{}, which is not included here",
                                           definition->file, definition->line);
     Diagnostic& error = found_[index];
@@ -144,7 +171,7 @@ class StageHints {
     const std::string line = found_[index].sourceLine;
     bool done = false;
     forEachWord(line, [&](std::string_view word) {
-      if (!done && word.size() > 2) done = explainInclude(index, std::string(word));
+      if (!done && isOwnName(word)) done = explainInclude(index, std::string(word));
     });
   }
 

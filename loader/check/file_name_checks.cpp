@@ -86,7 +86,10 @@ class FileNames {
                     fmt::format("numbers go from {0}1 to {0}99, the first is {0}", group));
     }
     // A file that was renamed to take it out of use keeps its name within the new one.
-    const std::string meant = likelyMeant(name, names_);
+    const bool renamed = std::any_of(names_.begin(), names_.end(), [&](const std::string& known) {
+      return name.starts_with(known + "_");
+    });
+    const std::string meant = renamed ? "" : likelyMeant(name, names_);
     report(meant.empty() ? Severity::Note : Severity::Warning, "program-file-unknown", path,
            fmt::format("no program is called {}", name),
            meant.empty() ? "" : fmt::format("did you mean {}?", meant));
@@ -108,6 +111,8 @@ class FileNames {
     if (reached_.contains(path) || !parseProgramFile(path) || !folders_.insert(folder).second)
       return;
     const std::string name = lowerCase(folder.substr(1));
+    // Dimensions of other mods, which OptiFine reads by number.
+    if (folder.starts_with("/world") && parseInteger(folder.substr(6))) return;
     static const std::vector<std::string> kFolders = {"world0", "world-1", "world1"};
     std::string meant;
     for (const std::string& known : kFolders) {

@@ -94,8 +94,13 @@ class StageNames {
         return reportUnknown(global, kind, own);
     }
     if (const auto problem = samplerProblem(pack_, *program_.program, global)) {
+      const bool noted = !global.used && problem->id != "sampler-type";
       report_.add(stage_, global.place,
-                  {Severity::Warning, problem->id, problem->message, problem->hint, {}});
+                  {noted ? Severity::Note : Severity::Warning,
+                   problem->id,
+                   problem->message,
+                   problem->hint,
+                   {}});
     }
   }
 
@@ -121,7 +126,7 @@ class StageNames {
     if (plain(type) == plain(global.type) && global.arraySizes.empty()) return;
     report_.add(
         stage_, global.place,
-        {Severity::Error,
+        {global.used ? Severity::Error : Severity::Warning,
          "uniform-type",
          fmt::format("'{}' is declared as {}{}, {} {}", global.name, global.type,
                      global.arraySizes.empty() ? "" : "[]", who, type),

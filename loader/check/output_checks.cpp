@@ -34,7 +34,6 @@ class FragmentOutputs {
   }
 
   void check() {
-    checkMixed();
     checkShared();
     if (program_.program->group == ProgramGroup::Final) return;
     for (const StageGlobal* output : outputs_) checkListed(*output);
@@ -50,22 +49,6 @@ class FragmentOutputs {
     if (output.layout.location >= 0) return Slots{output.layout.location, count};
     if (outputs_.size() == 1) return Slots{0, count};
     return std::nullopt;
-  }
-
-  // Mesa refuses it at link time; glslang does not look.
-  void checkMixed() {
-    const auto used = std::find_if(outputs_.begin(), outputs_.end(),
-                                   [](const StageGlobal* output) { return output->used; });
-    if (used == outputs_.end() || stage_.fragData.empty()) return;
-    const FragDataUse& legacy = stage_.fragData.front();
-    report_.add(stage_, legacy.place,
-                {Severity::Error,
-                 "output-mixed",
-                 fmt::format("gl_FragData or gl_FragColor is written beside the output '{}'",
-                             (*used)->name),
-                 "write to declared outputs only",
-                 {fmt::format("'{}' is declared at {}", (*used)->name,
-                              DeclarationReport::placeName(stage_, (*used)->place))}});
   }
 
   void checkShared() {

@@ -290,17 +290,13 @@ TEST(Outputs, a_listed_buffer_that_other_options_write_is_no_warning) {
   EXPECT_THAT(messages(fragmentOf("/* DRAWBUFFERS:03 */\nvoid main() { discard; }")), IsEmpty());
 }
 
-TEST(Outputs, two_at_one_location_and_two_kinds) {
+TEST(Outputs, two_at_one_location) {
   EXPECT_THAT(
       messages(fragmentOf("layout(location = 0) out vec4 a;\n"
                           "layout(location = 0) out vec4 b;\n"
                           "void main() { a = b = vec4(1); }")),
       ElementsAre("output-overlap /composite.fsh:3:31: error: 'b' has the location 0, which "
                   "'a' has too"));
-  EXPECT_THAT(messages(fragmentOf("/* DRAWBUFFERS:01 */\nlayout(location = 0) out vec4 a;\n"
-                                  "void main() { a = vec4(1); gl_FragData[1] = vec4(1); }")),
-              ElementsAre("output-mixed /composite.fsh:4:28: error: gl_FragData or gl_FragColor is "
-                          "written beside the output 'a'"));
 }
 
 // ---- limits

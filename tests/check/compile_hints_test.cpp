@@ -1,0 +1,117 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "check/file_name_checks.h"
+#include "check/program_check.h"
+#include "frame_fixture.h"
+
+namespace orris {
+namespace {
+
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using Lines = std::vector<std::string>;
+
+const std::string kVersion = "#version 330 compatibility\n";
+
+Lines linesOf(const Diagnostics& diagnostics) {
+  Lines lines;
+  for (const Diagnostic& d : diagnostics) {
+    const std::string text = formatDiagnostic(d);
+    lines.push_back(text.substr(0, text.find('\n')) + (d.hint.empty() ? "" : " | " + d.hint));
+  }
+  return lines;
+}
+
+Lines compile(Files files) {
+  files.try_emplace("/composite.vsh", kVertexStage);
+  const ShaderPack pack = loadFolder(files);
+  Verdicts verdicts;
+  Diagnostics diagnostics;
+  checkWithGlslang(pack, 1, verdicts, diagnostics);
+  return linesOf(diagnostics);
+}
+
+TEST(CompileHints, a_contract_name_says_its_declaration) {
+  EXPECT_THAT(
+      compile({{"/composite.fsh",
+                kVersion + "void main() { gl_FragColor = vec4(frameTimeCounter); }"}}),
+      Contains(HasSubstr("/composite.fsh:2:35: error: 'frameTimeCounter' : undeclared identifier | "
+                         "it must be declared: uniform float frameTimeCounter;")));
+}
+
+TEST(CompileHints, a_misspelt_declaration_is_reported_too) {
+  const Lines lines =
+      compile({{"/composite.fsh", kVersion + "in vec2 texocord;\n\n"
+                                             "void main() { gl_FragColor = texcoord.xyxy; }"}});
+  EXPECT_THAT(lines,
+              Contains("/composite.fsh:4:30: error: 'texcoord' : undeclared identifier | did "
+                       "you mean texocord, declared at /composite.fsh:2?"));
+  EXPECT_THAT(lines,
+              Contains("/composite.fsh:2:9: warning: nothing uses 'texocord', and 'texcoord' "
+                       "is used without being declared"));
+}
+
+TEST(CompileHints, a_missing_include_is_placed_as_a_similar_file_has_it) {
+  const std::string top = kVersion + "// top\n", rest = "// rest\n#include \"/b.glsl\"\n";
+  const std::string body = "void main() { gl_FragColor = shade(1.0); }\n";
+  const Files files{{"/a.glsl", "\nvec4 shade(float x) { return vec4(x); }\n"},
+                    {"/b.glsl", "const float B = 1.0;\n"},
+                    {"/composite.fsh", top + "\n" + rest + body},
+                    {"/final.vsh", kVertexStage},
+                    {"/final.fsh", top + "#include \"/a.glsl\"\n" + rest + body}};
+  const Lines lines = compile(files);
+  EXPECT_THAT(lines, Contains(HasSubstr("error: 'shade' : no matching overloaded function found | "
+                                        "defined at /a.glsl:2, which is not included here")));
+  EXPECT_THAT(
+      lines,
+      Contains("/composite.fsh:3: error: 'shade' is unknown at /composite.fsh:6: an #include "
+               "seems to be missing here | #include \"/a.glsl\""));
+}
+
+TEST(CompileHints, a_missing_include_without_a_model_goes_into_the_gap) {
+  const Files files{{"/a.glsl", "#define SHADE(x) vec4(x)\n"},
+                    {"/b.glsl", "const float B = 1.0;\n"},
+                    {"/c.glsl", "const float C = 1.0;\n"},
+                    {"/composite.fsh", kVersion + "#include \"/b.glsl\"\n\n#include \"/c.glsl\"\n"
+                                                  "void main() { gl_FragColor = SHADE(1.0); }\n"}};
+  EXPECT_THAT(
+      compile(files),
+      Contains("/composite.fsh:3: error: 'SHADE' is unknown at /composite.fsh:5: an #include "
+               "seems to be missing here | #include \"/a.glsl\""));
+}
+
+TEST(CompileHints, a_stub_without_its_program_is_located) {
+  EXPECT_THAT(compile({{"/composite.fsh", kVersion + "#define X\n\n"}}),
+              Contains(HasSubstr("Missing entry point")));
+}
+
+TEST(FileNames, only_slips_are_warnings) {
+  Files files = cleanPack();
+  files["/gbuffers_watter.fsh"] = files["/composite100.fsh"] = kVersion;
+  files["/gbuffers_terrain_old.fsh"] = files["/clrwl_gbuffers.fsh"] = kVersion;
+  files["/gbuffers_hand.vsh"] = files["/World-1/composite.fsh"] = kVersion;
+  files["/world7/composite.fsh"] = kVersion;
+  const ShaderPack pack = loadFolder(files);
+  Diagnostics diagnostics, warnings;
+  checkFileNames(std::span(&pack, 1), diagnostics);
+  for (const Diagnostic& d : diagnostics) {
+    if (d.severity != Severity::Note) warnings.push_back(d);
+  }
+  EXPECT_THAT(
+      linesOf(warnings),
+      ElementsAre("/World-1/composite.fsh: warning: no dimension uses the programs of "
+                  "/World-1 | did you mean /world-1? Other names need a line in "
+                  "dimension.properties",
+                  "/composite100.fsh: warning: no program is called composite100 | numbers "
+                  "go from composite1 to composite99, the first is composite",
+                  "/gbuffers_hand.vsh: warning: the program has no gbuffers_hand.fsh, so no "
+                  "host reads it | add the fragment stage, or delete this file",
+                  "/gbuffers_watter.fsh: warning: no program is called gbuffers_watter | did "
+                  "you mean gbuffers_water?"));
+}
+
+}  // namespace
+}  // namespace orris
