@@ -29,7 +29,7 @@ constexpr WholePackCheck kWholePackChecks[] = {
     checkLanguageKeys,    //
     checkLanguageCover,   //
     checkUnusedIncludes,  //
-    checkFileNames,  //
+    checkFileNames,       //
     checkIdMaps,          //
     checkDirectiveNames,  //
     checkPropertiesTwice,
