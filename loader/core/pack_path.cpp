@@ -5,7 +5,8 @@
 
 namespace orris {
 
-std::optional<std::string> resolvePackPath(std::string_view from, std::string_view path) {
+std::optional<std::string> resolvePackPath(std::string_view from, std::string_view path,
+                                           AboveRoot aboveRoot) {
   if (path.empty() || path.find_first_of(std::string_view("\0\\", 2)) != std::string_view::npos) {
     return std::nullopt;
   }
@@ -21,10 +22,10 @@ std::optional<std::string> resolvePackPath(std::string_view from, std::string_vi
     if (part.empty() || part == ".") continue;
     if (part != "..") {
       parts.push_back(part);
-    } else if (parts.empty()) {
-      return std::nullopt;
-    } else {
+    } else if (!parts.empty()) {
       parts.pop_back();
+    } else if (aboveRoot == AboveRoot::Refuse) {
+      return std::nullopt;
     }
   }
   std::string resolved;

@@ -7,10 +7,17 @@
 
 namespace orris {
 
+/// What ".." does at the root.
+enum class AboveRoot {
+  Refuse,
+  Stay  ///< nothing. Iris: AbsolutePackPath
+};
+
 /// Resolves `path` as written in the file `from` ("/lib/a.glsl"): an absolute path starts at the
 /// root, any other at the folder of `from`; "." and ".." are resolved. nullopt when the path is
 /// empty, holds a NUL or backslash, or would leave the root.
-std::optional<std::string> resolvePackPath(std::string_view from, std::string_view path);
+std::optional<std::string> resolvePackPath(std::string_view from, std::string_view path,
+                                           AboveRoot aboveRoot = AboveRoot::Refuse);
 
 /// "/world0/composite.fsh" -> "/world0"; "/a" -> "/".
 std::string_view packPathParent(std::string_view path);

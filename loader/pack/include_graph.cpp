@@ -71,11 +71,18 @@ class Reader {
       return std::nullopt;
     }
     written = written.substr(0, quote);
-    const auto target = resolvePackPath(from, written);
-    if (!target) {
+    const auto target = resolvePackPath(from, written, AboveRoot::Stay);
+    const bool leavesRoot = !resolvePackPath(from, written);
+    if (leavesRoot) {
+      // Iris stays at the root, so that such a path may still name a file.
+      const bool works = target && source_.contains(*target);
       report("include-escape", text, fmt::format("\"{}\" leads out of the shaders folder", written),
-             "paths start at shaders/ with / or at the folder of this file");
-    } else if (!source_.contains(*target)) {
+             works ? fmt::format("Iris takes it for {}, other hosts refuse it", *target)
+                   : "paths start at shaders/ with / or at the folder of this file",
+             works ? Severity::Warning : Severity::Error);
+      return works ? target : std::nullopt;
+    }
+    if (!source_.contains(*target)) {
       report("include-missing", text, fmt::format("no such file: {}", *target),
              nearestFile(*target));
     } else {
@@ -99,9 +106,10 @@ class Reader {
            "include guards do not help: includes are expanded before any #ifdef");
   }
 
-  void report(std::string id, const std::string& text, std::string message, std::string hint) {
+  void report(std::string id, const std::string& text, std::string message, std::string hint,
+              Severity severity = Severity::Error) {
     const Open& here = open_.back();
-    Diagnostic diagnostic{.severity = Severity::Error,
+    Diagnostic diagnostic{.severity = severity,
                           .id = std::move(id),
                           .at = {here.file, here.line, static_cast<int>(text.find('#')) + 1},
                           .message = std::move(message),

@@ -1,0 +1,95 @@
+// Which lines include what. Contract: options.csv inc.*. Iris: FileNode, AbsolutePackPath,
+// IncludeGraph.
+#include <gmock/gmock.h>
+
+#include "core/file_source.h"
+#include "pack/include_graph.h"
+
+namespace orris {
+namespace {
+
+struct LineCase {
+  const char* line;
+  const char* outcome;  ///< the file, or the id of the error
+};
+
+std::string outcome(const std::string& line) {
+  const auto source = memorySource({{"/world0/composite.fsh", line},
+                                    {"/lib/a.glsl", ""},
+                                    {"/world0/b.glsl", ""},
+                                    {"/world0/Case.glsl", ""},
+                                    {"/with space.glsl", ""}});
+  Diagnostics diagnostics;
+  const IncludeGraph graph = readIncludeGraph(*source, {"/world0/composite.fsh"}, diagnostics);
+  std::string result;
+  for (const auto& [file, lines] : graph.includes) {
+    for (const auto& [number, target] : lines) result += target;
+  }
+  for (const Diagnostic& diagnostic : diagnostics) {
+    result += (result.empty() ? "" : " ") + diagnostic.id;
+  }
+  return result;
+}
+
+TEST(IncludeTable, lines) {
+  const LineCase kCases[] = {
+      {"#include \"/lib/a.glsl\"", "/lib/a.glsl"},
+      {"  \t#include \"/lib/a.glsl\"  ", "/lib/a.glsl"},
+      {"#include\t\"/lib/a.glsl\"", "/lib/a.glsl"},
+      {"#include   \"/lib/a.glsl\"", "/lib/a.glsl"},
+      {"#include \"/lib//./a.glsl\"", "/lib/a.glsl"},
+      {"#include \"b.glsl\"", "/world0/b.glsl"},
+      {"#include \"./b.glsl\"", "/world0/b.glsl"},
+      {"#include \"../lib/a.glsl\"", "/lib/a.glsl"},
+      {"#include \"/world0/../lib/a.glsl\"", "/lib/a.glsl"},
+      {"#include \"/with space.glsl\"", "/with space.glsl"},
+      {"#include /lib/a.glsl", "/lib/a.glsl"},                          // quotes are not enforced
+      {"#include \"/lib/a.glsl", "/lib/a.glsl"},                        // nor are both
+      {"#include \"../../lib/a.glsl\"", "/lib/a.glsl include-escape"},  // Iris stays at the root
+      {"#include \"../../../etc/passwd\"", "include-escape"},
+      {"#include \"lib\\a.glsl\"", "include-escape"},
+      {"#include \"/lib/A.glsl\"", "include-missing"},  // a zip tells cases apart
+      {"#include \"case.glsl\"", "include-missing"},
+      {"#include \"lib/a.glsl\"", "include-missing"},
+      {"#include </lib/a.glsl>", "include-missing"},
+      {"#include \"/lib/a.glsl\" // why", "include-syntax"},
+      {"#include \"/lib/a.glsl\" \"b.glsl\"", "include-syntax"},
+      {"#include", "include-syntax"},
+      {"// #include \"/none.glsl\"", ""},
+      {"# include \"/none.glsl\"", ""},
+      {"int x; #include \"/none.glsl\"", ""},
+      {"#define FILE \"/lib/a.glsl\"", ""},
+  };
+  for (const LineCase& test : kCases) EXPECT_EQ(outcome(test.line), test.outcome) << test.line;
+}
+
+TEST(IncludeTable, conditions_and_comments_hide_nothing) {
+  for (const char* text :
+       {"#if 0\n#include \"/none.glsl\"\n#endif", "/*\n#include \"/none.glsl\"\n*/",
+        "#ifndef GUARD\n#include \"/none.glsl\"\n#endif"}) {
+    EXPECT_EQ(outcome(text), "include-missing") << text;
+  }
+}
+
+TEST(IncludeTable, guards_do_not_break_a_circle_and_repetition_is_none) {
+  const auto messages = [](std::map<std::string, std::string> files) {
+    Diagnostics diagnostics;
+    readIncludeGraph(*memorySource(std::move(files)), {"/final.fsh"}, diagnostics);
+    std::vector<std::string> ids;
+    for (const Diagnostic& d : diagnostics) ids.push_back(d.id);
+    return ids;
+  };
+  EXPECT_THAT(messages({{"/final.fsh", "#include \"a\""},
+                        {"/a", "#ifndef A\n#define A\n#include \"b\"\n#endif"},
+                        {"/b", "#include \"a\""}}),
+              testing::ElementsAre("include-cycle"));
+  EXPECT_THAT(messages({{"/final.fsh", "#include \"final.fsh\""}}),
+              testing::ElementsAre("include-cycle"));
+  EXPECT_THAT(messages({{"/final.fsh", "#include \"a\"\n#include \"b\"\n#include \"a\""},
+                        {"/a", "#include \"b\""},
+                        {"/b", ""}}),
+              testing::IsEmpty());
+}
+
+}  // namespace
+}  // namespace orris
