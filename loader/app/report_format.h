@@ -25,6 +25,9 @@ std::string writeSarif(const ValidateResult& result);   ///< SARIF 2.1.0, one ru
 std::string writeJunit(const ValidateResult& result);   ///< a suite for each folder of a pack
 std::string writeGithub(const ValidateResult& result);  ///< workflow commands: "::error file=..."
 
+/// The message as text, its id at the end of the first line as compilers name their flags, long source
+/// lines cut around the caret.
+std::string fullText(Diagnostic diagnostic);
 /// The messages of one pack that `output` asks for, as they go to standard error, and with `strict`
 /// all that make the exit status 1.
 std::string messagesOf(const PackResult& pack, const OutputOptions& output, bool strict);

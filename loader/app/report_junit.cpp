@@ -118,7 +118,7 @@ std::string caseXml(const Suite& suite, const Case& one) {
   for (const Finding* finding : one.failures) {
     text += fmt::format("      <failure type=\"{}\" message=\"{}\">{}</failure>\n",
                         escaped(finding->diagnostic.id), escaped(finding->diagnostic.message),
-                        escaped(formatDiagnostic(finding->diagnostic)));
+                        escaped(fullText(finding->diagnostic)));
   }
   if (one.failures.empty() && one.failed) {
     text +=
@@ -126,8 +126,7 @@ std::string caseXml(const Suite& suite, const Case& one) {
         "does\"></failure>\n";
   }
   std::string remarks;
-  for (const Finding* finding : one.remarks)
-    remarks += formatDiagnostic(finding->diagnostic) + '\n';
+  for (const Finding* finding : one.remarks) remarks += fullText(finding->diagnostic) + '\n';
   if (!remarks.empty())
     text += fmt::format("      <system-out>{}</system-out>\n", escaped(remarks));
   return text + "    </testcase>\n";

@@ -22,17 +22,19 @@ bool startsCharacter(char c) { return (static_cast<unsigned char>(c) & 0xC0) != 
 void clipSourceLine(Diagnostic& diagnostic) {
   std::string& line = diagnostic.sourceLine;
   if (std::ssize(line) <= kWidest) return;
-  int begin = std::max(0, diagnostic.at.column - 1 - kBeforeCaret);
-  int end = std::min(static_cast<int>(line.size()), begin + kWidest);
+  const int size = static_cast<int>(line.size());
+  int begin = std::clamp(diagnostic.at.column - 1 - kBeforeCaret, 0, size - kWidest);
+  int end = begin + kWidest;
   while (begin > 0 && !startsCharacter(line[begin])) --begin;
-  while (end < std::ssize(line) && !startsCharacter(line[end])) ++end;
-  const bool more = end < std::ssize(line);
+  while (end < size && !startsCharacter(line[end])) ++end;
+  const bool more = end < size;
   line = (begin > 0 ? "..." : "") + line.substr(begin, end - begin) + (more ? "..." : "");
   if (begin > 0) diagnostic.at.column -= begin - 3;
 }
 
-/// The message with its id at the end of its first line, as compilers name their flags.
-std::string withId(Diagnostic diagnostic) {
+}  // namespace
+
+std::string fullText(Diagnostic diagnostic) {
   diagnostic.message += fmt::format(" [{}]", diagnostic.id);
   const std::string whole = formatDiagnostic(diagnostic);
   clipSourceLine(diagnostic);
@@ -42,15 +44,13 @@ std::string withId(Diagnostic diagnostic) {
          clipped.substr(std::min(clipped.find('\n'), clipped.size()));
 }
 
-}  // namespace
-
 std::string messagesOf(const PackResult& pack, const OutputOptions& output, bool strict) {
   std::string text;
   for (const Finding& finding : pack.findings) {
     const bool shown =
         finding.silence == Silence::None &&
         (isShown(finding.diagnostic.severity, output) || countsAsFailure(finding, strict));
-    if (shown) text += withId(finding.diagnostic) + '\n';
+    if (shown) text += fullText(finding.diagnostic) + '\n';
   }
   return text;
 }

@@ -5,6 +5,8 @@
 #include <cctype>
 #include <iterator>
 #include <optional>
+#include <set>
+#include <utility>
 
 #include "glsl/compiler_log.h"
 #include "pack/text.h"
@@ -164,14 +166,10 @@ std::vector<LogSection> parseGameLog(std::string_view text) {
       open = true;
     }
   }
-  for (std::size_t i = 0; i < sections.size(); ++i) {
-    const auto same = [&](const LogSection& other) {
-      return other.name == sections[i].name && trim(other.text) == trim(sections[i].text);
-    };
-    sections.erase(
-        std::remove_if(sections.begin() + static_cast<std::ptrdiff_t>(i) + 1, sections.end(), same),
-        sections.end());
-  }
+  std::set<std::pair<std::string, std::string>> seen;
+  std::erase_if(sections, [&seen](const LogSection& section) {
+    return !seen.emplace(section.name, trim(section.text)).second;
+  });
   return sections;
 }
 

@@ -6,7 +6,6 @@
 #include <array>
 #include <set>
 
-#include "check/log_place.h"
 #include "pack/text.h"
 
 namespace orris {
@@ -115,20 +114,19 @@ class Explainer {
   }
 
   std::optional<LogPlace> findPlace(const LogSection& section, const std::string& name,
-                                    const LogEntry& entry, const Candidates& candidates) const {
+                                    const LogEntry& entry, const Candidates& candidates) {
     for (const StageText* stage : candidates.stages) {
       const PatchedShader* patched = patchedOf(name, candidates.program, endingOf(stage->stage));
       if (patched == nullptr) continue;
-      if (auto place = placeByPatchedText(entry, patched->text, patched->file, *stage))
-        return place;
+      if (auto place = placer_.byPatchedText(entry, *patched, *stage)) return place;
     }
     if (section.name.empty()) {
-      if (auto place = placeByOwnText(entry, *candidates.stages.front())) return place;
+      if (auto place = placer_.byOwnText(entry, *candidates.stages.front())) return place;
     }
     if (entry.severity == Severity::Error) {
-      if (auto place = placeByOwnProblem(entry, candidates.stages)) return place;
+      if (auto place = placer_.byOwnProblem(entry, candidates.stages)) return place;
     }
-    return placeByName(entry, candidates.stages);
+    return placer_.byName(entry, candidates.stages);
   }
 
   // Iris: ShaderPrinter numbers its files and names those of chunk shaders "sodium_...". The last
@@ -157,6 +155,7 @@ class Explainer {
   }
 
   const ExplainInput& input_;
+  LogPlacer placer_;
   Diagnostics diagnostics_;
 };
 

@@ -10,15 +10,11 @@
 #include <vector>
 
 #include "check/game_log.h"
+#include "check/log_place.h"
 #include "core/diagnostic.h"
 #include "pack/shader_pack.h"
 
 namespace orris {
-
-/// A file of Iris's folder patched_shaders: "012_composite.fsh".
-struct PatchedShader {
-  std::string file, text;
-};
 
 struct ExplainInput {
   const ShaderPack& pack;

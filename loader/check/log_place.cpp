@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <set>
 
 #include "check/token_alignment.h"
-#include "glsl/token.h"
 #include "pack/text.h"
 
 namespace orris {
@@ -64,41 +64,6 @@ int tokenBefore(const std::vector<Token>& tokens, int line, const std::vector<in
   return best;
 }
 
-struct Occurrence {
-  const StageText* stage = nullptr;
-  Token token;
-  SourceLocation at;
-};
-
-std::vector<Occurrence> occurrencesOf(const std::string& name,
-                                      const std::vector<const StageText*>& stages) {
-  std::vector<Occurrence> found;
-  std::set<std::string> places;
-  for (const StageText* stage : stages) {
-    for (Token& token : codeTokens(stage->text.text)) {
-      if (token.text != name) continue;
-      const SourceLocation at = stage->text.locate(token.origin.line, token.origin.column);
-      if (at.file.empty() || !places.insert(fmt::format("{}:{}", at.file, at.line)).second)
-        continue;
-      found.push_back({stage, std::move(token), at});
-    }
-  }
-  return found;
-}
-
-std::string listed(const std::vector<Occurrence>& occurrences) {
-  constexpr std::size_t kMost = 6;
-  std::vector<std::string> places;
-  for (const Occurrence& one : occurrences) {
-    if (places.size() == kMost) {
-      places.emplace_back("...");
-      break;
-    }
-    places.push_back(fmt::format("{}:{}", one.at.file, one.at.line));
-  }
-  return joinNames(places);
-}
-
 }  // namespace
 
 std::vector<std::string> namesInMessage(const std::string& message) {
@@ -121,26 +86,78 @@ std::vector<std::string> namesInMessage(const std::string& message) {
   return names;
 }
 
-std::optional<LogPlace> placeByPatchedText(const LogEntry& entry, const std::string& patched,
-                                           const std::string& file, const StageText& stage) {
+const std::vector<Token>& LogPlacer::tokensOf(const StageText& stage) {
+  const auto [place, isNew] = tokens_.try_emplace(&stage);
+  if (isNew) place->second = codeTokens(stage.text.text);
+  return place->second;
+}
+
+const LogPlacer::Alignment& LogPlacer::alignmentOf(const PatchedShader& patched,
+                                                   const StageText& stage) {
+  const auto [place, isNew] = alignments_.try_emplace({&stage, &patched});
+  Alignment& alignment = place->second;
+  if (isNew) {
+    alignment.theirs = codeTokens(patched.text);
+    alignment.matched = alignTokens(wordsOf(alignment.theirs), wordsOf(tokensOf(stage)));
+  }
+  return alignment;
+}
+
+const Diagnostics& LogPlacer::problemsOf(const StageText& stage) {
+  const auto [place, isNew] = problems_.try_emplace(&stage);
+  if (isNew) validateWithGlslang({stage}, {}, place->second);
+  return place->second;
+}
+
+/// The first token of each line of the author's that has the name.
+std::vector<LogPlacer::Occurrence> LogPlacer::occurrencesOf(const std::string& name,
+                                                            const Stages& stages) {
+  std::vector<Occurrence> found;
+  std::set<std::pair<std::string, int>> lines;
+  for (const StageText* stage : stages) {
+    for (const Token& token : tokensOf(*stage)) {
+      if (token.text != name) continue;
+      const SourceLocation at = stage->text.locate(token.origin.line, token.origin.column);
+      if (at.file.empty() || !lines.emplace(at.file, at.line).second) continue;
+      found.push_back({stage, &token, at});
+    }
+  }
+  return found;
+}
+
+std::string LogPlacer::listed(const std::vector<Occurrence>& occurrences) {
+  constexpr std::size_t kMost = 6;
+  std::vector<std::string> places;
+  for (const Occurrence& one : occurrences) {
+    if (places.size() == kMost) {
+      places.emplace_back("...");
+      break;
+    }
+    places.push_back(fmt::format("{}:{}", one.at.file, one.at.line));
+  }
+  return joinNames(places);
+}
+
+std::optional<LogPlace> LogPlacer::byPatchedText(const LogEntry& entry,
+                                                 const PatchedShader& patched,
+                                                 const StageText& stage) {
   if (entry.line <= 0) return std::nullopt;
-  const std::vector<Token> theirs = codeTokens(patched);
-  const std::vector<Token> ours = codeTokens(stage.text.text);
-  const std::vector<int> matched = alignTokens(wordsOf(theirs), wordsOf(ours));
+  const auto& [theirs, matched] = alignmentOf(patched, stage);
+  const std::vector<Token>& ours = tokensOf(stage);
   if (const int token = meantToken(theirs, entry, matched); token >= 0) {
     return placeOf(stage, ours[matched[token]],
-                   fmt::format("exact: by line {} of {}", entry.line, file));
+                   fmt::format("exact: by line {} of {}", entry.line, patched.file));
   }
   const int before = tokenBefore(theirs, entry.line, matched);
   if (before < 0) return std::nullopt;
-  return placeOf(
-      stage, ours[matched[before]],
-      fmt::format("near: line {} of {} is text that Iris added after this", entry.line, file));
+  return placeOf(stage, ours[matched[before]],
+                 fmt::format("near: line {} of {} is text that Iris added after this", entry.line,
+                             patched.file));
 }
 
-std::optional<LogPlace> placeByOwnText(const LogEntry& entry, const StageText& stage) {
+std::optional<LogPlace> LogPlacer::byOwnText(const LogEntry& entry, const StageText& stage) {
   const std::vector<std::string> names = namesInMessage(entry.message);
-  for (const Token& token : codeTokens(stage.text.text)) {
+  for (const Token& token : tokensOf(stage)) {
     if (token.origin.line != entry.line) continue;
     if (std::ranges::find(names, token.text) != names.end()) {
       return placeOf(stage, token, "exact: the log counts the lines of this host's text");
@@ -149,19 +166,16 @@ std::optional<LogPlace> placeByOwnText(const LogEntry& entry, const StageText& s
   return std::nullopt;
 }
 
-std::optional<LogPlace> placeByOwnProblem(const LogEntry& entry,
-                                          const std::vector<const StageText*>& stages) {
+std::optional<LogPlace> LogPlacer::byOwnProblem(const LogEntry& entry, const Stages& stages) {
   const std::vector<std::string> names = namesInMessage(entry.message);
   for (const StageText* stage : stages) {
-    Diagnostics found;
-    validateWithGlslang({*stage}, {}, found);
-    for (const Diagnostic& problem : found) {
+    for (const Diagnostic& problem : problemsOf(*stage)) {
       const std::vector<std::string> theirs = namesInMessage(problem.message);
       const auto shared = std::ranges::find_first_of(names, theirs);
       if (problem.severity != Severity::Error || shared == names.end()) continue;
       for (const Occurrence& one : occurrencesOf(*shared, {stage})) {
         if (one.at.file == problem.at.file && one.at.line == problem.at.line) {
-          return placeOf(*stage, one.token, "exact: this host finds the same here");
+          return placeOf(*stage, *one.token, "exact: this host finds the same here");
         }
       }
     }
@@ -169,8 +183,7 @@ std::optional<LogPlace> placeByOwnProblem(const LogEntry& entry,
   return std::nullopt;
 }
 
-std::optional<LogPlace> placeByName(const LogEntry& entry,
-                                    const std::vector<const StageText*>& stages) {
+std::optional<LogPlace> LogPlacer::byName(const LogEntry& entry, const Stages& stages) {
   for (const std::string& name : namesInMessage(entry.message)) {
     const std::vector<Occurrence> found = occurrencesOf(name, stages);
     if (found.empty()) continue;
@@ -178,7 +191,7 @@ std::optional<LogPlace> placeByName(const LogEntry& entry,
         found.size() == 1 ? fmt::format("by name: the only line of this program with {}", name)
                           : fmt::format("a guess: {} stands in {} lines of this program, {}", name,
                                         found.size(), listed(found));
-    return placeOf(*found.front().stage, found.front().token, how);
+    return placeOf(*found.front().stage, *found.front().token, how);
   }
   return std::nullopt;
 }

@@ -267,6 +267,13 @@ class Text(unittest.TestCase):
         self.assertTrue(lines[at + 1][lines[at + 2].index("^"):].startswith("NOT_THERE"))
 
 
+    def test_cuts_long_lines_at_their_end(self):
+        long = "screen = " + "<empty> " * 400 + "NOT_THERE"
+        lines = Folder({"shaders/shaders.properties": long}).validate().stderr.splitlines()
+        at = next(i for i, line in enumerate(lines) if "screen-option" in line)
+        self.assertTrue(lines[at + 1].endswith(" NOT_THERE"))
+
+
 class KnownProblems(unittest.TestCase):
     def test_are_not_reported_again_wherever_they_move(self):
         folder = Folder()
