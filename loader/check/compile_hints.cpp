@@ -148,7 +148,7 @@ class StageHints {
                                           definition->file, definition->line);
     Diagnostic& error = found_[index];
     error.hint += (error.hint.empty() ? "" : "; ") + where;
-    const auto missing = findMissingInclude(index_, files_, error.at, definition->file);
+    const auto missing = findMissingInclude(index_, files_, error, definition->file);
     if (!missing) return true;
     Diagnostic companion{.severity = Severity::Error,
                          .id = "include-probably-missing",

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "glsl/compiler_log.h"
 
 namespace orris {
@@ -37,9 +39,7 @@ std::string ProgramInterface::name() const {
 
 void DeclarationReport::add(const StageInterface& stage, const TextPlace& place, Finding finding) {
   const SourceLocation at = stage.stage->text.locate(place.line, place.column);
-  if (at.file.empty()) return;
-  const std::string key = fmt::format("{}:{}:{}:{}", at.file, at.line, finding.id, finding.message);
-  if (!seen_.insert(key).second) return;
+  if (at.file.empty() || known(at, finding)) return;
   LogEntry entry{finding.severity, place.line, place.column, std::move(finding.message),
                  std::move(finding.notes)};
   const ShaderPack& pack = folder.pack;
@@ -50,8 +50,7 @@ void DeclarationReport::add(const StageInterface& stage, const TextPlace& place,
 }
 
 void DeclarationReport::add(const SourceLocation& at, Finding finding) {
-  const std::string key = fmt::format("{}:{}:{}:{}", at.file, at.line, finding.id, finding.message);
-  if (!seen_.insert(key).second) return;
+  if (known(at, finding)) return;
   diagnostics_.push_back({.severity = finding.severity,
                           .id = std::move(finding.id),
                           .at = at,
@@ -59,6 +58,16 @@ void DeclarationReport::add(const SourceLocation& at, Finding finding) {
                           .sourceLine = folder.pack.sourceLine(at.file, at.line),
                           .notes = std::move(finding.notes),
                           .hint = std::move(finding.hint)});
+}
+
+// A name may be unused in one program and used in another: the graver finding counts.
+bool DeclarationReport::known(const SourceLocation& at, const Finding& finding) {
+  const std::string key = fmt::format("{}:{}:{}:{}", at.file, at.line, finding.id, finding.message);
+  const auto [entry, isNew] = seen_.try_emplace(key, diagnostics_.size());
+  if (isNew) return false;
+  Severity& severity = diagnostics_[entry->second].severity;
+  severity = std::max(severity, finding.severity);
+  return true;
 }
 
 std::string DeclarationReport::placeName(const StageInterface& stage, const TextPlace& place) {

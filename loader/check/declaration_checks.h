@@ -2,7 +2,7 @@
 // Each program is read once for all of them.
 #pragma once
 
-#include <set>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -42,8 +42,9 @@ class DeclarationReport {
   const FolderInput& folder;
 
  private:
+  bool known(const SourceLocation& at, const Finding& finding);
   Diagnostics& diagnostics_;
-  std::set<std::string> seen_;
+  std::map<std::string, std::size_t> seen_;  ///< index of the diagnostic
 };
 
 void checkDeclarations(const FolderInput& input, Diagnostics& diagnostics);

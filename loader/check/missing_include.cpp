@@ -76,8 +76,12 @@ int placeInGap(const FileLines& lines, const Includes& here, int neededAt) {
 
 class Search {
  public:
-  Search(DefinitionIndex& index, const std::vector<std::string>& reached, std::string definer)
-      : index_(index), reached_(reached.begin(), reached.end()), definer_(std::move(definer)) {}
+  Search(DefinitionIndex& index, const std::vector<std::string>& reached, const Diagnostic& error,
+         std::string definer)
+      : index_(index), reached_(reached.begin(), reached.end()), definer_(std::move(definer)) {
+    neededAt_[error.at.file] = error.at.line;
+    for (const SourceLocation& from : error.includedFrom) neededAt_.emplace(from.file, from.line);
+  }
 
   /// The best pair of a file of the stage and one like it that includes the definer.
   std::optional<MissingInclude> byModel() {
@@ -92,7 +96,7 @@ class Search {
           const double score = likeness(file, index_.includesOf(file), model, there);
           if (score <= best) continue;
           const int at = placeLike(index_.files().at(file), lines, line.line);
-          if (at == 0) continue;
+          if (at == 0 || isTooLate(file, at)) continue;
           best = score;
           result = {{file, at, 0}, line.target, {model, line.line, 0}};
         }
@@ -110,6 +114,11 @@ class Search {
   }
 
  private:
+  bool isTooLate(const std::string& file, int line) const {
+    const auto needed = neededAt_.find(file);
+    return needed != neededAt_.end() && line >= needed->second;
+  }
+
   bool leadsToDefiner(const std::string& target) {
     const auto [known, isNew] = leads_.try_emplace(target);
     if (isNew) known->second = index_.reaches(target, definer_);
@@ -119,6 +128,7 @@ class Search {
   DefinitionIndex& index_;
   std::set<std::string> reached_;
   std::string definer_;
+  std::map<std::string, int> neededAt_;  ///< line by which each file must have it
   std::map<std::string, bool> leads_;
 };
 
@@ -126,16 +136,16 @@ class Search {
 
 std::optional<MissingInclude> findMissingInclude(DefinitionIndex& index,
                                                  const std::vector<std::string>& reached,
-                                                 const SourceLocation& user,
+                                                 const Diagnostic& error,
                                                  const std::string& definer) {
   std::vector<std::string> known;
   for (const std::string& file : reached) {
     if (index.files().contains(file)) known.push_back(file);
   }
   if (known.empty()) return std::nullopt;
-  Search search(index, known, definer);
+  Search search(index, known, error, definer);
   if (auto found = search.byModel()) return found;
-  return search.byGap(user);
+  return search.byGap(error.at);
 }
 
 }  // namespace orris

@@ -15,12 +15,13 @@ struct MissingInclude {
   SourceLocation model;  ///< a similar file that does, line 0 when there is none
 };
 
-/// `reached` are the files of the stage, `user` the one that names what only `definer` defines. A
-/// file with nearly the same #include lines shows the place; without one it is the first gap among
-/// the lines of `user`, or the end of them.
+/// `reached` are the files of the stage, `error` the use of what only `definer` defines: the line
+/// must stand before it and before the #includes that lead to it. A file with nearly the same
+/// #include lines shows the place; without one it is the first gap among those of the user, or the
+/// end of them.
 std::optional<MissingInclude> findMissingInclude(DefinitionIndex& index,
                                                  const std::vector<std::string>& reached,
-                                                 const SourceLocation& user,
+                                                 const Diagnostic& error,
                                                  const std::string& definer);
 
 }  // namespace orris

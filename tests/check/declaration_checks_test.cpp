@@ -194,6 +194,16 @@ TEST(Names, an_unknown_one_that_is_used_gets_the_nearest) {
               "uniform-unknown /composite.fsh:4:15: note: no uniform is called 'unused1'");
 }
 
+TEST(Names, used_by_one_program_is_used) {
+  Files files = fragmentOf("#include \"/u.glsl\"\nvoid main() { gl_FragColor = vec4(1); }");
+  files["/u.glsl"] = "uniform float nothing;\n";
+  files["/final.vsh"] = kVertexStage;
+  files["/final.fsh"] =
+      kVersion + "#include \"/u.glsl\"\nvoid main() { gl_FragColor = vec4(nothing); }";
+  EXPECT_THAT(messages(files), ElementsAre("uniform-unknown /u.glsl:1:15: warning: no uniform is "
+                                           "called 'nothing'"));
+}
+
 TEST(Names, a_misspelt_declaration_is_found_although_only_the_right_name_is_used) {
   EXPECT_THAT(messages(fragmentOf("uniform float frameTimeCountr;\n"
                                   "void main() { gl_FragColor = vec4(frameTimeCounter); }")),
