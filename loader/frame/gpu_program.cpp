@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "gl/functions.h"
+#include "glsl/interface_repair.h"
 
 namespace orris {
 namespace {
@@ -94,9 +95,12 @@ int customIndex(const CustomUniforms& custom, const std::string& name) {
 
 }  // namespace
 
-GpuProgram buildGpuProgram(const std::string& label, const std::vector<const StageText*>& stages,
+GpuProgram buildGpuProgram(const std::string& label, const std::vector<const StageText*>& written,
                            const SourceLines& lines, Diagnostics& diagnostics) {
   GpuProgram result;
+  const auto repaired = repairInterface(written);
+  std::vector<const StageText*> stages = written;
+  for (size_t i = 0; repaired && i < stages.size(); ++i) stages[i] = &repaired->stages[i];
   std::vector<gl::StageSource> sources;
   for (const StageText* stage : stages) {
     sources.push_back({stageEnum(stage->stage), stage->text.text});

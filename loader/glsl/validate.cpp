@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "glsl/compiler_log.h"
+#include "glsl/interface_repair.h"
 
 namespace orris {
 namespace {
@@ -100,10 +101,14 @@ void reportLink(const glslang::TProgram& program, const std::vector<StageText>& 
 
 }  // namespace
 
-void validateWithGlslang(const std::vector<StageText>& stages, const SourceLines& lines,
+void validateWithGlslang(const std::vector<StageText>& written, const SourceLines& lines,
                          Diagnostics& diagnostics) {
   static const GlslangProcess kProcess;
-  if (stages.empty()) return;
+  if (written.empty()) return;
+  std::vector<const StageText*> pointers;
+  for (const StageText& stage : written) pointers.push_back(&stage);
+  const auto repaired = repairInterface(pointers);
+  const std::vector<StageText>& stages = repaired ? repaired->stages : written;
   // The program refers to the shaders, so it is declared after and dies before them.
   std::vector<std::unique_ptr<glslang::TShader>> shaders;
   glslang::TProgram program;

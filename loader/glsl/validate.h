@@ -19,7 +19,8 @@ struct StageText {
 /// Gives the author's line ("" when unknown), so that a diagnostic can show it with a caret.
 using SourceLines = std::function<std::string(const std::string& file, int line)>;
 
-/// Compiles each stage and links the program with glslang. Thread-safe.
+/// Compiles each stage and links the program with glslang, its interfaces repaired as Iris does it
+/// (glsl/interface_repair.h). Thread-safe.
 void validateWithGlslang(const std::vector<StageText>& stages, const SourceLines& lines,
                          Diagnostics& diagnostics);
 
