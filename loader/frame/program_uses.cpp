@@ -46,12 +46,6 @@ ProgramUses usesOf(const ProgramSource& program) {
   return uses;
 }
 
-ProgramUses usesOf(const StageText& stage) {
-  ProgramUses uses;
-  addUses(stage.text.text, uses);
-  return uses;
-}
-
 std::optional<BufferName> parseBufferName(std::string_view name, bool watershadow) {
   using Kind = BufferName::Kind;
   static const std::unordered_map<std::string_view, BufferName> kAliases = {

@@ -14,8 +14,6 @@ namespace orris {
 /// as a GL driver would not report it active.
 using ProgramUses = std::set<std::string, std::less<>>;
 ProgramUses usesOf(const ProgramSource& program);
-/// The same of one stage alone.
-ProgramUses usesOf(const StageText& stage);
 
 /// A buffer as a sampler or image name means it.
 struct BufferName {

@@ -47,18 +47,27 @@ class TargetPlanner {
         const bool window = plan->width == schedule_.width && plan->height == schedule_.height;
         // Iris: CompositeRenderer refuses unequal sizes; the framebuffer of a gbuffers program is
         // only drawn where all its buffers have texels.
-        if (step.kind == Kind::Draw && !window)
-          report(Severity::Warning, step, *plan,
-                 "a gbuffers program covers the window: the rest of its picture is lost");
-        else if (plan->width != first->width || plan->height != first->height)
+        if (step.kind == Kind::Draw) {
+          if (!window && writesOutputs(pack_.programs[step.program]))
+            report(Severity::Warning, step, *plan,
+                   "a gbuffers program covers the window: the rest of its picture is lost");
+        } else if (plan->width != first->width || plan->height != first->height) {
           report(Severity::Error, step, *plan,
                  fmt::format("colortex{} of the same program is {}x{}", first->index, first->width,
                              first->height));
+        }
       }
     }
   }
 
  private:
+  /// Packs switch a program off by leaving its fragment stage empty.
+  static bool writesOutputs(const ProgramSource& program) {
+    if (program.writesFragData || program.stages.empty()) return true;
+    const std::string& text = program.stages.back().text.text;
+    return text.find("out ") != std::string::npos;
+  }
+
   struct Touched {
     std::set<int> color, shadowColor;
     bool shadowDepth[2] = {false, false};

@@ -227,6 +227,18 @@ TEST(Schedule, a_small_buffer_of_a_gbuffers_program_is_a_warning) {
             "window: the rest of its picture is lost");
 }
 
+TEST(Schedule, an_empty_gbuffers_program_may_have_a_small_buffer) {
+  Files files;
+  files["/shaders.properties"] = "size.buffer.colortex5=0.5 0.5\n";
+  add(files, "gbuffers_skybasic",
+      "#version 330 compatibility\n/* RENDERTARGETS: 5,0 */\nvoid main() {}\n");
+  add(files, "final", fragment({"colortex5"}, ""));
+  const ShaderPack pack = load(files);
+  Diagnostics diagnostics;
+  buildSchedule(pack, 64, 32, {}, diagnostics);
+  EXPECT_THAT(diagnostics, IsEmpty());
+}
+
 TEST(Schedule, a_pack_without_final_copies_colortex0) {
   Files files;
   add(files, "gbuffers_textured", fragment({"gtexture"}, "0"));
