@@ -9,13 +9,6 @@
 namespace orris {
 namespace {
 
-bool isShaderText(std::string_view path) {
-  constexpr std::array<std::string_view, 10> kOther = {
-      ".png", ".bin", ".dat", ".raw", ".properties", ".lang", ".md", ".txt", ".json", ".mcmeta"};
-  return std::none_of(kOther.begin(), kOther.end(),
-                      [&](std::string_view end) { return path.ends_with(end); });
-}
-
 class Scanner {
  public:
   Scanner(const std::string& file, std::string_view text, BufferMentions& out)
@@ -102,15 +95,18 @@ class Scanner {
 
   // "colortex4Clear = false", also where the value is a macro or an option.
   void setting(std::string_view word, std::string_view rest) {
-    const bool clear = word.ends_with("Clear"), mipmap = word.ends_with("MipmapEnabled");
-    if (!clear && !mipmap) return;
-    word.remove_suffix(clear ? 5 : 13);
+    const bool clear = word.ends_with("Clear"), mipmap = word.ends_with("MipmapEnabled"),
+               format = word.ends_with("Format");
+    if (!clear && !mipmap && !format) return;
+    word.remove_suffix(clear ? 5 : mipmap ? 13 : 6);
     const auto buffer = parseBufferName(word, false);
     rest = trim(rest);
     if (!buffer || !rest.starts_with('=')) return;
     const std::string_view value = leadingWord(trim(rest.substr(1)));
-    if (value == (clear ? "true" : "false")) return;
     const bool shadow = buffer->kind == BufferName::Kind::ShadowColor;
+    if (format)
+      (shadow ? out_.shadowFormats : out_.formats)[buffer->index].insert(upperCase(value));
+    if (format || value == (clear ? "true" : "false")) return;
     if (clear) (shadow ? out_.keptShadow : out_.keptColor).insert(buffer->index);
     if (mipmap) (shadow ? out_.shadowMipmapped : out_.mipmapped).insert(buffer->index);
   }
@@ -123,6 +119,13 @@ class Scanner {
 };
 
 }  // namespace
+
+bool isShaderText(std::string_view path) {
+  constexpr std::array<std::string_view, 10> kOther = {
+      ".png", ".bin", ".dat", ".raw", ".properties", ".lang", ".md", ".txt", ".json", ".mcmeta"};
+  return std::none_of(kOther.begin(), kOther.end(),
+                      [&](std::string_view end) { return path.ends_with(end); });
+}
 
 BufferMentions findBufferMentions(const ShaderPack& pack) {
   BufferMentions mentions;

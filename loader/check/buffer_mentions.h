@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <string_view>
 
 #include "frame/program_uses.h"
 #include "pack/shader_pack.h"
@@ -18,8 +19,13 @@ struct BufferMentions {
   std::set<int> mipmapped, shadowMipmapped;    ///< some line sets <buffer>MipmapEnabled to true
   std::map<std::string, std::set<int>> drawn;  ///< by file: what RENDERTARGETS, DRAWBUFFERS list
   std::set<int> drawnAnywhere;
+  /// Formats that some line gives, upper case; a word that is no format when a macro stands there.
+  std::map<int, std::set<std::string>> formats, shadowFormats;
   bool pasted = false;  ///< some macro pastes buffer names together (colortex ## N)
 };
+
+/// Can the file hold GLSL, by its name?
+bool isShaderText(std::string_view path);
 
 /// Reads every text file of the pack, those that nothing includes too.
 BufferMentions findBufferMentions(const ShaderPack& pack);

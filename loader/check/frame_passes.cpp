@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "check/stage_interface.h"
 #include "frame/pack_resources.h"
 #include "frame/schedule_targets.h"
 
@@ -22,12 +23,17 @@ bool isTranslucent(std::string_view program) {
   return std::find(kTranslucent.begin(), kTranslucent.end(), program) != kTranslucent.end();
 }
 
+void addUsed(const StageText& stage, ProgramUses& names) {
+  for (const StageGlobal& global : readStageInterface(stage).globals)
+    if (global.storage == StageGlobal::Storage::Uniform && global.used) names.emplace(global.name);
+}
+
 ProgramUses namesOf(const ProgramSource& program, bool computes) {
   ProgramUses names;
   if (computes) {
-    for (const ComputeSource& compute : program.computes) names.merge(usesOf(compute.text));
+    for (const ComputeSource& compute : program.computes) addUsed(compute.text, names);
   } else {
-    for (const StageText& stage : program.stages) names.merge(usesOf(stage));
+    for (const StageText& stage : program.stages) addUsed(stage, names);
   }
   return names;
 }
@@ -56,6 +62,34 @@ Kind kindOf(const Step& step) {
   }
 }
 
+bool isReplaced(const ShaderPack& pack, const FramePass& pass, const BufferName& buffer,
+                const std::string& name) {
+  const bool ended =
+      buffer.kind == BufferName::Kind::Color && (pass.flippedInGroup >> buffer.index & 1u) != 0;
+  const std::string stage = textureStageOf(pass.group);
+  const auto& textures = pack.properties.textures;
+  const auto& images = pack.properties.images;
+  return (!ended && std::any_of(textures.begin(), textures.end(),
+                                [&](const TextureBinding& texture) {
+                                  return texture.sampler == name &&
+                                         (texture.stage.empty() || texture.stage == stage);
+                                })) ||
+         std::any_of(images.begin(), images.end(), [&](const CustomImage& image) {
+           return image.name == name || image.sampler == name;
+         });
+}
+
+void addBuffers(const ShaderPack& pack, FramePass& pass) {
+  for (const std::string& name : pass.names) {
+    const auto buffer = parseBufferName(name, pass.names.contains("watershadow"));
+    if (!buffer || isReplaced(pack, pass, *buffer, name)) continue;
+    const bool color = buffer->kind == BufferName::Kind::Color;
+    if (color && !buffer->image && pass.isGeometry() && buffer->index < 4) continue;
+    if (color && pass.group == ProgramGroup::ShadowComp) continue;
+    pass.uses.push_back({*buffer, name});
+  }
+}
+
 class PassLister {
  public:
   PassLister(const ShaderPack& pack, const Schedule& schedule) : pack_(pack), schedule_(schedule) {}
@@ -64,6 +98,7 @@ class PassLister {
     for (const Step& step : schedule_.setup) add(step, true);
     for (const Step& step : schedule_.frame) add(step, false);
     for (const ProgramSource& program : pack_.programs) addUndrawn(program);
+    for (FramePass& pass : passes_) addBuffers(pack_, pass);
     return std::move(passes_);
   }
 
@@ -92,7 +127,7 @@ class PassLister {
 
   /// One program draws several geometries in a row: sky and stars, solid and cutout terrain.
   bool drawnAlready(const FramePass& pass) const {
-    if (pass.kind != Kind::Geometry && pass.kind != Kind::Shadow) return false;
+    if (!pass.isGeometry()) return false;
     for (size_t i = passes_.size(); i-- > 0 && passes_[i].group == pass.group;)
       if (passes_[i].kind == pass.kind && passes_[i].name == pass.name &&
           (pass.kind == Kind::Shadow || passes_[i].translucent == pass.translucent))
@@ -136,24 +171,11 @@ class PassLister {
   std::vector<FramePass> passes_;
 };
 
-bool isReplaced(const ShaderPack& pack, const FramePass& pass, const BufferName& buffer,
-                const std::string& name) {
-  const bool ended =
-      buffer.kind == BufferName::Kind::Color && (pass.flippedInGroup >> buffer.index & 1u) != 0;
-  const std::string stage = textureStageOf(pass.group);
-  const auto& textures = pack.properties.textures;
-  const auto& images = pack.properties.images;
-  return (!ended && std::any_of(textures.begin(), textures.end(),
-                                [&](const TextureBinding& texture) {
-                                  return texture.sampler == name &&
-                                         (texture.stage.empty() || texture.stage == stage);
-                                })) ||
-         std::any_of(images.begin(), images.end(), [&](const CustomImage& image) {
-           return image.name == name || image.sampler == name;
-         });
-}
-
 }  // namespace
+
+bool BufferUse::isColor(bool shadow) const {
+  return buffer.kind == (shadow ? BufferName::Kind::ShadowColor : BufferName::Kind::Color);
+}
 
 bool FramePass::isShadowGroup() const { return orris::isShadowGroup(group); }
 
@@ -170,20 +192,6 @@ bool FramePass::writesAlt(int buffer) const {
 
 std::vector<FramePass> framePasses(const ShaderPack& pack, const Schedule& schedule) {
   return PassLister(pack, schedule).list();
-}
-
-std::vector<BufferUse> buffersUsed(const ShaderPack& pack, const FramePass& pass) {
-  std::vector<BufferUse> uses;
-  const bool geometry = pass.kind == Kind::Geometry || pass.kind == Kind::Shadow;
-  for (const std::string& name : pass.names) {
-    const auto buffer = parseBufferName(name, pass.names.contains("watershadow"));
-    if (!buffer || isReplaced(pack, pass, *buffer, name)) continue;
-    const bool color = buffer->kind == BufferName::Kind::Color;
-    if (color && !buffer->image && geometry && buffer->index < 4) continue;
-    if (color && pass.group == ProgramGroup::ShadowComp) continue;
-    uses.push_back({*buffer, name});
-  }
-  return uses;
 }
 
 }  // namespace orris

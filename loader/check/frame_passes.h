@@ -12,6 +12,16 @@
 
 namespace orris {
 
+/// A buffer that a pass reads through a sampler, or touches through an image.
+struct BufferUse {
+  BufferName buffer;
+  std::string name;  ///< as the program writes it: "gaux1"
+
+  bool isColor(bool shadow) const;  ///< a colortex, or with `shadow` a shadowcolor
+  bool isTarget() const { return isColor(false) || isColor(true); }
+  bool inShadowMap() const { return isColor(true); }
+};
+
 /// One program at its place in the frame.
 struct FramePass {
   enum class Kind { Compute, Fullscreen, Geometry, Shadow, Present, Copy };
@@ -27,25 +37,19 @@ struct FramePass {
   /// Bit n: colortex n (shadowcolor n) is read from its alt side.
   std::uint32_t flipped = 0, shadowFlipped = 0;
   std::uint32_t flippedInGroup = 0;  ///< see Step
-  ProgramUses names;                 ///< host names its stages (or computes) mention
+  ProgramUses names;                 ///< uniforms that its stages (or computes) reach from main
+  /// Buffers that the pass really gets by those names: not colortex0 to 3 in geometry programs (the
+  /// atlas), no names that a custom texture or image replaces.
+  std::vector<BufferUse> uses;
 
+  bool isGeometry() const { return kind == Kind::Geometry || kind == Kind::Shadow; }
   bool isShadowGroup() const;
   bool readsAlt(bool shadow, int buffer) const;
   bool writesAlt(int buffer) const;  ///< side a draw buffer is written to
 };
 
-/// A buffer that a pass reads through a sampler, or touches through an image.
-struct BufferUse {
-  BufferName buffer;
-  std::string name;  ///< as the program writes it: "gaux1"
-};
-
 /// All programs of the folder in frame order; geometry programs that the schedule leaves out stand
 /// beside those of their half (opaque, translucent) or of the shadow pass.
 std::vector<FramePass> framePasses(const ShaderPack& pack, const Schedule& schedule);
-
-/// Buffers that the pass really gets by the names it mentions: not colortex0 to 3 in geometry
-/// programs (the atlas), no names that a custom texture or image replaces.
-std::vector<BufferUse> buffersUsed(const ShaderPack& pack, const FramePass& pass);
 
 }  // namespace orris

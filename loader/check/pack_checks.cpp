@@ -10,6 +10,7 @@
 #include "check/option_checks.h"
 #include "check/property_checks.h"
 #include "check/screen_checks.h"
+#include "check/texture_checks.h"
 
 namespace orris {
 namespace {
@@ -18,21 +19,22 @@ using FolderCheck = void (*)(const FolderInput&, Diagnostics&);
 using WholePackCheck = void (*)(std::span<const ShaderPack>, Diagnostics&);
 
 // In the order of the report.
-constexpr FolderCheck kFolderChecks[] = {checkDeclarations, checkTargetsRead, checkTargetsWritten};
+constexpr FolderCheck kFolderChecks[] = {checkDeclarations, checkFrame};
 constexpr WholePackCheck kWholePackChecks[] = {
-    checkOptionLists,     //
-    checkOptionUse,       //
-    checkHiddenOptions,   //
-    checkScreenLinks,     //
-    checkSliders,         //
-    checkProfiles,        //
-    checkLanguageKeys,    //
-    checkLanguageCover,   //
-    checkUnusedIncludes,  //
-    checkFileNames,       //
-    checkIdMaps,          //
-    checkDirectiveNames,  //
-    checkPropertiesTwice,
+    checkOptionLists,      //
+    checkOptionUse,        //
+    checkHiddenOptions,    //
+    checkScreenLinks,      //
+    checkSliders,          //
+    checkProfiles,         //
+    checkLanguageKeys,     //
+    checkLanguageCover,    //
+    checkUnusedIncludes,   //
+    checkFileNames,        //
+    checkIdMaps,           //
+    checkDirectiveNames,   //
+    checkPropertiesTwice,  //
+    checkTexturesUsed,
 };
 
 }  // namespace

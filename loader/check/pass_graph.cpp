@@ -180,7 +180,7 @@ class GraphBuilder {
   }
 
   void addUses(const FramePass& pass, GraphPass& out) {
-    for (const BufferUse& use : buffersUsed(pack_, pass)) {
+    for (const BufferUse& use : pass.uses) {
       if (use.buffer.image) {
         addImage(pass, use, out);
       } else {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "check/stage_interface.h"
 #include "pack/text.h"
 
 namespace orris {
@@ -118,6 +119,23 @@ Diagnostic diagnosticAt(const ShaderPack& pack, Severity severity, std::string i
   d.sourceLine = pack.sourceLine(at.file, at.line);
   d.hint = std::move(hint);
   return d;
+}
+
+std::vector<WordPlace> findUses(const ProgramSource& program, bool computes,
+                                std::string_view name) {
+  std::vector<WordPlace> places;
+  const StageText* known = nullptr;
+  bool reached = false;
+  for (const WordPlace& place : findWord(program, computes, name)) {
+    if (place.stage != known) {
+      const StageInterface stage = readStageInterface(*place.stage);
+      const StageGlobal* global = findGlobal(stage, StageGlobal::Storage::Uniform, name);
+      known = place.stage;
+      reached = global == nullptr || global->used;
+    }
+    if (reached && !isDeclaration(place)) places.push_back(place);
+  }
+  return places;
 }
 
 SourceLocation locationOf(const WordPlace& place) {

@@ -23,6 +23,10 @@ std::vector<WordPlace> findWord(const StageText& stage, std::string_view word);
 /// Is the word the declared name of a uniform (or of a parameter list after it)?
 bool isDeclaration(const WordPlace& place);
 
+/// The occurrences outside of declarations, in those stages (or computes) whose main reaches the
+/// uniform `name`.
+std::vector<WordPlace> findUses(const ProgramSource& program, bool computes, std::string_view name);
+
 /// The author's place of it.
 SourceLocation locationOf(const WordPlace& place);
 

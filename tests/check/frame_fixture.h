@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "check/pack_checks.h"
+#include "check/frame_view.h"
 #include "core/file_source.h"
 #include "pack/shader_pack.h"
 
@@ -56,7 +56,7 @@ std::vector<std::string> messagesOf(Check check, const Files& files) {
   const ShaderPack pack = loadFolder(files);
   Diagnostics diagnostics;
   const Schedule schedule = buildSchedule(pack, 64, 32, {}, diagnostics);
-  check({.pack = pack, .schedule = schedule, .target = targetTable().front()}, diagnostics);
+  check(FrameView(pack, schedule), diagnostics);
   std::vector<std::string> messages;
   for (const Diagnostic& d : diagnostics) {
     const std::string text = formatDiagnostic(d);

@@ -1,0 +1,14 @@
+// Custom textures and images of shaders.properties that no program looks at.
+#pragma once
+
+#include <span>
+
+#include "core/diagnostic.h"
+#include "pack/shader_pack.h"
+
+namespace orris {
+
+/// texture-unused, image-unused (notes): no file of the pack names the sampler or image.
+void checkTexturesUsed(std::span<const ShaderPack> folders, Diagnostics& diagnostics);
+
+}  // namespace orris
