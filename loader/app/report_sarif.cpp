@@ -33,7 +33,9 @@ int codePointColumn(const std::string& line, int column) {
   return column - static_cast<int>(std::count_if(line.begin(), end, inside));
 }
 
+// Section 3.4.4: what has a base is relative.
 json artifactOf(const std::string& uri) {
+  if (uri.starts_with('/')) return {{"uri", "file://" + encodedUri(uri)}};
   return {{"uri", encodedUri(uri)}, {"uriBaseId", "SRCROOT"}};
 }
 

@@ -172,6 +172,17 @@ class Sarif(unittest.TestCase):
                              {f"{root}/lib/my%20file.glsl", f"{root}/shaders.properties"})
 
 
+    def test_absolute_paths_are_relative_where_they_can_be(self):
+        folder, other = Folder(), Folder()
+        artifacts = lambda pack: {
+            json.dumps(result["locations"][0]["physicalLocation"]["artifactLocation"])
+            for result in folder.report("sarif", pack=str(pack))["runs"][0]["results"]}
+        self.assertIn('{"uri": "pack/shaders/shaders.properties", "uriBaseId": "SRCROOT"}',
+                      artifacts(folder.path.resolve() / "pack"))
+        self.assertIn(json.dumps({"uri": f"file://{other.path}/pack/shaders/shaders.properties"}),
+                      artifacts(other.path / "pack"))
+
+
 # Which class each member of the format holds; all others hold plain values.
 SARIF_CLASSES = {"runs": "Run", "tool": "Tool", "driver": "ToolComponent",
                  "rules": "ReportingDescriptor", "results": "Result", "message": "Message",
