@@ -6,6 +6,7 @@
 #include "check/link_errors.h"
 #include "check/pack_checks.h"
 #include "frame/render_session.h"
+#include "frame/uniforms.h"
 
 namespace orris {
 namespace {
@@ -60,7 +61,7 @@ std::optional<ShaderPack> checkOne(const std::shared_ptr<const FileSource>& file
     programs.all.insert(unit.name);
     if (!checker.passed(unit.hash)) programs.failed.insert(unit.name);
   }
-  if (checker.context && verdict.programs.failed.empty()) {
+  if (checker.context && !hasErrors(diagnostics)) {
     drawOneFrame(*checker.context, files, request, diagnostics);
   }
   report.add(diagnostics);
@@ -100,6 +101,7 @@ PackVerdict validatePack(const std::string& path, const ValidateOptions& options
 
   request->buildSources = true;
   request->buildModPrograms = true;
+  request->uniformTypes = uniformTypes();
   for (const std::string& profile :
        chosen(options.profiles, namesOf(outline->properties.profiles))) {
     if (!profile.empty()) request->profile = profile;

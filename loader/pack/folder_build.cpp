@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "pack/chosen_values.h"
+#include "pack/expression_functions.h"
+#include "pack/voxy.h"
 
 namespace orris {
 
@@ -16,7 +18,9 @@ FolderBuild::FolderBuild(std::shared_ptr<const PackFiles> files, std::string fol
 }
 
 FolderBuild::FolderBuild(const FolderBuild& host, const ModFamily& mod,
-                         const MacroDefinitions& environment, const FolderBuild* similar)
+                         const MacroDefinitions& environment,
+                         const std::map<std::string, std::string>& uniformTypes,
+                         const FolderBuild* similar)
     : files_(host.files_),
       folder_(host.folder_),
       values_(host.values_),
@@ -26,7 +30,47 @@ FolderBuild::FolderBuild(const FolderBuild& host, const ModFamily& mod,
   MacroDefinitions macros = environment;
   macros.emplace_back(mod.macro, "");
   readProperties(macros, similar);
-  listAll();
+  if (mod.group == ProgramGroup::Voxy) {
+    listVoxy(uniformTypes);
+  } else {
+    listAll();
+  }
+}
+
+// What cannot be judged is not listed.
+void FolderBuild::listVoxy(const std::map<std::string, std::string>& uniformTypes) {
+  const std::string prefix = folder_ == "/" ? folder_ : folder_ + "/";
+  const std::string interfaceFile = prefix + std::string(kVoxyInterfaceFile);
+  if (!lines(interfaceFile)) return;
+  const FileLookup lookup = [this](const std::string& file) { return lines(file); };
+  Diagnostics ignored;  // the file is no shader
+  const TokenStream interface = preprocess(flatten(files_->graph, lookup, interfaceFile, ignored),
+                                           properties_->shaderMacros, ignored);
+  const auto prelude =
+      voxyPrelude(readVoxyInterface(interface), [&](const std::string& uniform) {
+        for (const CustomUniform& own : properties_->shader.customUniforms) {
+          if (own.name != uniform) continue;
+          return own.type == ValueType::Bool ? "int" : std::string(typeName(own.type));
+        }
+        const auto known = uniformTypes.find(uniform);
+        return known == uniformTypes.end() ? "" : known->second;
+      });
+  if (!prelude) return;
+  voxyPrelude_ = *prelude;
+  for (const std::string_view name : kVoxyPrograms) {
+    const std::string file = prefix + std::string(name) + ".glsl";
+    if (!lines(file)) continue;
+    programs_.push_back(
+        {.name = {.folder = folder_, .program = std::string(name), .group = ProgramGroup::Voxy},
+         .stages = {{Stage::Vertex, ""}, {Stage::Fragment, file}}});
+  }
+}
+
+BuildContext FolderBuild::context(const FileLookup& lookup) const {
+  return {files_->graph,       lookup,
+          properties_->shader, properties_->shaderMacros,
+          files_->optionNames, mod_ ? mod_->names : std::span<const HostName>(),
+          voxyPrelude_};
 }
 
 void FolderBuild::readProperties(const MacroDefinitions& environment, const FolderBuild* similar) {
@@ -47,9 +91,7 @@ const FileLines* FolderBuild::lines(const std::string& file) const {
 
 ProgramSource FolderBuild::build(const ProgramEntry& entry) const {
   const FileLookup lookup = [this](const std::string& file) { return lines(file); };
-  ProgramSource program =
-      buildProgram(entry, {files_->graph, lookup, properties_->shader, properties_->shaderMacros,
-                           files_->optionNames, mod_ ? mod_->names : std::span<const HostName>()});
+  ProgramSource program = buildProgram(entry, context(lookup));
   if (mod_) markAsOfMod(mod_->name, program.diagnostics);
   return program;
 }

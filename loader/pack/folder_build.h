@@ -19,8 +19,9 @@ class FolderBuild {
   /// differ leave them as they are. Nothing is built yet.
   FolderBuild(std::shared_ptr<const PackFiles> files, std::string folder, OptionValues values,
               const MacroDefinitions& environment, const FolderBuild* similar = nullptr);
-  /// The programs of another mod, as if it were there.
+  /// The programs of another mod, as if it were there. `uniformTypes` as in LoadRequest.
   FolderBuild(const FolderBuild& host, const ModFamily& mod, const MacroDefinitions& environment,
+              const std::map<std::string, std::string>& uniformTypes,
               const FolderBuild* similar = nullptr);
 
   const PackFiles& files() const { return *files_; }
@@ -41,12 +42,15 @@ class FolderBuild {
  private:
   void readProperties(const MacroDefinitions& environment, const FolderBuild* similar);
   void listAll();
+  void listVoxy(const std::map<std::string, std::string>& uniformTypes);
+  BuildContext context(const FileLookup& lookup) const;
   bool isEnabled(const std::string& program, const Profile* profile);
 
   std::shared_ptr<const PackFiles> files_;
   std::string folder_;
   OptionValues values_;
   const ModFamily* mod_ = nullptr;
+  std::string voxyPrelude_;
   std::shared_ptr<const PackProperties> properties_;
   std::map<std::string, FileLines> edited_;  ///< files that the values change
   std::vector<ProgramEntry> programs_;

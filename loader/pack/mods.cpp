@@ -34,9 +34,10 @@ constexpr std::array<HostName, 13> kColorwheelNames{{
      Stage::Fragment},
 }};
 
-constexpr std::array<ModFamily, 2> kFamilies{
+constexpr std::array<ModFamily, 3> kFamilies{
     {{"Distant Horizons", ProgramGroup::DistantHorizons, "DISTANT_HORIZONS", kDistantHorizonsNames},
-     {"Colorwheel", ProgramGroup::Colorwheel, "HAS_COLORWHEEL", kColorwheelNames}}};
+     {"Colorwheel", ProgramGroup::Colorwheel, "HAS_COLORWHEEL", kColorwheelNames},
+     {"Voxy", ProgramGroup::Voxy, "VOXY", {}}}};
 
 }  // namespace
 

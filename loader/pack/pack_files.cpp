@@ -6,6 +6,7 @@
 #include "pack/program_id.h"
 #include "pack/properties_text.h"
 #include "pack/property_keys.h"
+#include "pack/voxy.h"
 
 namespace orris {
 namespace {
@@ -50,7 +51,12 @@ std::shared_ptr<const PackFiles> readPackFiles(std::shared_ptr<const FileSource>
                      .hint = "program files are named like composite.fsh, in shaders/ or "
                              "shaders/world0/"});
   }
-  files->graph = readIncludeGraph(*source, files->entries, found);
+  std::vector<std::string> roots = files->entries;
+  if (!roots.empty()) {
+    std::copy_if(source->files().begin(), source->files().end(), std::back_inserter(roots),
+                 isVoxyFile);
+  }
+  files->graph = readIncludeGraph(*source, roots, found);
   files->complete = !hasErrors(found);
   files->options = discoverOptions(files->graph.files, found);
   for (const auto& [name, option] : files->options.all()) files->optionNames.push_back(name);

@@ -4,6 +4,7 @@
 
 #include "pack/mods.h"
 #include "pack/text.h"
+#include "pack/voxy.h"
 
 namespace orris {
 namespace {
@@ -77,9 +78,14 @@ class ProgramBuild {
 
  private:
   TokenStream preprocessFile(const std::string& file) {
-    if (file.empty()) return preprocess(defaultVertexSource(), context_.macros, built_.diagnostics);
+    const bool voxy = entry_.name.group == ProgramGroup::Voxy;
+    if (file.empty()) {
+      return voxy ? voxyVertex()
+                  : preprocess(defaultVertexSource(), context_.macros, built_.diagnostics);
+    }
     const FlatSource flat = flatten(context_.graph, context_.files, file, built_.diagnostics);
     TokenStream stream = preprocess(flat, context_.macros, built_.diagnostics, &watch_);
+    if (voxy) return voxyFragment(std::move(stream), context_.voxyPrelude);
     requireVersion(stream, built_.diagnostics);
     return stream;
   }
@@ -95,6 +101,7 @@ class ProgramBuild {
     RewriteResult result = rewrite(stream, stage, context_.names);
     built_.writesFragData |= result.writesFragData;
     addRules(result.rules);
+    if (entry_.name.group == ProgramGroup::Voxy) keepVoxyVersion(stream);
     built_.stages.push_back({stage, print(stream)});
     addToHash(stageName(stage), built_.stages.back().text.text);
   }

@@ -35,6 +35,7 @@ struct BuildContext {
   const MacroDefinitions& macros;
   const std::vector<std::string>& optionNames;  ///< sorted
   std::span<const HostName> names{};            ///< that a mod declares for its programs
+  std::string voxyPrelude{};                    ///< stands before the code of its programs
 };
 
 ProgramSource buildProgram(const ProgramEntry& entry, const BuildContext& context);

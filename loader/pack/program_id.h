@@ -21,7 +21,8 @@ enum class ProgramGroup {
   Composite,
   Final,
   DistantHorizons,  ///< the groups from here on are of other mods, see pack/mods.h
-  Colorwheel
+  Colorwheel,
+  Voxy
 };
 
 /// What a file name says: "/world0/composite3_a.csh" is {folder "/world0", program "composite3",

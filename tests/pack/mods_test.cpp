@@ -86,6 +86,42 @@ TEST(Mods, a_program_is_enabled_as_if_its_mod_were_there) {
   EXPECT_THAT(names(loaded.pack->modPrograms), ElementsAre("dh_terrain"));
 }
 
+Loaded loadVoxy(const std::string& opaque, std::map<std::string, std::string> types) {
+  Loaded loaded;
+  const LoadRequest request{.environment = standardMacros({}),
+                            .buildModPrograms = true,
+                            .uniformTypes = std::move(types)};
+  // Texts over lines, directives inside and keys without quotes, as packs write it.
+  const std::string interface =
+      "{ \"unused\": \"\n#define far near\n\", \"blending\": {-1: \"off\"},\n"
+      "  \"uniforms\": [\"far\", \"own\"\n#ifndef VOXY\n, \"unknown\"\n#endif\n],\n"
+      "  \"samplers\": [\"noisetex\"], \"ssbos\": {\"0\": \"{vec3 a; float b;}\"} }\n";
+  loaded.pack = loadShaderPack(memorySource({{"/final.fsh", kFragment},
+                                             {"/shaders.properties", "uniform.bool.own = true\n"},
+                                             {"/voxy.json", interface},
+                                             {"/voxy_opaque.glsl", opaque}}),
+                               request, loaded.diagnostics);
+  return loaded;
+}
+
+TEST(Mods, voxy_gets_what_its_interface_file_lists) {
+  const std::string opaque =
+      "layout(location = 0) out vec4 color;\n"
+      "void voxy_emitFragment(VoxyFragmentParameters p) {\n"
+      "  color = p.sampledColour * far * float(own) * b + texture(noisetex, p.uv);\n}\n";
+  const Loaded loaded = loadVoxy(opaque, {{"far", "float"}});
+  ASSERT_TRUE(loaded.pack);
+  EXPECT_THAT(names(loaded.pack->modPrograms), ElementsAre("voxy_opaque"));
+  EXPECT_EQ(verdict(loaded), "");
+  const Loaded wrong =
+      loadVoxy("void voxy_emitFragment(VoxyFragmentParameters p) { x = 1; }\n", {{"far", "float"}});
+  EXPECT_THAT(verdict(wrong), testing::StartsWith("/voxy_opaque.glsl:1:"));
+}
+
+TEST(Mods, a_voxy_program_with_a_uniform_of_unknown_type_is_not_judged) {
+  EXPECT_THAT(names(loadVoxy("nonsense", {}).pack->modPrograms), IsEmpty());
+}
+
 TEST(Mods, what_is_wrong_with_a_program_of_a_mod_is_a_warning_that_names_the_mod) {
   const Loaded loaded = load({{"/dh_water.fsh", "void main() {}\n"}, {"/dh_water.vsh", kVertex}});
   ASSERT_TRUE(loaded.pack);
