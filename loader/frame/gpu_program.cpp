@@ -93,6 +93,26 @@ int customIndex(const CustomUniforms& custom, const std::string& name) {
   return it == values.end() ? -1 : static_cast<int>(it - values.begin());
 }
 
+// Mesa words them so: "Too much shared memory used", "Too many fragment shader texture samplers".
+bool exceedsLimit(const std::string& linkLog) {
+  return linkLog.find("Too much ") != std::string::npos ||
+         linkLog.find("Too many ") != std::string::npos;
+}
+
+void reportLink(const std::string& log, const StageText& stage, const SourceLines& lines,
+                Diagnostics& diagnostics) {
+  Diagnostics found;
+  mapDriverLog(log, Severity::Error, stage, lines, found);
+  for (Diagnostic& diagnostic : found) {
+    if (exceedsLimit(log)) {
+      diagnostic.severity = Severity::Warning;
+      diagnostic.id = "target-limit";
+      diagnostic.notes.push_back("this driver cannot run the program; it is left out");
+    }
+    diagnostics.push_back(std::move(diagnostic));
+  }
+}
+
 }  // namespace
 
 GpuProgram buildGpuProgram(const std::string& label, const std::vector<const StageText*>& written,
@@ -116,7 +136,7 @@ GpuProgram buildGpuProgram(const std::string& label, const std::vector<const Sta
   const bool compiled = std::none_of(result.program.stageFailed.begin(),
                                      result.program.stageFailed.end(), [](bool f) { return f; });
   if (compiled && !stages.empty())
-    mapDriverLog(result.program.linkLog, Severity::Error, *stages.back(), lines, diagnostics);
+    reportLink(result.program.linkLog, *stages.back(), lines, diagnostics);
   return result;
 }
 

@@ -36,7 +36,8 @@ struct GpuProgram {
   bool patches = false;  ///< has tessellation stages
 };
 
-/// Compiles and links; driver messages of failures are mapped into `diagnostics` (errors only).
+/// Compiles and links; driver messages of failures are mapped into `diagnostics`: errors, but a
+/// warning where the program exceeds a limit of the driver.
 GpuProgram buildGpuProgram(const std::string& label, const std::vector<const StageText*>& stages,
                            const SourceLines& lines, Diagnostics& diagnostics);
 
