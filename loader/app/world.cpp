@@ -103,7 +103,7 @@ int runWorld(const WorldOptions& options) {
     return status;
   }
   Diagnostics diagnostics;
-  const SceneData scene = buildScene(std::move(*world), 1, diagnostics);
+  const SceneData scene = buildScene(std::move(*world), {}, diagnostics);
   report.add(diagnostics);
   const WorldFacts facts = gatherFacts(scene);
   if (!options.output.json) printText(scene.world, facts);

@@ -94,6 +94,10 @@ void FrameRenderer::render(const FrameState& state) {
 
 void FrameRenderer::runStep(const Step& step, const FrameState& state) {
   const auto start = Clock::now();
+  const bool draws = step.kind == Step::Kind::Fullscreen || step.kind == Step::Kind::Draw ||
+                     step.kind == Step::Kind::DrawShadow;
+  // A program beyond a limit of the driver was reported when it was built.
+  if (draws && !programOf(step).program.linked) return;
   if (loaded_->storesFromShaders) gl::MemoryBarrier(GL_ALL_BARRIER_BITS);
   switch (step.kind) {
     case Step::Kind::ClearImages:
@@ -212,8 +216,11 @@ void FrameRenderer::drawTerrain(const Step& step, const GpuProgram& program,
   bindVertices(program.program);
   const Frustum frustum(projection * view);
   const float mul = pack_->directives.shadowDistanceRenderMul;
-  const float reach = mul >= 0 ? pack_->directives.shadowDistance * mul
-                               : static_cast<float>(state.environment.renderDistance);
+  float reach = mul >= 0 ? pack_->directives.shadowDistance * mul
+                         : static_cast<float>(state.environment.renderDistance);
+  const auto culling = pack_->properties.settings.find("shadow.culling");
+  if (culling != pack_->properties.settings.end() && culling->second == "reversed")
+    reach = std::max(reach, pack_->directives.voxelDistance);
   std::vector<std::pair<float, const MeshSection*>> visible;
   for (const MeshSection& section : loaded_->scene->sections()) {
     if (section.layer != layerOf(step.geometry) || section.count == 0) continue;
@@ -298,6 +305,7 @@ void FrameRenderer::dispatch(const Step& step, const FrameState& state) {
   for (size_t i = 0; i < source.computes.size(); ++i) {
     const ComputeSource& compute = source.computes[i];
     const GpuProgram& program = *loaded_->computes.at({step.program, static_cast<int>(i)});
+    if (!program.program.linked) continue;
     useProgram(program, step, state, draw);
     gl::MemoryBarrier(GL_ALL_BARRIER_BITS);
     if (const auto it = pack_->properties.indirect.find(compute.name);

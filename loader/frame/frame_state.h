@@ -33,6 +33,7 @@ struct FrameState {
   float wetness = 0;
   float centerDepthSmooth = 1;
   int isEyeInWater = 0;  ///< 0 none, 1 water, 2 lava
+  int emptyHandId = -1;  ///< heldItemId of an empty hand; 0 for a pack without item.properties
 };
 
 /// What a frame sees of the world besides blocks that are drawn.

@@ -2,8 +2,10 @@
 // textures (atlas, lightmap, noise).
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "frame/frame_state.h"
@@ -11,6 +13,7 @@
 #include "frame/vertex_layout.h"
 #include "gl/buffer.h"
 #include "gl/texture.h"
+#include "pack/shader_pack.h"
 #include "world/block_mesh.h"
 
 namespace orris {
@@ -28,10 +31,19 @@ struct SceneData {
   EyeSurroundings surroundings(const glm::dvec3& position) const;
 };
 
+/// What of a pack changes the mesh.
+struct MeshStyle {
+  float ambientOcclusionLevel = 1;
+  /// Block name -> "solid", "cutout" or "translucent": layer.* of block.properties.
+  std::map<std::string, std::string> renderLayers{};
+  bool operator==(const MeshStyle&) const = default;
+};
+MeshStyle meshStyleOf(const ShaderPack& pack);
+
 /// Facts, atlas, light and mesh of a world; unknown blocks are warnings.
-SceneData buildScene(World world, float ambientOcclusionLevel, Diagnostics& diagnostics);
+SceneData buildScene(World world, const MeshStyle& style, Diagnostics& diagnostics);
 /// Light and mesh again after blocks changed.
-void rebuildMesh(SceneData& scene, float ambientOcclusionLevel);
+void rebuildMesh(SceneData& scene, const MeshStyle& style);
 
 /// A range of triangles: `count` quads from vertex `firstVertex` of one buffer.
 struct QuadRange {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace orris {
 namespace {
 
@@ -22,6 +24,7 @@ MacroDefinitions environmentFor(const gl::DriverInfo& driver) {
   host.glExtensions = driver.extensions;
   host.glVersion = driver.glVersion;
   host.glslVersion = driver.glVersion;
+  host.labPbr = true;  // the generated atlas follows it
   return standardMacros(host);
 }
 
@@ -36,8 +39,7 @@ std::unique_ptr<RenderSession> RenderSession::create(gl::Context& context, Sessi
       std::unique_ptr<RenderSession>(new RenderSession(context, std::move(request), SceneData()));
   const auto pack = session->loadPack(diagnostics);
   if (pack == nullptr) return nullptr;
-  session->scene_ =
-      buildScene(std::move(world), pack->directives.ambientOcclusionLevel, diagnostics);
+  session->scene_ = buildScene(std::move(world), meshStyleOf(*pack), diagnostics);
   session->renderer_ = std::make_unique<FrameRenderer>(context, session->request_.renderer);
   SessionReload start{0, "start", false, {}};
   start.succeeded = session->renderer_->setPack(pack, session->scene_, start.report, diagnostics);
@@ -67,11 +69,11 @@ bool RenderSession::use(const std::string& cause, std::shared_ptr<const ShaderPa
                         Diagnostics& diagnostics) {
   SessionReload reload{frame_, cause, false, {}};
   if (pack != nullptr) {
-    const float level = pack->directives.ambientOcclusionLevel;
-    const bool newLevel = level != renderer_->pack().directives.ambientOcclusionLevel;
-    if (newLevel) rebuildMesh(scene_, level);
+    const MeshStyle style = meshStyleOf(*pack);
+    const bool newStyle = style != meshStyleOf(renderer_->pack());
+    if (newStyle) rebuildMesh(scene_, style);
     reload.succeeded = renderer_->setPack(pack, scene_, reload.report, diagnostics);
-    if (newLevel && reload.succeeded) renderer_->updateScene(scene_);
+    if (newStyle && reload.succeeded) renderer_->updateScene(scene_);
   }
   reloads_.push_back(reload);
   return reload.succeeded;
@@ -116,7 +118,7 @@ void RenderSession::applyEvents(Diagnostics& diagnostics) {
 
 void RenderSession::rebuildScene(Diagnostics& diagnostics) {
   const SceneContents before = scene_.contents();
-  rebuildMesh(scene_, renderer_->pack().directives.ambientOcclusionLevel);
+  rebuildMesh(scene_, meshStyleOf(renderer_->pack()));
   // The first glass pane brings a translucent pass with it, the last one takes it away.
   if (scene_.contents() != before) {
     SessionReload reload{frame_, "blocks changed", false, {}};
@@ -139,6 +141,10 @@ void RenderSession::renderFrame(Diagnostics& diagnostics) {
   input.centerDepth = renderer_->centerDepth();
   input.frameTime = request_.frameTime;
   state_ = nextFrameState(input, renderer_->pack().directives, state_ ? &*state_ : nullptr);
+  state_->emptyHandId = renderer_->pack().hasItemFile ? -1 : 0;
+  Player& player = state_->environment.player;
+  if (renderer_->pack().properties.flag("oldHandLight", true))
+    player.heldLight = std::max(player.heldLight, player.heldLight2);
   renderer_->render(*state_);
   ++frame_;
 }

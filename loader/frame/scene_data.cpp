@@ -4,6 +4,15 @@
 #include "frame/gpu_scene.h"
 
 namespace orris {
+namespace {
+
+RenderLayer layerNamed(std::string_view name) {
+  return name == "translucent" ? RenderLayer::Translucent
+         : name == "cutout"    ? RenderLayer::Cutout
+                               : RenderLayer::Solid;
+}
+
+}  // namespace
 
 SceneContents SceneData::contents() const {
   const auto has = [&](RenderLayer layer) {
@@ -28,13 +37,22 @@ EyeSurroundings SceneData::surroundings(const glm::dvec3& position) const {
   return eye;
 }
 
-void rebuildMesh(SceneData& scene, float ambientOcclusionLevel) {
-  scene.light = std::make_unique<LightLevels>(scene.world.blocks, scene.facts);
-  scene.mesh = buildMesh(
-      {scene.world.blocks, scene.facts, *scene.light, scene.atlas, ambientOcclusionLevel});
+MeshStyle meshStyleOf(const ShaderPack& pack) {
+  return {pack.directives.ambientOcclusionLevel, pack.blockIds.renderLayers};
 }
 
-SceneData buildScene(World world, float ambientOcclusionLevel, Diagnostics& diagnostics) {
+void rebuildMesh(SceneData& scene, const MeshStyle& style) {
+  scene.light = std::make_unique<LightLevels>(scene.world.blocks, scene.facts);
+  std::vector<BlockFacts> facts = scene.facts;
+  for (size_t i = 0; i < facts.size(); ++i) {
+    const auto layer = style.renderLayers.find(scene.world.blocks.palette()[i].name);
+    if (layer != style.renderLayers.end()) facts[i].layer = layerNamed(layer->second);
+  }
+  scene.mesh = buildMesh(
+      {scene.world.blocks, facts, *scene.light, scene.atlas, style.ambientOcclusionLevel});
+}
+
+SceneData buildScene(World world, const MeshStyle& style, Diagnostics& diagnostics) {
   SceneData scene;
   scene.world = std::move(world);
   // States that events will place later join the palette now, so the atlas holds their textures.
@@ -44,7 +62,7 @@ SceneData buildScene(World world, float ambientOcclusionLevel, Diagnostics& diag
   const BlockTable table;
   scene.facts = factsOfPalette(table, scene.world.blocks, diagnostics);
   scene.atlas = buildAtlas(texturesOf(scene.facts));
-  rebuildMesh(scene, ambientOcclusionLevel);
+  rebuildMesh(scene, style);
   return scene;
 }
 

@@ -6,6 +6,7 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <vector>
 
+#include "pack/expression_functions.h"
 #include "pack/shader_pack.h"
 
 namespace orris {
@@ -43,12 +44,16 @@ glm::vec3 lookVector(const FrameState& s) {
   return -glm::vec3(glm::transpose(s.gbufferModelView)[2]);
 }
 
-int categoryOf(const FrameState& s) {
-  const std::string& d = s.environment.dimension;
-  return d == "minecraft:the_nether" ? 16 : d == "minecraft:the_end" ? 8 : 5;
-}
 bool isNether(const FrameState& s) { return s.environment.dimension == "minecraft:the_nether"; }
 bool isEnd(const FrameState& s) { return s.environment.dimension == "minecraft:the_end"; }
+
+// Every biome of these dimensions has their category, named or not.
+int categoryOf(const FrameState& s) {
+  const std::string_view biome = isNether(s) ? "nether_wastes"
+                                 : isEnd(s)  ? "the_end"
+                                             : s.environment.biome;
+  return biomeCategory(biome);
+}
 
 using S = const FrameState&;
 using D = const DrawState&;
@@ -117,7 +122,7 @@ std::vector<UniformRow> makeTable() {
     FRAME("viewWidth", Float, valueOf(static_cast<float>(s.width))),
     FRAME("viewHeight", Float, valueOf(static_cast<float>(s.height))),
     FRAME("aspectRatio", Float, valueOf(static_cast<float>(s.width) / static_cast<float>(s.height))),
-    FRAME("screenBrightness", Float, valueOf(1.0f)),
+    FRAME("screenBrightness", Float, valueOf(s.environment.player.brightness)),
     FRAME("currentColorSpace", Int, Value::ofInt(0)),
     FRAME("frameCounter", Int, Value::ofInt(s.frameCounter)),
     FRAME("frameTime", Float, valueOf(s.frameTime)),
@@ -175,13 +180,13 @@ std::vector<UniformRow> makeTable() {
     FRAME("textureFilteringMode", Int, Value::ofInt(0)),
     // Player
     FRAME("isEyeInWater", Int, Value::ofInt(s.isEyeInWater)),
-    FRAME("blindness", Float, valueOf(0.0f)),
-    FRAME("nightVision", Float, valueOf(0.0f)),
-    FRAME("darknessFactor", Float, valueOf(0.0f)),
-    FRAME("darknessLightFactor", Float, valueOf(0.0f)),
+    FRAME("blindness", Float, valueOf(s.environment.player.blindness)),
+    FRAME("nightVision", Float, valueOf(s.environment.player.nightVision)),
+    FRAME("darknessFactor", Float, valueOf(s.environment.player.darkness)),
+    FRAME("darknessLightFactor", Float, valueOf(s.environment.player.darknessLight)),
     FRAME("playerMood", Float, valueOf(0.0f)),
     FRAME("constantMood", Float, valueOf(0.0f)),
-    FRAME("hideGUI", Bool, Value::ofBool(true)),
+    FRAME("hideGUI", Bool, Value::ofBool(s.environment.player.hideGui)),
     FRAME("isSpectator", Bool, Value::ofBool(false)),
     FRAME("isRightHanded", Bool, Value::ofBool(true)),
     FRAME("currentPlayerAir", Float, valueOf(-1.0f)),
@@ -192,13 +197,18 @@ std::vector<UniformRow> makeTable() {
     FRAME("maxPlayerHealth", Float, valueOf(-1.0f)),
     FRAME("currentPlayerHunger", Float, valueOf(-1.0f)),
     FRAME("maxPlayerHunger", Float, valueOf(20.0f)),
-    FRAME("is_on_ground", Bool, Value::ofBool(true)),
+    FRAME("is_on_ground", Bool, Value::ofBool(s.environment.player.onGround)),
     FRAME("is_alive", Bool, Value::ofBool(true)),
+    FRAME("is_sneaking", Bool, Value::ofBool(s.environment.player.sneaking)),
+    FRAME("is_sprinting", Bool, Value::ofBool(s.environment.player.sprinting)),
+    FRAME("is_hurt", Bool, Value::ofBool(s.environment.player.hurt)),
+    FRAME("is_invisible", Bool, Value::ofBool(s.environment.player.invisible)),
+    FRAME("is_burning", Bool, Value::ofBool(s.environment.player.burning)),
     // Ids
-    FRAME("heldItemId", Int, Value::ofInt(-1)),
-    FRAME("heldItemId2", Int, Value::ofInt(-1)),
-    FRAME("heldBlockLightValue", Int, Value::ofInt(0)),
-    FRAME("heldBlockLightValue2", Int, Value::ofInt(0)),
+    FRAME("heldItemId", Int, Value::ofInt(s.emptyHandId)),
+    FRAME("heldItemId2", Int, Value::ofInt(s.emptyHandId)),
+    FRAME("heldBlockLightValue", Int, Value::ofInt(s.environment.player.heldLight)),
+    FRAME("heldBlockLightValue2", Int, Value::ofInt(s.environment.player.heldLight2)),
     FRAME("heldBlockLightColor", Vec3, valueOf(glm::vec3(1))),
     FRAME("heldBlockLightColor2", Vec3, valueOf(glm::vec3(1))),
     DRAW("entityId", Int, Value::ofInt(0)),
@@ -214,10 +224,20 @@ std::vector<UniformRow> makeTable() {
     FRAME("dhRenderDistance", Int, Value::ofInt(s.environment.renderDistance)),
     FRAME("terrainTextureSize", IVec2, valueOf(glm::ivec2(0))),
     FRAME("terrainIconSize", Int, Value::ofInt(0)),
+    // OptiFine only
     FRAME("colorModulator", Vec4, valueOf(glm::vec4(1))),
+    FRAME("bossBattle", Int, Value::ofInt(0)),
+    FRAME("instanceId", Int, Value::ofInt(0)),
+    FRAME("spriteBounds", Vec4, valueOf(glm::vec4(0))),
+    FRAME("modelOffset", Vec3, valueOf(glm::vec3(0))),
+    // Vivecraft
+    FRAME("vivecraftRenderpass", Int, Value::ofInt(0)),
+    FRAME("vivecraftRelativeMainHandPos", Vec3, valueOf(glm::vec3(0))),
+    FRAME("vivecraftRelativeOffHandPos", Vec3, valueOf(glm::vec3(0))),
+    FRAME("vivecraftRelativeMainHandRot", Mat4, valueOf(glm::mat4(1))),
+    FRAME("vivecraftRelativeOffHandRot", Mat4, valueOf(glm::mat4(1))),
   };
-  for (const char* name : {"is_sneaking", "is_sprinting", "is_hurt", "is_invisible", "is_burning",
-                           "vehicleInWater", "isRiding", "inSwimmingAnimation", "feetInWater",
+  for (const char* name : {"vehicleInWater", "isRiding", "inSwimmingAnimation", "feetInWater",
                            "isElytraFlying", "is_child", "is_glowing", "is_in_lava", "is_in_water",
                            "is_ridden", "is_riding", "is_wet", "vivecraftIsVR"})
     rows.push_back(FRAME(name, Bool, Value::ofBool(false)));
@@ -263,6 +283,17 @@ const UniformRow* findUniform(std::string_view name) {
       std::lower_bound(table.begin(), table.end(), name,
                        [](const UniformRow& r, std::string_view n) { return r.name < n; });
   return it != table.end() && it->name == name ? &*it : nullptr;
+}
+
+std::map<std::string, std::string> uniformTypes() {
+  // Voxy's own. Its matrices have three forms each.
+  std::map<std::string, std::string> types{{"vxRenderDistance", "int"}, {"blendFunc", "ivec4"}};
+  for (const char* matrix : {"vxProj", "vxModelView", "vxViewProj"}) {
+    for (const char* form : {"", "Inv", "Prev"}) types[std::string(matrix) + form] = "mat4";
+  }
+  for (const UniformRow& row : uniformTable())
+    types.emplace(row.name, row.type == ValueType::Bool ? "int" : typeName(row.type));
+  return types;
 }
 
 }  // namespace orris

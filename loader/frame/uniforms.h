@@ -1,7 +1,9 @@
 // Standard uniforms: one table from Iris name to value. Contract: uniforms.csv.
 #pragma once
 
+#include <map>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "frame/frame_state.h"
@@ -30,6 +32,9 @@ struct UniformRow {
 /// Sorted by name.
 std::span<const UniformRow> uniformTable();
 const UniformRow* findUniform(std::string_view name);
+
+/// GLSL type of every uniform that the host or one of the mods gives, by name.
+std::map<std::string, std::string> uniformTypes();
 
 Value valueOf(float v);
 Value valueOf(const glm::vec2& v);

@@ -57,7 +57,8 @@ struct ConstantRow {
   std::string_view name;
   float value[4];
 };
-constexpr ConstantRow kConstants[] = {{"vaUV1", {0, 10, 0, 1}}, {"mc_chunkFade", {-1, 0, 0, 1}}};
+constexpr ConstantRow kConstants[] = {
+    {"vaUV1", {0, 10, 0, 1}}, {"mc_chunkFade", {-1, 0, 0, 1}}, {"at_velocity", {0, 0, 0, 1}}};
 
 bool isIntegerAttribute(unsigned type) {
   static constexpr unsigned kTypes[] = {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/diagnostic.h"
@@ -72,5 +73,9 @@ ProgramDirectives readProgramDirectives(const TokenStream& stream, int targets,
 /// order). `sites` are those of its token stream.
 void readPackDirectives(const std::vector<ConstLine>& lines, const std::vector<IncludeSite>& sites,
                         PackDirectives& directives, Diagnostics& diagnostics);
+
+/// Names of the const lines that readPackDirectives knows, but for those of single targets
+/// (colortexNFormat, ...).
+std::vector<std::string_view> packDirectiveNames();
 
 }  // namespace orris

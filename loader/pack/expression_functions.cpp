@@ -257,6 +257,12 @@ bool accepts(std::span<const ValueType> parameters, std::span<const ValueType> a
 
 }  // namespace
 
+std::vector<std::string_view> expressionFunctionNames() {
+  std::vector<std::string_view> names{"if", "smooth"};
+  for (const Row& row : rows()) names.push_back(row.name);
+  return names;
+}
+
 bool isExpressionFunction(std::string_view name) {
   if (name == "if" || name == "smooth") return true;
   return std::any_of(rows().begin(), rows().end(),

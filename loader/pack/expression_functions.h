@@ -26,6 +26,9 @@ struct ExpressionOverload {
   ValueType result = ValueType::Float;
 };
 
+/// Names of the functions, and the signs of the operators ("neg" for the prefix minus).
+std::vector<std::string_view> expressionFunctionNames();
+
 /// Is there a function of that name at all?
 bool isExpressionFunction(std::string_view name);
 

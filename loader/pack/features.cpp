@@ -38,7 +38,9 @@ const std::vector<std::string>& supportedFeatures() {
                                                "REVERSED_CULLING",
                                                "BLOCK_EMISSION_ATTRIBUTE",
                                                "SSBO",
-                                               "CAN_DISABLE_WEATHER"};
+                                               "CAN_DISABLE_WEATHER",
+                                               "FADE_VARIABLE",
+                                               "TEXTURE_FILTERING"};
   return kNames;
 }
 
@@ -68,6 +70,22 @@ void checkDeclared(const ShaderProperties& properties, Diagnostics& diagnostics)
   if (!properties.images.empty()) {
     requireFlag(properties, "CUSTOM_IMAGES", "custom images", properties.images.front().at,
                 diagnostics);
+  }
+}
+
+// Iris: ShadowRenderTargets.
+void checkShadowColors(const ProgramList& programs, const ShaderProperties& properties,
+                       Diagnostics& diagnostics) {
+  constexpr int kWithoutFlag = 2;
+  for (const ProgramSource& program : programs) {
+    if (program.group != ProgramGroup::Shadow && program.group != ProgramGroup::ShadowComp)
+      continue;
+    for (const int buffer : program.drawBuffers) {
+      if (buffer < kWithoutFlag) continue;
+      requireFlag(properties, "HIGHER_SHADOWCOLOR", "shadow colours above shadowcolor1",
+                  program.directives.drawBuffersAt, diagnostics);
+      break;
+    }
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "glsl/preprocessor.h"
 #include "pack/property_keys.h"
+#include "pack/shader_pack.h"
 
 namespace orris {
 
@@ -19,6 +20,10 @@ void requireFeatures(const PropertyContext& context, const std::vector<std::stri
 
 /// Errors for buffer objects and custom images without their flag.
 void checkDeclared(const ShaderProperties& properties, Diagnostics& diagnostics);
+
+/// Errors for programs that draw to shadowcolor2 and up without the flag for them.
+void checkShadowColors(const ProgramList& programs, const ShaderProperties& properties,
+                       Diagnostics& diagnostics);
 
 /// IRIS_FEATURE_* and ORRIS_FEATURE_* as the *.properties files see them (all supported flags), and
 /// as shaders see them (those listed as optional).

@@ -20,7 +20,7 @@ struct BlockFilter {
 };
 
 struct BlockIdMap {
-  bool present = false;                             ///< false: no file, legacy numeric ids apply
+  bool present = false;                             ///< block.properties exists
   std::vector<BlockFilter> filters;                 ///< in file order
   std::map<std::string, std::string> renderLayers;  ///< block name -> "solid", "cutout", ...
 

@@ -74,70 +74,97 @@ constexpr std::array<std::string_view, 3> kPrecipitations{"NONE", "RAIN", "SNOW"
 constexpr std::array<std::string_view, 16> kDistantBlocks{
     "UNKNOWN", "LEAVES", "STONE",      "WOOD",         "METAL", "DIRT",  "LAVA", "DEEPSLATE",
     "SNOW",    "SAND",   "TERRACOTTA", "NETHER_STONE", "WATER", "GRASS", "AIR",  "ILLUMINATED"};
-constexpr std::array<std::string_view, 64> kBiomes{"the_void",
-                                                   "plains",
-                                                   "sunflower_plains",
-                                                   "snowy_plains",
-                                                   "ice_spikes",
-                                                   "desert",
-                                                   "swamp",
-                                                   "mangrove_swamp",
-                                                   "forest",
-                                                   "flower_forest",
-                                                   "birch_forest",
-                                                   "dark_forest",
-                                                   "old_growth_birch_forest",
-                                                   "old_growth_pine_taiga",
-                                                   "old_growth_spruce_taiga",
-                                                   "taiga",
-                                                   "snowy_taiga",
-                                                   "savanna",
-                                                   "savanna_plateau",
-                                                   "windswept_hills",
-                                                   "windswept_gravelly_hills",
-                                                   "windswept_forest",
-                                                   "windswept_savanna",
-                                                   "jungle",
-                                                   "sparse_jungle",
-                                                   "bamboo_jungle",
-                                                   "badlands",
-                                                   "eroded_badlands",
-                                                   "wooded_badlands",
-                                                   "meadow",
-                                                   "cherry_grove",
-                                                   "grove",
-                                                   "snowy_slopes",
-                                                   "frozen_peaks",
-                                                   "jagged_peaks",
-                                                   "stony_peaks",
-                                                   "river",
-                                                   "frozen_river",
-                                                   "beach",
-                                                   "snowy_beach",
-                                                   "stony_shore",
-                                                   "warm_ocean",
-                                                   "lukewarm_ocean",
-                                                   "deep_lukewarm_ocean",
-                                                   "ocean",
-                                                   "deep_ocean",
-                                                   "cold_ocean",
-                                                   "deep_cold_ocean",
-                                                   "frozen_ocean",
-                                                   "deep_frozen_ocean",
-                                                   "mushroom_fields",
-                                                   "dripstone_caves",
-                                                   "lush_caves",
-                                                   "deep_dark",
-                                                   "nether_wastes",
-                                                   "warped_forest",
-                                                   "crimson_forest",
-                                                   "soul_sand_valley",
-                                                   "basalt_deltas",
-                                                   "the_end",
-                                                   "end_highlands",
-                                                   "end_midlands",
-                                                   "small_end_islands",
-                                                   "end_barrens"};
+// In the order of kCategories.
+enum Category {
+  kNone,
+  kTaiga,
+  kExtremeHills,
+  kJungle,
+  kMesa,
+  kPlains,
+  kSavanna,
+  kIcy,
+  kTheEnd,
+  kBeach,
+  kForest,
+  kOcean,
+  kDesert,
+  kRiver,
+  kSwamp,
+  kMushroom,
+  kNether,
+  kMountain,
+  kUnderground
+};
+
+struct Biome {
+  std::string_view name;
+  Category category;
+};
+constexpr std::array<Biome, 64> kBiomes{{{"the_void", kNone},
+                                         {"plains", kPlains},
+                                         {"sunflower_plains", kPlains},
+                                         {"snowy_plains", kIcy},
+                                         {"ice_spikes", kIcy},
+                                         {"desert", kDesert},
+                                         {"swamp", kSwamp},
+                                         {"mangrove_swamp", kSwamp},
+                                         {"forest", kForest},
+                                         {"flower_forest", kForest},
+                                         {"birch_forest", kForest},
+                                         {"dark_forest", kForest},
+                                         {"old_growth_birch_forest", kForest},
+                                         {"old_growth_pine_taiga", kTaiga},
+                                         {"old_growth_spruce_taiga", kTaiga},
+                                         {"taiga", kTaiga},
+                                         {"snowy_taiga", kTaiga},
+                                         {"savanna", kSavanna},
+                                         {"savanna_plateau", kSavanna},
+                                         {"windswept_hills", kExtremeHills},
+                                         {"windswept_gravelly_hills", kExtremeHills},
+                                         {"windswept_forest", kExtremeHills},
+                                         {"windswept_savanna", kSavanna},
+                                         {"jungle", kJungle},
+                                         {"sparse_jungle", kJungle},
+                                         {"bamboo_jungle", kJungle},
+                                         {"badlands", kMesa},
+                                         {"eroded_badlands", kMesa},
+                                         {"wooded_badlands", kMesa},
+                                         {"meadow", kMountain},
+                                         {"cherry_grove", kMountain},
+                                         {"grove", kForest},
+                                         {"snowy_slopes", kMountain},
+                                         {"frozen_peaks", kMountain},
+                                         {"jagged_peaks", kMountain},
+                                         {"stony_peaks", kMountain},
+                                         {"river", kRiver},
+                                         {"frozen_river", kRiver},
+                                         {"beach", kBeach},
+                                         {"snowy_beach", kBeach},
+                                         {"stony_shore", kBeach},
+                                         {"warm_ocean", kOcean},
+                                         {"lukewarm_ocean", kOcean},
+                                         {"deep_lukewarm_ocean", kOcean},
+                                         {"ocean", kOcean},
+                                         {"deep_ocean", kOcean},
+                                         {"cold_ocean", kOcean},
+                                         {"deep_cold_ocean", kOcean},
+                                         {"frozen_ocean", kOcean},
+                                         {"deep_frozen_ocean", kOcean},
+                                         {"mushroom_fields", kMushroom},
+                                         {"dripstone_caves", kUnderground},
+                                         {"lush_caves", kUnderground},
+                                         {"deep_dark", kUnderground},
+                                         {"nether_wastes", kNether},
+                                         {"warped_forest", kNether},
+                                         {"crimson_forest", kNether},
+                                         {"soul_sand_valley", kNether},
+                                         {"basalt_deltas", kNether},
+                                         {"the_end", kTheEnd},
+                                         {"end_highlands", kTheEnd},
+                                         {"end_midlands", kTheEnd},
+                                         {"small_end_islands", kTheEnd},
+                                         {"end_barrens", kTheEnd}}};
 
 template <size_t Count>
 std::string_view byPrefix(std::string_view name, const std::array<PrefixMacro, Count>& table,
@@ -174,6 +201,7 @@ MacroDefinitions standardMacros(const HostDescription& host) {
       {"MC_RENDER_QUALITY", "1.0"},
       {"MC_SHADOW_QUALITY", "1.0"},
       {"MC_HAND_DEPTH", "0.125"},
+      {"MC_MIPMAP_LEVEL", "4"},  // the game's default
       {"MAX_COLOR_BUFFERS", std::to_string(kColorTargets)},
       {"IRIS_HAS_TRANSLUCENCY_SORTING", ""},
       {"IRIS_TAG_SUPPORT", "2"}};
@@ -186,7 +214,9 @@ MacroDefinitions standardMacros(const HostDescription& host) {
   addNumbered("PPT_", kPrecipitations, macros);
   addNumbered("CAT_", kCategories, macros);
   addNumbered("DH_BLOCK_", kDistantBlocks, macros);
-  addNumbered("BIOME_", kBiomes, macros);
+  for (const Biome& biome : kBiomes) {
+    macros.emplace_back("BIOME_" + upperCase(biome.name), std::to_string(biomeId(biome.name)));
+  }
   return macros;
 }
 
@@ -194,9 +224,14 @@ int biomeId(std::string_view name) {
   constexpr std::string_view kNamespace = "minecraft:";
   if (name.starts_with(kNamespace)) name.remove_prefix(kNamespace.size());
   for (size_t i = 0; i < kBiomes.size(); ++i) {
-    if (kBiomes[i] == name) return static_cast<int>(i);
+    if (kBiomes[i].name == name) return static_cast<int>(i);
   }
   return -1;
+}
+
+int biomeCategory(std::string_view name) {
+  const int id = biomeId(name);
+  return id < 0 ? kNone : kBiomes[static_cast<size_t>(id)].category;
 }
 
 }  // namespace orris

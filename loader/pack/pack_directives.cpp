@@ -11,6 +11,58 @@
 namespace orris {
 namespace {
 
+template <typename Field>
+struct Named {
+  std::string_view name;
+  Field field;
+};
+constexpr Named<float PackDirectives::*> kFloats[] = {
+    {"shadowDistance", &PackDirectives::shadowDistance},
+    {"shadowDistanceRenderMul", &PackDirectives::shadowDistanceRenderMul},
+    {"entityShadowDistanceMul", &PackDirectives::entityShadowDistanceMul},
+    {"shadowIntervalSize", &PackDirectives::shadowIntervalSize},
+    {"shadowNearPlane", &PackDirectives::shadowNearPlane},
+    {"shadowFarPlane", &PackDirectives::shadowFarPlane},
+    {"voxelDistance", &PackDirectives::voxelDistance},
+    {"sunPathRotation", &PackDirectives::sunPathRotation},
+    {"ambientOcclusionLevel", &PackDirectives::ambientOcclusionLevel},
+    {"wetnessHalflife", &PackDirectives::wetnessHalflife},
+    {"drynessHalflife", &PackDirectives::drynessHalflife},
+    {"eyeBrightnessHalflife", &PackDirectives::eyeBrightnessHalflife},
+    {"centerDepthHalflife", &PackDirectives::centerDepthHalflife}};
+constexpr Named<int PackDirectives::*> kInts[] = {
+    {"shadowMapResolution", &PackDirectives::shadowMapResolution},
+    {"noiseTextureResolution", &PackDirectives::noiseTextureResolution}};
+
+struct Switch {
+  std::string_view name;
+  bool ShadowDepthSettings::*field;
+  int first, last;  ///< the shadowtex it applies to
+};
+constexpr Switch kSwitches[] = {
+    {"shadowHardwareFiltering", &ShadowDepthSettings::hardwareFiltering, 0, 1},
+    {"shadowHardwareFiltering0", &ShadowDepthSettings::hardwareFiltering, 0, 0},
+    {"shadowHardwareFiltering1", &ShadowDepthSettings::hardwareFiltering, 1, 1},
+    {"generateShadowMipmap", &ShadowDepthSettings::mipmap, 0, 1},
+    {"shadowtexMipmap", &ShadowDepthSettings::mipmap, 0, 0},
+    {"shadowtex0Mipmap", &ShadowDepthSettings::mipmap, 0, 0},
+    {"shadowtex1Mipmap", &ShadowDepthSettings::mipmap, 1, 1},
+    {"shadowtexNearest", &ShadowDepthSettings::nearest, 0, 0},
+    {"shadowtex0Nearest", &ShadowDepthSettings::nearest, 0, 0},
+    {"shadow0MinMagNearest", &ShadowDepthSettings::nearest, 0, 0},
+    {"shadowtex1Nearest", &ShadowDepthSettings::nearest, 1, 1},
+    {"shadow1MinMagNearest", &ShadowDepthSettings::nearest, 1, 1}};
+
+constexpr std::string_view kShadowMapFov = "shadowMapFov";
+constexpr std::string_view kShadowColorMipmap = "generateShadowColorMipmap";
+
+template <typename Row, size_t Count>
+const Row* find(const Row (&rows)[Count], std::string_view name) {
+  const auto found =
+      std::find_if(std::begin(rows), std::end(rows), [&](auto& row) { return row.name == name; });
+  return found == std::end(rows) ? nullptr : found;
+}
+
 /// Reads the const lines of one stage into the settings of the pack.
 class PackReader {
  public:
@@ -60,7 +112,7 @@ class PackReader {
       return;
     }
     const std::string nearest = nearestName(line.value, internalFormatNames());
-    report(Severity::Error, "format-unknown", line,
+    report(Severity::Warning, "format-unknown", line,
            fmt::format("{} is no texture format; {} keeps {}", line.value,
                        line.name.substr(0, line.name.size() - 6), target.format),
            nearest.empty() ? "see the list of formats, for example RGBA16F"
@@ -77,33 +129,22 @@ class PackReader {
   }
 
   void readFloat(const ConstLine& line) {
-    const std::pair<std::string_view, float*> known[] = {
-        {"shadowDistance", &out_.shadowDistance},
-        {"shadowDistanceRenderMul", &out_.shadowDistanceRenderMul},
-        {"entityShadowDistanceMul", &out_.entityShadowDistanceMul},
-        {"shadowIntervalSize", &out_.shadowIntervalSize},
-        {"shadowNearPlane", &out_.shadowNearPlane},
-        {"shadowFarPlane", &out_.shadowFarPlane},
-        {"voxelDistance", &out_.voxelDistance},
-        {"sunPathRotation", &out_.sunPathRotation},
-        {"ambientOcclusionLevel", &out_.ambientOcclusionLevel},
-        {"wetnessHalflife", &out_.wetnessHalflife},
-        {"drynessHalflife", &out_.drynessHalflife},
-        {"eyeBrightnessHalflife", &out_.eyeBrightnessHalflife},
-        {"centerDepthHalflife", &out_.centerDepthHalflife}};
-    float fov = 0;
-    float* target = line.name == "shadowMapFov" ? &fov : nullptr;
-    for (const auto& [name, field] : known) target = line.name == name ? field : target;
-    if (!target) return;
+    const bool fov = line.name == kShadowMapFov;
+    const auto* known = find(kFloats, line.name);
+    if (!known && !fov) return;
     const auto value = parseFloat(line.value);
     if (!value) return notLiteral(line);
-    *target = *value;
-    if (target == &fov) out_.shadowMapFov = fov;
+    if (fov) {
+      out_.shadowMapFov = *value;
+    } else {
+      out_.*known->field = *value;
+    }
     out_.ambientOcclusionLevel = std::clamp(out_.ambientOcclusionLevel, 0.0f, 1.0f);
   }
 
   void readInt(const ConstLine& line) {
-    if (line.name != "shadowMapResolution" && line.name != "noiseTextureResolution") return;
+    const auto* known = find(kInts, line.name);
+    if (!known) return;
     const auto value = parseInteger(line.value);
     if (!value) return notLiteral(line);
     constexpr int kLargest = 16384;
@@ -112,37 +153,17 @@ class PackReader {
              fmt::format("{} is {}, expected 1 to {}", line.name, line.value, kLargest), "");
       return;
     }
-    (line.name.front() == 's' ? out_.shadowMapResolution : out_.noiseTextureResolution) =
-        static_cast<int>(*value);
+    out_.*known->field = static_cast<int>(*value);
   }
 
   void readBool(const ConstLine& line) {
-    struct Switch {
-      std::string_view name;
-      bool ShadowDepthSettings::*field;
-      int first, last;  ///< the shadowtex it applies to
-    };
-    static constexpr Switch kSwitches[] = {
-        {"shadowHardwareFiltering", &ShadowDepthSettings::hardwareFiltering, 0, 1},
-        {"shadowHardwareFiltering0", &ShadowDepthSettings::hardwareFiltering, 0, 0},
-        {"shadowHardwareFiltering1", &ShadowDepthSettings::hardwareFiltering, 1, 1},
-        {"generateShadowMipmap", &ShadowDepthSettings::mipmap, 0, 1},
-        {"shadowtexMipmap", &ShadowDepthSettings::mipmap, 0, 0},
-        {"shadowtex0Mipmap", &ShadowDepthSettings::mipmap, 0, 0},
-        {"shadowtex1Mipmap", &ShadowDepthSettings::mipmap, 1, 1},
-        {"shadowtexNearest", &ShadowDepthSettings::nearest, 0, 0},
-        {"shadowtex0Nearest", &ShadowDepthSettings::nearest, 0, 0},
-        {"shadow0MinMagNearest", &ShadowDepthSettings::nearest, 0, 0},
-        {"shadowtex1Nearest", &ShadowDepthSettings::nearest, 1, 1},
-        {"shadow1MinMagNearest", &ShadowDepthSettings::nearest, 1, 1}};
     const auto on = parseBoolean(line.value);
     if (!on) return;
-    for (const Switch& known : kSwitches) {
-      if (line.name != known.name) continue;
-      for (int i = known.first; i <= known.last; ++i)
-        out_.shadowtex[static_cast<size_t>(i)].*known.field = *on;
+    if (const auto* known = find(kSwitches, line.name)) {
+      for (int i = known->first; i <= known->last; ++i)
+        out_.shadowtex[static_cast<size_t>(i)].*known->field = *on;
     }
-    if (line.name == "generateShadowColorMipmap") {
+    if (line.name == kShadowColorMipmap) {
       for (int i = 0; i < kShadowColorTargets; ++i) out_.shadowcolor[i].mipmap = *on;
     }
   }
@@ -165,6 +186,17 @@ void readPackDirectives(const std::vector<ConstLine>& lines, const std::vector<I
                         PackDirectives& directives, Diagnostics& diagnostics) {
   PackReader reader(sites, directives, diagnostics);
   for (const ConstLine& line : lines) reader.read(line);
+}
+
+std::vector<std::string_view> packDirectiveNames() {
+  std::vector<std::string_view> names{kShadowMapFov, kShadowColorMipmap};
+  const auto add = [&](const auto& rows) {
+    for (const auto& row : rows) names.push_back(row.name);
+  };
+  add(kFloats);
+  add(kInts);
+  add(kSwitches);
+  return names;
 }
 
 }  // namespace orris

@@ -2,6 +2,7 @@
 
 #include "glsl/name_watch.h"
 #include "pack/features.h"
+#include "pack/legacy_ids.h"
 #include "pack/resource_check.h"
 
 namespace orris {
@@ -29,10 +30,12 @@ void readIds(const PackFiles& files, const MacroDefinitions& macros, NameWatch& 
     if (text)
       parse(file, preprocessProperties(file, *text, macros, out.diagnostics, &watch), *text);
   };
+  out.blockIds = legacyBlockIds();
   read("/block.properties", [&](auto& file, const auto& text, auto& original) {
     out.blockIds = parseBlockProperties(file, text, original, out.diagnostics);
   });
   read("/item.properties", [&](auto& file, const auto& text, auto& original) {
+    out.hasItemFile = true;
     out.itemIds = parseIdProperties(file, text, original, "item.", out.diagnostics);
   });
   read("/entity.properties", [&](auto& file, const auto& text, auto& original) {

@@ -15,6 +15,7 @@ struct PackProperties {
   BlockIdMap blockIds;
   std::map<std::string, int> itemIds, entityIds;
   MacroDefinitions macros;           ///< what the *.properties files are preprocessed with
+  bool hasItemFile = false;          ///< item.properties exists
   MacroDefinitions shaderMacros;     ///< what every shader sees: environment and feature flags
   std::vector<std::string> options;  ///< those that the files ask for; no other changes anything
   Diagnostics diagnostics;

@@ -50,6 +50,10 @@ void readScreens(const std::vector<PropertyEntry>& entries, ShaderProperties& ou
 void readProfiles(const std::vector<PropertyEntry>& entries, ShaderProperties& out,
                   const OptionSet& options, Diagnostics& diagnostics);
 
+/// Keys of shaders.properties that hold one word, and how the others begin ("blend.").
+std::vector<std::string_view> settingKeys();
+std::vector<std::string_view> propertyPrefixes();
+
 /// "colortex4" for a legacy or current name of a colortex the host has, else "".
 std::string knownBuffer(std::string_view name);
 

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "pack/chosen_values.h"
+#include "pack/features.h"
 #include "pack/folder_build.h"
 #include "pack/text.h"
 
@@ -134,6 +135,7 @@ ShaderPack emptyPack(const PackFiles& files, const LoadRequest& request, const F
                   .languages = files.languages,
                   .folder = build.folder(),
                   .dimensions = files.dimensions.folders};
+  pack.hasItemFile = properties.hasItemFile;
   pack.disabledPrograms = build.disabled();
   pack.files = applyOptions(files.graph.files, files.options, build.values());
   pack.propertyMacros = properties.macros;
@@ -158,10 +160,12 @@ int buildSources(const LoadRequest& request, const ShaderPack* previous, ShaderP
       buildAll(host, Reuse(buildOf(previous, nullptr), previous ? previous->programs : kNone, host),
                pack.programs);
   readDirectives(pack, diagnostics);
+  checkShadowColors(pack.programs, pack.properties, diagnostics);
   for (const ModFamily& mod : modFamilies()) {
     if (!request.buildModPrograms) break;
     const FolderBuild* old = buildOf(previous, &mod);
-    const auto build = std::make_shared<const FolderBuild>(host, mod, request.environment, old);
+    const auto build = std::make_shared<const FolderBuild>(host, mod, request.environment,
+                                                           request.uniformTypes, old);
     built += buildAll(*build, Reuse(old, previous ? previous->modPrograms : kNone, *build),
                       pack.modPrograms);
     pack.builds.push_back(build);

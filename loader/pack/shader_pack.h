@@ -66,6 +66,8 @@ struct LoadRequest {
   MacroDefinitions environment;                   ///< see standardMacros()
   bool buildSources = true;                       ///< false: options, properties and screens only
   bool buildModPrograms = false;                  ///< those of other mods too
+  /// GLSL types of the host's uniforms by name, for shader code that does not declare them (Voxy).
+  std::map<std::string, std::string> uniformTypes{};
   /// Go on after errors for which Iris refuses the whole pack, so that all mistakes are told.
   bool keepGoing = false;
 };
@@ -78,6 +80,7 @@ struct ShaderPack {
   PackDirectives directives;
   BlockIdMap blockIds;
   std::map<std::string, int> itemIds, entityIds;
+  bool hasItemFile = false;  ///< item.properties exists; its absence changes heldItemId
   std::map<std::string, std::map<std::string, std::string>> languages;  ///< "en_us" -> key -> text
   std::string folder;                   ///< program folder in use: "/" or "/world0"
   std::vector<std::string> dimensions;  ///< all program folders: "/", "/world0", ...
@@ -113,6 +116,8 @@ MacroDefinitions standardMacros(const HostDescription& host);
 
 /// Registry number of a biome as in the BIOME_* macros ("minecraft:plains"); -1 when unknown.
 int biomeId(std::string_view name);
+/// As in the CAT_* macros; CAT_NONE when unknown.
+int biomeCategory(std::string_view name);
 
 /// Loads and prepares everything of one dimension. nullopt when the pack cannot run at all (missing
 /// include, cycle, no programs, unsupported required feature, unknown option or profile in the

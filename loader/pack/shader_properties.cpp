@@ -216,6 +216,18 @@ std::string canonicalBuffer(std::string_view name) {
   return fmt::format("colortex{}", legacy - kLegacyBuffers.begin());
 }
 
+std::vector<std::string_view> settingKeys() {
+  std::vector<std::string_view> keys{"weather"};
+  for (const Setting& setting : settings()) keys.push_back(setting.key);
+  return keys;
+}
+
+std::vector<std::string_view> propertyPrefixes() {
+  std::vector<std::string_view> prefixes;
+  for (const PrefixReader& reader : kReaders) prefixes.push_back(reader.prefix);
+  return prefixes;
+}
+
 std::string knownBuffer(std::string_view name) {
   constexpr std::string_view kPrefix = "colortex";
   std::string canonical = canonicalBuffer(name);

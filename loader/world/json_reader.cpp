@@ -138,6 +138,16 @@ std::optional<BlockState> JsonReader::block(const JsonNode& node, const std::str
   return state;
 }
 
+void JsonReader::optional(const JsonNode& object, const std::string& key, bool& target) {
+  const JsonNode* node = object.find(key);
+  if (!node) return;
+  if (node->kind == Kind::Boolean) {
+    target = node->boolean;
+  } else {
+    expected(*node, member(key), "true or false");
+  }
+}
+
 void JsonReader::optional(const JsonNode& object, const std::string& key, IntegerRange range,
                           int& target) {
   const JsonNode* node = object.find(key);

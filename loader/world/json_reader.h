@@ -46,6 +46,7 @@ class JsonReader {
   void optional(const JsonNode& object, const std::string& key, RealRange range, double& target);
   void optional(const JsonNode& object, const std::string& key, RealRange range, glm::vec3& target);
   void optional(const JsonNode& object, const std::string& key, std::string& target);
+  void optional(const JsonNode& object, const std::string& key, bool& target);
 
   const JsonText& source() const { return source_; }
   Diagnostics& diagnostics() { return diagnostics_; }

@@ -22,6 +22,15 @@ struct Camera {
   float fov = 70;
 };
 
+/// What the pack is told of the player behind the camera. Contract: uniforms.csv groups player, id.
+struct Player {
+  float blindness = 0, nightVision = 0, darkness = 0, darknessLight = 0;  ///< effects, 0..1
+  float brightness = 1;                                                   ///< setting, 0..1
+  int heldLight = 0, heldLight2 = 0;                                      ///< 0..15, both hands
+  bool sneaking = false, sprinting = false, hurt = false, invisible = false, burning = false;
+  bool onGround = true, hideGui = true;
+};
+
 /// Everything but blocks and cameras. Contract: uniforms.csv groups world, biome, player.
 struct Environment {
   int time = 6000;  ///< ticks 0..23999
@@ -32,6 +41,7 @@ struct Environment {
   int renderDistance = 128;  ///< blocks, uniform `far`
   float temperature = 0.8f, rainfall = 0.4f;
   glm::vec3 fogColor{0.7f, 0.8f, 1.0f}, skyColor{0.47f, 0.65f, 1.0f};
+  Player player;
 };
 
 struct SetBlock {

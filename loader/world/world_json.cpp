@@ -65,13 +65,38 @@ std::vector<Camera> readCameras(JsonReader& reader, const JsonNode& root) {
   return cameras;
 }
 
+Player readPlayer(JsonReader& reader, const JsonNode& environment) {
+  Player player;
+  const JsonNode* node = environment.find("player");
+  if (!node) return player;
+  reader.object(*node, "\"player\"",
+                {"blindness", "nightVision", "darkness", "darknessLight", "brightness", "heldLight",
+                 "heldLight2", "sneaking", "sprinting", "hurt", "invisible", "burning", "onGround",
+                 "hideGui"});
+  const std::pair<const char*, float*> amounts[] = {{"blindness", &player.blindness},
+                                                    {"nightVision", &player.nightVision},
+                                                    {"darkness", &player.darkness},
+                                                    {"darknessLight", &player.darknessLight},
+                                                    {"brightness", &player.brightness}};
+  for (const auto& [key, target] : amounts) reader.optional(*node, key, RealRange{0, 1}, *target);
+  reader.optional(*node, "heldLight", IntegerRange{0, 15}, player.heldLight);
+  reader.optional(*node, "heldLight2", IntegerRange{0, 15}, player.heldLight2);
+  const std::pair<const char*, bool*> states[] = {
+      {"sneaking", &player.sneaking}, {"sprinting", &player.sprinting},
+      {"hurt", &player.hurt},         {"invisible", &player.invisible},
+      {"burning", &player.burning},   {"onGround", &player.onGround},
+      {"hideGui", &player.hideGui}};
+  for (const auto& [key, target] : states) reader.optional(*node, key, *target);
+  return player;
+}
+
 Environment readEnvironment(JsonReader& reader, const JsonNode& root) {
   Environment environment;
   const JsonNode* node = root.find("environment");
   if (!node) return environment;
   reader.object(*node, "\"environment\"",
                 {"time", "day", "rain", "thunder", "biome", "dimension", "renderDistance",
-                 "temperature", "rainfall", "fogColor", "skyColor"});
+                 "temperature", "rainfall", "fogColor", "skyColor", "player"});
   reader.optional(*node, "time", kTimeRange, environment.time);
   reader.optional(*node, "day", IntegerRange{0, 1000000}, environment.day);
   reader.optional(*node, "rain", RealRange{0, 1}, environment.rain);
@@ -83,6 +108,7 @@ Environment readEnvironment(JsonReader& reader, const JsonNode& root) {
   reader.optional(*node, "rainfall", RealRange{0, 1}, environment.rainfall);
   reader.optional(*node, "fogColor", RealRange{0, 1}, environment.fogColor);
   reader.optional(*node, "skyColor", RealRange{0, 1}, environment.skyColor);
+  environment.player = readPlayer(reader, *node);
   return environment;
 }
 

@@ -30,8 +30,8 @@ void meshWorld(benchmark::State& state, const char* name) {
   const auto world =
       orris::loadWorld(std::string(ORRIS_SOURCE_DIR "/worlds/") + name, 0, diagnostics);
   if (!world) return state.SkipWithError("the world does not load");
-  orris::SceneData scene = orris::buildScene(*world, 1, diagnostics);
-  for (auto _ : state) orris::rebuildMesh(scene, 1);
+  orris::SceneData scene = orris::buildScene(*world, {}, diagnostics);
+  for (auto _ : state) orris::rebuildMesh(scene, {});
   state.counters["faces"] = double(scene.mesh.vertices.size() / 4);
 }
 BENCHMARK_CAPTURE(meshWorld, cornell, "cornell")->Unit(benchmark::kMillisecond);

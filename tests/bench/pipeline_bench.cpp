@@ -61,7 +61,7 @@ json measureDriver(const Setup& setup, gl::Context& context, const World& world)
   Diagnostics diagnostics;
   const auto pack = loadPack(context, world, diagnostics);
   if (!pack) fail(diagnostics);
-  const SceneData scene = buildScene(world, 1, diagnostics);
+  const SceneData scene = buildScene(world, {}, diagnostics);
   const Schedule schedule =
       buildSchedule(*pack, setup.width, setup.height, scene.contents(), diagnostics);
   std::vector<GpuProgram> programs;  // kept, so that deleting them is not timed

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "pack/block_tags.h"
+#include "pack/legacy_ids.h"
 
 namespace orris {
 namespace {
@@ -60,7 +61,15 @@ TEST(BlockIdMap, render_layers) {
   EXPECT_EQ(map.renderLayers.at("mod:ice"), "translucent");
 }
 
-TEST(BlockIdMap, absent_without_a_file) { EXPECT_FALSE(BlockIdMap().present); }
+TEST(BlockIdMap, without_a_file_blocks_have_their_old_numbers) {
+  const BlockIdMap map = legacyBlockIds();
+  EXPECT_FALSE(map.present);
+  EXPECT_EQ(map.idOf("minecraft:granite", {}), 1);
+  EXPECT_EQ(map.idOf("minecraft:light_gray_wool", {}), 35);
+  EXPECT_EQ(map.idOf("minecraft:dark_oak_leaves", {}), 18);
+  EXPECT_EQ(map.idOf("minecraft:red_stained_glass_pane", {}), 160);
+  EXPECT_EQ(map.idOf("minecraft:bedrock", {}), -1);
+}
 
 TEST(IdProperties, later_lines_win_and_states_are_skipped) {
   Diagnostics diagnostics;

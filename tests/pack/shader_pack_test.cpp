@@ -259,6 +259,45 @@ TEST(ShaderPack, order_of_diagnostics_does_not_depend_on_threads) {
   }
 }
 
+TEST(ShaderPack, shadow_colours_above_the_second_need_their_flag) {
+  const std::string fragment =
+      "#version 330 compatibility\n/* RENDERTARGETS: 0,2 */\nvoid main() {}\n";
+  const Loaded without = load({{"/shadow.fsh", fragment}});
+  EXPECT_EQ(without.first(),
+            "/shadow.fsh:2:1: error: shadow colours above shadowcolor1 without the feature flag "
+            "HIGHER_SHADOWCOLOR are refused\n"
+            "  hint: add iris.features.required=HIGHER_SHADOWCOLOR");
+  const Loaded with =
+      load({{"/shadow.fsh", fragment},
+            {"/shaders.properties", "iris.features.required = HIGHER_SHADOWCOLOR\n"}});
+  EXPECT_EQ(with.first(), "");
+}
+
+TEST(StandardMacros, biomes_have_the_category_of_their_macro) {
+  const auto macros = standardMacros({});
+  const auto valueOf = [&](const std::string& name) {
+    const auto found = std::find_if(macros.begin(), macros.end(),
+                                    [&](const auto& macro) { return macro.first == name; });
+    return found == macros.end() ? "none" : found->second;
+  };
+  const std::pair<std::string, std::string> rows[] = {{"plains", "PLAINS"},
+                                                      {"desert", "DESERT"},
+                                                      {"snowy_taiga", "TAIGA"},
+                                                      {"frozen_ocean", "OCEAN"},
+                                                      {"the_void", "NONE"},
+                                                      {"warped_forest", "NETHER"},
+                                                      {"end_barrens", "THE_END"},
+                                                      {"deep_dark", "UNDERGROUND"},
+                                                      {"windswept_hills", "EXTREME_HILLS"},
+                                                      {"mangrove_swamp", "SWAMP"}};
+  for (const auto& [biome, category] : rows) {
+    EXPECT_EQ(std::to_string(biomeCategory("minecraft:" + biome)), valueOf("CAT_" + category))
+        << biome;
+  }
+  EXPECT_EQ(std::to_string(biomeId("desert")), valueOf("BIOME_DESERT"));
+  EXPECT_EQ(biomeCategory("aether:sky"), 0);
+}
+
 TEST(StandardMacros, name_the_host) {
   const MacroDefinitions macros = standardMacros({.glVendor = "NVIDIA Corporation",
                                                   .glRenderer = "GeForce RTX",

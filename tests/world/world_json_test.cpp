@@ -108,6 +108,22 @@ TEST(WorldJson, environment_is_read) {
   EXPECT_EQ(environment.fogColor, glm::vec3(0, 0.5f, 1));
 }
 
+TEST(WorldJson, player_is_read) {
+  const ParsedWorld parsed = parseWorld(R"({"size": [1, 1, 1], "environment": {"player":
+    {"blindness": 0.5, "heldLight2": 15, "sneaking": true, "onGround": false}}})");
+  ASSERT_TRUE(parsed.world) << parsed.errors;
+  const Player& player = parsed.world->environment.player;
+  EXPECT_EQ(player.blindness, 0.5f);
+  EXPECT_EQ(player.heldLight2, 15);
+  EXPECT_TRUE(player.sneaking);
+  EXPECT_FALSE(player.onGround);
+  EXPECT_TRUE(player.hideGui);
+  const ParsedWorld wrong =
+      parseWorld(R"({"size": [1, 1, 1], "environment": {"player": {"hurt": 1, "heldLight": 16}}})");
+  EXPECT_NE(wrong.errors.find("true or false"), std::string::npos) << wrong.errors;
+  EXPECT_NE(wrong.errors.find("an integer from 0 to 15"), std::string::npos) << wrong.errors;
+}
+
 TEST(WorldJson, events_are_sorted_by_frame_and_keep_their_order_within_one) {
   const ParsedWorld parsed = parseWorld(R"({"size": [2, 2, 2],
     "cameras": [{"name": "a", "position": [7, 7, 7]}], "events": [
