@@ -20,6 +20,8 @@ std::string_view fileName(std::string_view path) { return path.substr(path.rfind
 
 // So that a file without any #include left still has models, the nearest in name.
 constexpr double kSomeLikeness = 0.01;
+// An empty line beside an #include is where one was taken out.
+constexpr double kGapBonus = 0.5;
 
 /// How much two files include the same: 0 to 1, more for files of the same name.
 double likeness(const std::string& file, const Includes& a, const std::string& other,
@@ -34,6 +36,24 @@ double likeness(const std::string& file, const Includes& a, const std::string& o
 bool isBlank(const FileLines& lines, int line) {
   return line >= 1 && static_cast<std::size_t>(line) <= lines.size() &&
          trim(lines[static_cast<std::size_t>(line) - 1]).empty();
+}
+
+bool isBesideInclude(const Includes& includes, int line) {
+  return std::any_of(includes.begin(), includes.end(), [line](const IncludeLine& include) {
+    return include.line == line - 1 || include.line == line + 1;
+  });
+}
+
+/// The only blank line between two #include lines, 0 when there is none or more than one.
+int onlyGap(const FileLines& lines, const Includes& includes) {
+  int found = 0;
+  for (std::size_t i = 1; i < includes.size(); ++i) {
+    const int line = includes[i].line - 1;
+    if (includes[i - 1].line != line - 1 || !isBlank(lines, line)) continue;
+    if (found > 0) return 0;
+    found = line;
+  }
+  return found;
 }
 
 /// The line of `lines` that reads like `text`, 0 unless there is exactly one.
@@ -93,10 +113,15 @@ class Search {
         if (reached_.contains(line.target) || !leadsToDefiner(line.target)) continue;
         for (const std::string& file : reached_) {
           if (file == model || includes(index_.includesOf(file), line.target)) continue;
-          const double score = likeness(file, index_.includesOf(file), model, there);
-          if (score <= best) continue;
-          const int at = placeLike(index_.files().at(file), lines, line.line);
+          const FileLines& own = index_.files().at(file);
+          const Includes& here = index_.includesOf(file);
+          const int gapLine = onlyGap(own, here);
+          const bool useGap = gapLine > 0 && !isTooLate(file, gapLine);
+          const int at = useGap ? gapLine : placeLike(own, lines, line.line);
           if (at == 0 || isTooLate(file, at)) continue;
+          const double gap = isBlank(own, at) && isBesideInclude(here, at) ? kGapBonus : 0;
+          const double score = likeness(file, here, model, there) + gap;
+          if (score <= best) continue;
           best = score;
           result = {{file, at, 0}, line.target, {model, line.line, 0}};
         }
