@@ -6,6 +6,9 @@ from glsl_faults import edit
 from pack_view import Fault
 
 INCLUDE = re.compile(r"^\s*#\s*include\s+[\"<]?([^\"<>\s]+)")
+# Kinds that change what hosts read in comments, which the driver does not get.
+IN_COMMENTS = {"render-target-too-many", "render-target-range", "format-unknown",
+               "constant-misspelt"}
 # More would only repeat: each costs two runs more.
 OPTIONS_TRIED = 3
 

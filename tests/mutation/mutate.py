@@ -11,6 +11,7 @@ import queue
 import random
 import sys
 import tempfile
+import time
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict, dataclass
@@ -72,15 +73,38 @@ def restore(view, fault, root):
     path.write_bytes(view.path(fault.file).read_bytes())
 
 
+def keeps_all_but_declarations(before, after):
+    """Is `after` the text `before` without some whole declarations at file scope?"""
+    kept, depth, lost_at = iter(after.split("\n") + [None]), 0, None
+    expected = next(kept)
+    for line in before.split("\n"):
+        if line == expected:
+            if lost_at is not None and lost_at != depth:
+                return False
+            lost_at, expected = None, next(kept)
+        elif line.strip() and lost_at is None:
+            if depth > 0:
+                return False
+            lost_at = depth
+        depth += line.count("{") - line.count("}")
+    return expected is None
+
+
 def equivalence(view, fault, root):
     """Why nothing could be found, or "": only texts that reach the driver prove it."""
-    if fault.kind in properties_faults.KINDS:
+    if fault.kind in properties_faults.KINDS or fault.kind in directive_faults.IN_COMMENTS:
         return ""
     with tempfile.TemporaryDirectory(prefix="orris-mutation-") as folder:
         view.orris.validate(root, fault.options, patched=folder)
         texts = Reach(folder).texts
     before = view.reach_with(fault.options).texts if fault.options else view.reach.texts
-    return "no text that reaches the driver changes" if texts == before else ""
+    if texts == before:
+        return "no text that reaches the driver changes"
+    # Such a text was compiled and linked without a complaint.
+    if fault.kind == "include-removed" and texts.keys() == before.keys() and all(
+            keeps_all_but_declarations(before[name], texts[name]) for name in texts):
+        return "the texts lose declarations only, and nothing names what they declared"
+    return ""
 
 
 def compare(view, fault, root, folder):
@@ -147,10 +171,14 @@ def choose(views, kinds, count, seed):
 class Copies:
     """Copies of packs for the threads: one of each pack for each thread at work on it."""
 
-    def __init__(self, folder):
+    def __init__(self, folder, seconds):
         self.folder, self.free, self.made = Path(folder), {}, 0
+        self.end = time.monotonic() + seconds
 
     def judge(self, job):
+        """None: the time is over."""
+        if time.monotonic() > self.end:
+            return None
         view, fault = job
         free = self.free.setdefault(view.name, queue.SimpleQueue())
         try:
@@ -161,6 +189,9 @@ class Copies:
             copy_pack(view.root, root)
         result = judge(view, fault, root)
         free.put(root)
+        elsewhere = result.verdict == "found" and not result.located
+        print(f"{'found elsewhere' if elsewhere else result.verdict}: {fault.kind} "
+              f"{view.name}{fault.file}:{fault.line}", file=sys.stderr)
         return result
 
 
@@ -217,6 +248,7 @@ def parse_arguments():
     parser.add_argument("--faults", type=int, default=600)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--budget", type=float, default=86400, help="seconds; begin none after")
     parser.add_argument("--pack", action="append", help="only this pack; may be repeated")
     parser.add_argument("--kind", action="append", choices=sorted(KINDS), metavar="KIND")
     parser.add_argument("--json", help="write every fault and its verdict")
@@ -234,7 +266,8 @@ def main():
         views = list(pool.map(lambda item: PackView(*item, orris), sources.items()))
         jobs = choose(views, arguments.kind or list(KINDS), arguments.faults, arguments.seed)
         with tempfile.TemporaryDirectory(prefix="orris-mutation-") as folder:
-            results = list(pool.map(Copies(folder).judge, jobs))
+            copies = Copies(folder, arguments.budget)
+            results = [result for result in pool.map(copies.judge, jobs) if result]
     report(results)
     if arguments.json:
         Path(arguments.json).write_text(json.dumps([asdict(r) for r in results], indent=1))

@@ -107,7 +107,7 @@ def language(kind, pattern):
 
 KINDS = dict([
     from_value("texture-path", r"texture\.[\w.-]+|customTexture\.\w+",
-               r"((?:[\w-]+/)*[\w-]+\.(?:png|dat|raw|bin))", other_path),
+               r"(?<![\w:/-])/?((?:[\w-]+/)*[\w-]+\.(?:png|dat|raw|bin))", other_path),
     from_value("profile-option", r"profile\.\w+", r"(?<![\w.])(\w{3,})(?![\w.])", misspelt_option),
     from_value("profile-value", r"profile\.\w+", r"(?<!\S)\w+[=:]([\w.-]+)", beyond_list),
     from_value("screen-option", r"screen(?:\.\w+)?", r"(?<!\S)(\w{3,})(?!\S)", misspelt_option),
