@@ -10,6 +10,8 @@
 #include <set>
 #include <utility>
 
+#include "glsl/text_tokens.h"
+
 namespace orris {
 namespace {
 
@@ -206,6 +208,34 @@ std::string macroNote(const MappedText& text, int macro) {
                      at.line);
 }
 
+// The compiler names the token after the gap, which may stand lines below or in another file.
+bool locateGap(Diagnostic& d, const Token& before, const MappedText& text,
+               const SourceLines& lines) {
+  const SourceLocation at = placeAfter(text, before);
+  if (at.file.empty()) return false;
+  d.at = at;
+  d.includedFrom = text.includedFrom(before.origin.line, before.origin.column);
+  d.hint = fmt::format("something is missing after '{}'", before.text);
+  if (lines) d.sourceLine = lines(at.file, at.line);
+  return true;
+}
+
+// What a macro's body holds is wrong where the author wrote it, whatever the number of its uses.
+void moveIntoMacro(Diagnostic& d, const MappedText& text, int line, int column) {
+  const SourceLocation inMacro = text.locateInMacro(line, column);
+  const int macro = text.macroIndexAt(line, column);
+  if (macro < 0) return;
+  if (inMacro.file.empty()) {
+    d.notes.insert(d.notes.begin(), macroNote(text, macro));
+    return;
+  }
+  d.notes.insert(d.notes.begin(), fmt::format("in the expansion of macro '{}' at {}:{}",
+                                              text.macroNames[static_cast<std::size_t>(macro)],
+                                              d.at.file, d.at.line));
+  d.includedFrom.clear();
+  d.at = inMacro;
+}
+
 }  // namespace
 
 std::vector<LogEntry> parseCompilerLog(std::string_view log, Severity fallback) {
@@ -246,6 +276,8 @@ Diagnostic locateLogEntry(const LogEntry& entry, std::string id, const StageText
   d.message = entry.message;
   d.notes = entry.notes;
   const int column = entry.column > 0 ? entry.column : columnOfQuotedWord(text, entry);
+  const auto before = tokenBeforeGap(text, entry.line, entry.message);
+  if (before && locateGap(d, *before, text, lines)) return d;
   if (entry.line > 0) d.at = text.locate(entry.line, column);
   if (d.at.file.empty()) {
     if (!text.sites.empty()) d.at = {text.sites.front().file, 0, 0};
@@ -254,8 +286,7 @@ Diagnostic locateLogEntry(const LogEntry& entry, std::string id, const StageText
   }
   if (column == 0) d.at.column = 0;
   d.includedFrom = text.includedFrom(entry.line, column);
-  const int macro = text.macroIndexAt(entry.line, column);
-  if (macro >= 0 && column > 0) d.notes.insert(d.notes.begin(), macroNote(text, macro));
+  if (column > 0) moveIntoMacro(d, text, entry.line, column);
   if (lines) d.sourceLine = lines(d.at.file, d.at.line);
   return d;
 }

@@ -1,6 +1,8 @@
 // The stack of open #if blocks.
 #pragma once
 
+#include <cstddef>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -22,7 +24,7 @@ class Conditionals {
   /// The following return what is wrong, "" when nothing is.
   std::string elif (bool condition);
   std::string otherwise();
-  std::string close();
+  std::string close(const Origin& at);
 
   struct Open {
     Origin at;
@@ -31,11 +33,28 @@ class Conditionals {
     bool active = true;
     bool taken = true;
     bool sawElse = false;
+    bool firstOfFile = false;
+    std::size_t closedBefore = 0;  ///< how many blocks had been closed when it was opened
   };
-  const std::vector<Open>& unclosed() const { return stack_; }
+
+  /// The blocks that most likely lack their #endif. The innermost open #if only is what remains: an
+  /// #endif in another file, or further left than its #if, was meant for another one, and so was the
+  /// last one of a file that begins with an include guard.
+  std::vector<Open> unclosed() const;
+
+  /// The #endif that most likely lacks its #if, when the one at `at` has none left.
+  Origin strayClose(const Origin& at) const;
 
  private:
+  struct Closed {
+    Open open;
+    Origin close;
+  };
+  Open meantBy(const Open& open) const;
+
   std::vector<Open> stack_;
+  std::vector<Closed> closed_;
+  std::set<int> sites_;  ///< with a conditional
 };
 
 }  // namespace orris

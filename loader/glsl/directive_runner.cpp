@@ -276,9 +276,9 @@ void DirectiveRunner::onElse(const std::vector<Token>& tokens) {
 }
 
 void DirectiveRunner::onEndif(const std::vector<Token>& tokens) {
-  const std::string problem = conditionals_.close();
+  const std::string problem = conditionals_.close(tokens.front().origin);
   if (problem.empty()) return;
-  reportUnbalanced(tokens.front().origin, problem);
+  reportUnbalanced(conditionals_.strayClose(tokens.front().origin), problem);
 }
 
 void DirectiveRunner::onDefine(const std::vector<Token>& tokens) {

@@ -210,6 +210,7 @@ MacroExpander::Tokens MacroExpander::substitute(const Macro& macro,
       piece = pasteNext || beforePaste ? argument.raw : expandedArgument(argument);
     } else {
       piece.push_back(first);
+      piece.front().written = first.origin;
       piece.front().origin.site = kAtInvocation;
     }
     if (!piece.empty()) piece.front().spaceBefore = first.spaceBefore;

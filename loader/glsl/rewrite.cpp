@@ -23,14 +23,38 @@ constexpr std::array<StageNames, 6> kStages = {{
     {Stage::Compute, "csh", "compute"},
 }};
 
+struct Rule {
+  void (*apply)(RewriteContext&);
+  bool readsOutline;  ///< it would take what follows a missing brace for something else
+};
+
 // In this order: names are settled before the rules that read declarations, and the version is set
 // last because the others ask for the pack's.
-constexpr void (*kRules[])(RewriteContext&) = {
-    ruleExtensions,    ruleAttributeVarying, ruleTextureFunctions, ruleTextureName,
-    ruleReservedNames, ruleStraySemicolon,   ruleUnusedFunctions,  ruleGlobalConst,
-    ruleMixBool,       ruleZeroInit,         ruleOutColor,         ruleFragData,
-    ruleHostNames,     ruleVersion,
-};
+constexpr std::array<Rule, 14> kRules = {{
+    {ruleExtensions, false},
+    {ruleAttributeVarying, false},
+    {ruleTextureFunctions, false},
+    {ruleTextureName, false},
+    {ruleReservedNames, false},
+    {ruleStraySemicolon, true},
+    {ruleUnusedFunctions, true},
+    {ruleGlobalConst, true},
+    {ruleMixBool, true},
+    {ruleZeroInit, true},
+    {ruleOutColor, true},
+    {ruleFragData, true},
+    {ruleHostNames, true},
+    {ruleVersion, false},
+}};
+
+bool bracesBalance(const TokenStream& stream) {
+  int depth = 0;
+  for (const Token& token : stream.tokens) {
+    depth += token.text == "{" ? 1 : token.text == "}" ? -1 : 0;
+    if (depth < 0) return false;
+  }
+  return depth == 0;
+}
 
 bool writesFragData(const TokenStream& stream, Stage stage) {
   if (stage != Stage::Fragment) return false;
@@ -50,7 +74,10 @@ const char* stageName(Stage stage) { return kStages[static_cast<std::size_t>(sta
 RewriteResult rewrite(TokenStream& stream, Stage stage, std::span<const HostName> moreNames) {
   RewriteContext context(stream, stage);
   context.moreNames = moreNames;
-  for (auto* rule : kRules) rule(context);
+  const bool hasOutline = bracesBalance(stream);
+  for (const Rule& rule : kRules) {
+    if (hasOutline || !rule.readsOutline) rule.apply(context);
+  }
   RewriteResult result;
   result.writesFragData = writesFragData(stream, stage) || context.hasFired("frag-data");
   result.rules = std::move(context.rules);

@@ -50,6 +50,11 @@ int MappedText::macroIndexAt(int line, int column) const {
   return static_cast<std::size_t>(segment->macro) < macroNames.size() ? segment->macro : -1;
 }
 
+SourceLocation MappedText::locateInMacro(int line, int column) const {
+  const Segment* segment = segmentAt(*this, line, column);
+  return segment && segment->macro >= 0 ? orris::locate(sites, segment->written) : SourceLocation{};
+}
+
 std::string_view MappedText::macroAt(int line, int column) const {
   const int index = macroIndexAt(line, column);
   return index < 0 ? std::string_view() : macroNames[static_cast<std::size_t>(index)];

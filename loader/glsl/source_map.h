@@ -44,6 +44,7 @@ struct MappedText {
     int column = 1;  ///< column in the output line where this segment starts
     Origin origin;
     int macro = -1;  ///< index into macroNames of the outermost macro it was expanded from, or -1
+    Origin written;  ///< of a token from a macro's body: its place in the definition; site -1: none
   };
   std::string text;
   std::vector<std::vector<Segment>> lines;
@@ -58,6 +59,9 @@ struct MappedText {
   /// Name of the macro whose expansion covers the position, or "".
   std::string_view macroAt(int line, int column) const;
   int macroIndexAt(int line, int column) const;  ///< index into macroNames, or -1
+  /// Where the definition of a macro holds the token at the position; file "" when it is the author's
+  /// own text that stands there, or a macro of the host.
+  SourceLocation locateInMacro(int line, int column) const;
 };
 
 SourceLocation locate(const std::vector<IncludeSite>& sites, const Origin& origin);

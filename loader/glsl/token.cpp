@@ -193,7 +193,7 @@ class Printer {
   }
 
   void printLine(const std::string& text, const Origin& origin) {
-    out_.lines.back().push_back({1, origin, -1});
+    out_.lines.back().push_back({1, origin, -1, {}});
     out_.text += text;
     newline();
   }
@@ -213,7 +213,7 @@ class Printer {
     } else if (column_ > 1 && (space_ || (previous_ && mustNotGlue(*previous_, token)))) {
       append(" ");
     }
-    out_.lines.back().push_back({column_, token.origin, token.macro});
+    out_.lines.back().push_back({column_, token.origin, token.macro, token.written});
     append(token.text);
     previous_ = &token;
     newlines_ = 0;

@@ -18,6 +18,7 @@ struct Token {
   int newlinesBefore = 0;  ///< line breaks before this token in the output
   Origin origin;
   int macro = -1;        ///< index into TokenStream::macroNames, or -1
+  Origin written;        ///< of a token from a macro's body: its place in the definition
   bool painted = false;  ///< the preprocessor's mark: never expand this name again
 };
 

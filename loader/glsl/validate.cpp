@@ -9,8 +9,10 @@
 #include <memory>
 #include <string_view>
 
+#include "glsl/brace_check.h"
 #include "glsl/compiler_log.h"
 #include "glsl/interface_repair.h"
+#include "glsl/text_tokens.h"
 
 namespace orris {
 namespace {
@@ -70,6 +72,28 @@ bool isFalseLinkAlarm(const LogEntry& entry) {
   return entry.message.find("Anonymous member name used for global variable") != std::string::npos;
 }
 
+// Compilers name the place where a brace made no sense any more; what they say of the lines behind
+// the missing one follows from it.
+bool reportMissingBrace(const std::vector<LogEntry>& entries, const StageText& stage,
+                        const SourceLines& lines, Diagnostics& diagnostics) {
+  if (entries.empty()) return false;
+  const auto missing = findMissingBrace(stage.text, lines);
+  if (!missing) return false;
+  const SourceLocation partner =
+      stage.text.locate(missing->partner.origin.line, missing->partner.origin.column);
+  Diagnostic d;
+  d.id = "brace-unbalanced";
+  d.at = placeAfter(stage.text, missing->after);
+  d.message = fmt::format("expected '{}' after '{}': nothing {} the '{}' at {}:{}", missing->brace,
+                          missing->after.text, missing->brace == '}' ? "closes" : "opens",
+                          missing->partner.text, partner.file, partner.line);
+  d.includedFrom =
+      stage.text.includedFrom(missing->after.origin.line, missing->after.origin.column);
+  if (lines) d.sourceLine = lines(d.at.file, d.at.line);
+  diagnostics.push_back(std::move(d));
+  return true;
+}
+
 bool compile(glslang::TShader& shader, const StageText& stage, const SourceLines& lines,
              Diagnostics& diagnostics) {
   const char* text = stage.text.text.c_str();
@@ -77,7 +101,9 @@ bool compile(glslang::TShader& shader, const StageText& stage, const SourceLines
   shader.setStringsWithLengths(&text, &length, 1);
   constexpr int kDefaultVersion = 110;
   bool ok = shader.parse(&limits(), kDefaultVersion, false, EShMsgDefault);
-  for (LogEntry& entry : parseCompilerLog(shader.getInfoLog(), Severity::Error)) {
+  std::vector<LogEntry> entries = parseCompilerLog(shader.getInfoLog(), Severity::Error);
+  if (!ok && reportMissingBrace(entries, stage, lines, diagnostics)) return false;
+  for (LogEntry& entry : entries) {
     if (isUnknownExtension(entry)) entry.severity = Severity::Warning;
     diagnostics.push_back(locateLogEntry(entry, "glsl-compile", stage, lines));
   }

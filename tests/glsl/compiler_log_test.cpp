@@ -22,16 +22,16 @@ const std::string kFoo =
     "\n  void main() { int i = foo; }\n"
     "                        ^\n";
 const std::string kBar =
-    "\n  included from /a.fsh:2\n"
-    "  \tfloat f = WRONG( 1.0);\n"
-    "  \t          ^\n"
-    "  note: expanded from macro 'WRONG', defined at /lib.glsl:1\n";
+    "\n"
+    "  #define WRONG(x) (x + bar)\n"
+    "                        ^\n"
+    "  note: in the expansion of macro 'WRONG' at /lib.glsl:3\n";
 
 TEST(compiler_log, mesa_gives_line_and_column) {
   EXPECT_EQ(mapped("0:3(23): error: `foo' undeclared\n"),
             "/a.fsh:3:23: error: `foo' undeclared" + kFoo);
   EXPECT_EQ(mapped("0:2(19): warning: `bar' used uninitialized\n"),
-            "/lib.glsl:3:12: warning: `bar' used uninitialized" + kBar);
+            "/lib.glsl:1:23: warning: `bar' used uninitialized" + kBar);
   EXPECT_EQ(mapped("0:3(23): preprocessor error: bad\n"), "/a.fsh:3:23: error: bad" + kFoo);
 }
 
@@ -56,13 +56,13 @@ TEST(compiler_log, nvidia_gives_a_line_and_quotes_the_word) {
   EXPECT_EQ(mapped("0(3) : error C1503: undefined variable \"foo\"\n"),
             "/a.fsh:3:23: error: undefined variable \"foo\"" + kFoo);
   EXPECT_EQ(mapped("0(2) : warning C7050: \"bar\" might be used before being initialized\n"),
-            "/lib.glsl:3:12: warning: \"bar\" might be used before being initialized" + kBar);
+            "/lib.glsl:1:23: warning: \"bar\" might be used before being initialized" + kBar);
 }
 
 TEST(compiler_log, intel_and_apple_give_a_line_and_quote_the_word) {
   EXPECT_EQ(mapped("ERROR: 0:3: 'foo' : undeclared identifier \n"),
             "/a.fsh:3:23: error: 'foo' : undeclared identifier" + kFoo);
-  EXPECT_EQ(mapped("WARNING: 0:2: 'bar' : x\n"), "/lib.glsl:3:12: warning: 'bar' : x" + kBar);
+  EXPECT_EQ(mapped("WARNING: 0:2: 'bar' : x\n"), "/lib.glsl:1:23: warning: 'bar' : x" + kBar);
   EXPECT_EQ(mapped("ERROR: 0:3: Use of undeclared identifier 'foo'\n"),
             "/a.fsh:3:23: error: Use of undeclared identifier 'foo'" + kFoo);
 }

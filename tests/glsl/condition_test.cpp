@@ -146,5 +146,37 @@ TEST(conditionals, unbalanced_ones_are_located) {
             "a\n---\n/a.fsh:4:1: warning: #else after #else\n  #else\n  ^\n" + hint);
 }
 
+// First line of what the preprocessor says of /a.fsh with these lines.
+std::string firstMessage(const std::string& lines, const std::string& included = "") {
+  Diagnostics diagnostics;
+  preprocess(test::flatten({{"/a.fsh", lines}, {"/b.glsl", included}}, "/a.fsh"), {}, diagnostics);
+  const std::string all = test::format(diagnostics);
+  return all.substr(0, all.find('\n'));
+}
+
+TEST(conditionals, an_endif_further_left_closes_another_if) {
+  EXPECT_EQ(firstMessage("#if 1\na\n  #if 1\n  b\nc\n#endif\n"),
+            "/a.fsh:3:3: warning: #if is not closed: expected #endif before the end");
+}
+
+TEST(conditionals, an_endif_further_right_has_no_if) {
+  EXPECT_EQ(firstMessage("#if 1\na\n  b\n  #endif\nc\n#endif\n"),
+            "/a.fsh:4:3: warning: #endif without #if");
+}
+
+TEST(conditionals, an_include_guard_ends_with_its_file) {
+  EXPECT_EQ(firstMessage("#ifndef A\n#define A\n#if 1\na\n\n#endif\n"),
+            "/a.fsh:3:1: warning: #if is not closed: expected #endif before the end");
+  EXPECT_EQ(firstMessage("#ifndef A\n#define A\na\n#endif\nb\n#endif\n"),
+            "/a.fsh:4:1: warning: #endif without #if");
+}
+
+TEST(conditionals, what_an_include_leaves_open_is_its_own) {
+  EXPECT_EQ(firstMessage("#if 1\n#include \"/b.glsl\"\n#endif\n", "#if 1\na\n"),
+            "/b.glsl:1:1: warning: #if is not closed: expected #endif before the end");
+  EXPECT_EQ(firstMessage("#if 1\n#include \"/b.glsl\"\n#endif\n", "a\n#endif\n"),
+            "/b.glsl:2:1: warning: #endif without #if");
+}
+
 }  // namespace
 }  // namespace orris

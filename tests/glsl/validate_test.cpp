@@ -57,16 +57,95 @@ TEST(validate, an_error_three_includes_deep_has_place_chain_and_caret) {
       "  \t                   ^\n");
 }
 
-TEST(validate, an_error_in_a_macro_names_the_macro_and_its_definition) {
+TEST(validate, an_error_written_in_a_macro_stands_in_its_definition) {
   EXPECT_EQ(validated({{"/a.vsh", kVertex},
                        {"/a.fsh",
                         "#version 120\n#define GLOW 2.0 * missing\nvoid main() {\n"
                         "  gl_FragColor = vec4(GLOW);\n}\n"}},
                       {"/a.vsh", "/a.fsh"}),
-            "/a.fsh:4:23: error: 'missing' : undeclared identifier\n"
-            "    gl_FragColor = vec4(GLOW);\n"
-            "                        ^\n"
-            "  note: expanded from macro 'GLOW', defined at /a.fsh:2\n");
+            "/a.fsh:2:20: error: 'missing' : undeclared identifier\n"
+            "  #define GLOW 2.0 * missing\n"
+            "                     ^\n"
+            "  note: in the expansion of macro 'GLOW' at /a.fsh:4\n");
+}
+
+TEST(validate, an_error_in_the_argument_of_a_macro_stands_at_its_use) {
+  EXPECT_EQ(validated({{"/a.vsh", kVertex},
+                       {"/a.fsh",
+                        "#version 120\n#define TWICE(x) (2.0 * x)\nvoid main() {\n"
+                        "  gl_FragColor = vec4(TWICE(missing));\n}\n"}},
+                      {"/a.vsh", "/a.fsh"}),
+            "/a.fsh:4:29: error: 'missing' : undeclared identifier\n"
+            "    gl_FragColor = vec4(TWICE(missing));\n"
+            "                              ^\n"
+            "  note: expanded from macro 'TWICE', defined at /a.fsh:2\n");
+}
+
+// The messages of a fragment shader with these lines from line 2 on.
+std::string fragmentMessages(const std::string& lines, const test::Files& more = {}) {
+  test::Files files = {{"/a.vsh", kVertex}, {"/a.fsh", "#version 120\n" + lines}};
+  files.insert(more.begin(), more.end());
+  return validated(files, {"/a.vsh", "/a.fsh"});
+}
+
+TEST(validate, a_missing_semicolon_is_told_where_it_is_missing) {
+  EXPECT_EQ(
+      fragmentMessages("void main() {\n  float a = 1.0\n\n  // why\n  float b = a;\n}\n"),
+      "/a.fsh:3:16: error: '' :  syntax error, unexpected FLOAT, expecting COMMA or SEMICOLON\n"
+      "    float a = 1.0\n"
+      "                 ^\n"
+      "  hint: something is missing after '1.0'\n");
+}
+
+TEST(validate, a_semicolon_missing_at_the_end_of_an_include_is_told_there) {
+  EXPECT_EQ(
+      fragmentMessages("#include \"/b.glsl\"\nvoid main() {}\n", {{"/b.glsl", "\nfloat b\n"}}),
+      "/b.glsl:2:8: error: '' :  syntax error, unexpected VOID, expecting COMMA or SEMICOLON\n"
+      "  included from /a.fsh:2\n"
+      "  float b\n"
+      "         ^\n"
+      "  hint: something is missing after 'b'\n");
+}
+
+TEST(validate, a_statement_after_the_head_of_an_if_misses_nothing_before_it) {
+  const std::string text = fragmentMessages("void main() {\n  if (true)\n    return 1 2;\n}\n");
+  EXPECT_EQ(text.substr(0, text.find(':', 7)), "/a.fsh:4");
+}
+
+const std::string kLater = "float later() {\n  return 1.0;\n}\nvoid main() { later(); }\n";
+
+TEST(validate, a_missing_closing_brace_is_found_by_indentation) {
+  EXPECT_EQ(fragmentMessages("float f(float x) {\n"
+                             "  if (x > 0.0) {\n"
+                             "    x = 1.0;\n"
+                             "\n"
+                             "  return x;\n"
+                             "}\n" +
+                             kLater),
+            "/a.fsh:4:13: error: expected '}' after ';': nothing closes the '{' at /a.fsh:3\n"
+            "      x = 1.0;\n"
+            "              ^\n");
+}
+
+TEST(validate, a_missing_opening_brace_is_found_by_indentation) {
+  EXPECT_EQ(fragmentMessages("float f(float x) {\n"
+                             "  for (int i = 0; i < 3; ++i)\n"
+                             "    x = 1.0;\n"
+                             "    x += 1.0;\n"
+                             "  }\n"
+                             "  return x;\n"
+                             "}\n" +
+                             kLater),
+            "/a.fsh:3:30: error: expected '{' after ')': nothing opens the '}' at /a.fsh:6\n"
+            "    for (int i = 0; i < 3; ++i)\n"
+            "                               ^\n");
+}
+
+TEST(validate, the_end_of_a_function_without_brace_is_before_the_next_function) {
+  EXPECT_EQ(fragmentMessages("float f(float x) {\n  return x;\n\n" + kLater),
+            "/a.fsh:3:12: error: expected '}' after ';': nothing closes the '{' at /a.fsh:2\n"
+            "    return x;\n"
+            "             ^\n");
 }
 
 TEST(validate, link_errors_stand_at_the_entry_file_of_their_stage) {

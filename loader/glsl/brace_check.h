@@ -1,0 +1,22 @@
+// Which brace is missing: a compiler notices only where the text ends or makes no sense any more.
+#pragma once
+
+#include <optional>
+
+#include "glsl/source_map.h"
+#include "glsl/token.h"
+#include "glsl/validate.h"
+
+namespace orris {
+
+struct MissingBrace {
+  char brace = '}';
+  Token after;    ///< the last token before the place where it is missing
+  Token partner;  ///< the brace that has no other
+};
+
+/// Judged by functions, which cannot stand in one another, and then by the author's indentation.
+/// nullopt when all braces have partners.
+std::optional<MissingBrace> findMissingBrace(const MappedText& text, const SourceLines& lines);
+
+}  // namespace orris
