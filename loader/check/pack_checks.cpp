@@ -2,6 +2,7 @@
 
 #include "check/declaration_checks.h"
 #include "check/directive_checks.h"
+#include "check/expression_checks.h"
 #include "check/file_name_checks.h"
 #include "check/frame_checks.h"
 #include "check/id_checks.h"
@@ -10,6 +11,7 @@
 #include "check/option_checks.h"
 #include "check/property_checks.h"
 #include "check/screen_checks.h"
+#include "check/slip_checks.h"
 #include "check/texture_checks.h"
 
 namespace orris {
@@ -19,7 +21,7 @@ using FolderCheck = void (*)(const FolderInput&, Diagnostics&);
 using WholePackCheck = void (*)(std::span<const ShaderPack>, Diagnostics&);
 
 // In the order of the report.
-constexpr FolderCheck kFolderChecks[] = {checkDeclarations, checkFrame};
+constexpr FolderCheck kFolderChecks[] = {checkDeclarations, checkCustomUniforms, checkFrame};
 constexpr WholePackCheck kWholePackChecks[] = {
     checkOptionLists,      //
     checkOptionUse,        //
@@ -34,6 +36,7 @@ constexpr WholePackCheck kWholePackChecks[] = {
     checkIdMaps,           //
     checkDirectiveNames,   //
     checkPropertiesTwice,  //
+    checkPropertyNames,    //
     checkTexturesUsed,
 };
 

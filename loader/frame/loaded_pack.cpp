@@ -11,12 +11,6 @@
 namespace orris {
 namespace {
 
-std::optional<ValueType> inputType(const std::string& name) {
-  const UniformRow* row = findUniform(name);
-  if (row == nullptr || row->perDraw) return std::nullopt;
-  return row->type;
-}
-
 std::vector<const StageText*> pointersTo(const std::vector<StageText>& stages) {
   std::vector<const StageText*> result;
   for (const StageText& stage : stages) result.push_back(&stage);
@@ -65,7 +59,7 @@ FrameRenderer::Loaded::Loaded(const ShaderPack& pack, const Schedule& schedule,
                               const SceneData& sceneData, bool floatScreen, Loaded* previous,
                               LoadReport& report, Diagnostics& diagnostics)
     : contents(sceneData.contents()),
-      custom(pack.properties.customUniforms, inputType, diagnostics),
+      custom(pack.properties.customUniforms, expressionInput, diagnostics),
       plan_(schedule),
       blockIds_(blockIdsOf(pack, sceneData.world.blocks)),
       style_(vertexStyleOf(pack)) {

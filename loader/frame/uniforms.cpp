@@ -277,6 +277,12 @@ std::span<const UniformRow> uniformTable() {
   return table;
 }
 
+std::optional<ValueType> expressionInput(const std::string& name) {
+  const UniformRow* row = findUniform(name);
+  if (row == nullptr || row->perDraw) return std::nullopt;
+  return row->type;
+}
+
 const UniformRow* findUniform(std::string_view name) {
   const auto table = uniformTable();
   const auto it =

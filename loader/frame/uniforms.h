@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -32,6 +33,8 @@ struct UniformRow {
 /// Sorted by name.
 std::span<const UniformRow> uniformTable();
 const UniformRow* findUniform(std::string_view name);
+/// Type of a uniform that custom uniforms may use; nullopt when there is none of that name.
+std::optional<ValueType> expressionInput(const std::string& name);
 
 /// GLSL type of every uniform that the host or one of the mods gives, by name.
 std::map<std::string, std::string> uniformTypes();

@@ -1,0 +1,14 @@
+// Names that no reader takes and that are a slip away from one that would be: hosts ignore them.
+#pragma once
+
+#include <span>
+
+#include "core/diagnostic.h"
+#include "pack/shader_pack.h"
+
+namespace orris {
+
+/// Keys of shaders.properties ("blned.composite"), programs and options of "program.*.enabled".
+void checkPropertyNames(std::span<const ShaderPack> folders, Diagnostics& diagnostics);
+
+}  // namespace orris

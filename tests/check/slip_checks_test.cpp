@@ -1,0 +1,42 @@
+#include "check/slip_checks.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "frame_fixture.h"
+
+namespace orris {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+std::vector<std::string> slipsIn(const std::string& final, const std::string& properties = "") {
+  Files files = cleanPack();
+  files["/final.fsh"] += final;
+  if (!properties.empty()) files["/shaders.properties"] = properties;
+  return messagesOf(
+      [](const FolderInput& input, Diagnostics& diagnostics) {
+        checkPropertyNames({&input.pack, 1}, diagnostics);
+      },
+      files);
+}
+
+TEST(Slips, a_key_near_a_known_one) {
+  EXPECT_THAT(slipsIn("", "varaible.float.a = 1.0\nothermod.setting = 3\nsliders = A\n"),
+              ElementsAre("property-unknown /shaders.properties:1:1: warning: unknown key "
+                          "varaible.float.a | did you mean variable?"));
+}
+
+TEST(Slips, a_program_and_an_option_of_a_condition) {
+  EXPECT_THAT(slipsIn("#define BLOOM_ON\n#ifdef BLOOM_ON\n#endif\n",
+                      "program.world0/shadwocomp.enabled = BLOOM_ON\n"
+                      "program.composite2.enabled = BLOMO_ON || IS_IRIS\n"),
+              ElementsAre("program-unknown /shaders.properties:1:1: warning: no program is called "
+                          "shadwocomp | did you mean shadowcomp?",
+                          "program-condition /shaders.properties:2:1: warning: the pack has no "
+                          "option BLOMO_ON | did you mean BLOOM_ON?"));
+}
+
+}  // namespace
+}  // namespace orris
