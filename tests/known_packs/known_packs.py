@@ -30,11 +30,11 @@ Public shader packs, validated. Written by
 of a pack is in this repository.
 
 "Programs" are those that Iris would load with default options, over all dimensions, and how many of
-them compile and link, with glslang and with the driver; those of other mods are checked but never
-drawn. "Profiles" counts the profiles of the pack of which every program does. "Draw" is one frame of
-a small world in each dimension. "Warnings" are those with default options, without the notes that
-`--verbose` adds. Seconds are wall time on {cores} cores, drawing and its just-in-time compilation
-included; they say what to expect, not what is fast.
+them compile and link, with glslang and, where "draw" says yes, with the driver; those of other mods
+are checked but never drawn. "Profiles" counts the profiles of the pack of which every program does.
+"Draw" is one frame of a small world in each dimension. "-" was not tried in this run. "Warnings" are
+those with default options, without the notes that `--verbose` adds. Seconds are wall time on {cores}
+cores, whatever else ran on them.
 
 Driver: {driver}.
 """
