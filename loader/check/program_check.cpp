@@ -2,13 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <atomic>
-#include <functional>
 #include <set>
-#include <thread>
 
 #include "check/compile_hints.h"
-#include "frame/gpu_program.h"
+#include "check/diagnostic_codec.h"
 #include "glsl/validate.h"
 #include "pack/mods.h"
 
@@ -28,6 +25,47 @@ std::string unitName(const ProgramSource& program, const std::string& name) {
   return program.folder == "/" ? "/" + name : program.folder + "/" + name;
 }
 
+SourceLines sourceLinesOf(const ShaderPack& pack) {
+  return [&pack](const std::string& file, int line) { return pack.sourceLine(file, line); };
+}
+
+// The tables of built-in functions are made once, before the workers are forked.
+void warmUp() {
+  StageText stage;
+  stage.text.text = "#version 450 compatibility\nvoid main() {}\n";
+  Diagnostics ignored;
+  validateWithGlslang(
+      {stage}, [](const std::string&, int) { return std::string(); }, ignored);
+}
+
+}  // namespace
+
+std::vector<ProgramUnit> programUnits(const ProgramSource& program) {
+  std::vector<ProgramUnit> units;
+  const ModFamily* family = modFamilyOf(program.group);
+  const auto add = [&](const std::string& name, std::vector<const StageText*> stages) {
+    const std::uint64_t hash = hashOf(stages);
+    units.push_back({unitName(program, name), hash, std::move(stages),
+                     family ? family->name : std::string_view(), program.incomplete});
+  };
+  // A fullscreen program and a compute shader may share their name.
+  for (const ComputeSource& compute : program.computes) add(compute.name + ".csh", {&compute.text});
+  std::vector<const StageText*> stages;
+  for (const StageText& stage : program.stages) stages.push_back(&stage);
+  if (!stages.empty()) add(program.name, std::move(stages));
+  return units;
+}
+
+std::vector<ProgramUnit> programUnits(const ShaderPack& pack) {
+  std::vector<ProgramUnit> units;
+  for (const auto* programs : {&pack.programs, &pack.modPrograms}) {
+    for (const ProgramSource& program : *programs) {
+      for (ProgramUnit& unit : programUnits(program)) units.push_back(std::move(unit));
+    }
+  }
+  return units;
+}
+
 std::vector<ProgramUnit> unitsWithoutVerdict(const ShaderPack& pack, const Verdicts& verdicts) {
   std::vector<ProgramUnit> units;
   std::set<std::uint64_t> taken;
@@ -39,71 +77,56 @@ std::vector<ProgramUnit> unitsWithoutVerdict(const ShaderPack& pack, const Verdi
   return units;
 }
 
-SourceLines sourceLinesOf(const ShaderPack& pack) {
-  return [&pack](const std::string& file, int line) { return pack.sourceLine(file, line); };
+std::string entryFile(const ProgramUnit& unit) {
+  const auto& sites = unit.stages.back()->text.sites;
+  return sites.empty() ? unit.name : sites.front().file;
 }
 
-void runOnThreads(int jobs, size_t count, const std::function<void(size_t)>& work) {
-  std::atomic<size_t> next = 0;
-  const auto loop = [&] {
-    for (size_t i = next++; i < count; i = next++) work(i);
-  };
-  std::vector<std::jthread> threads;
-  for (int i = 1; i < jobs; ++i) threads.emplace_back(loop);
-  loop();
-}
-
-}  // namespace
-
-std::vector<ProgramUnit> programUnits(const ShaderPack& pack) {
-  std::vector<ProgramUnit> units;
-  const auto add = [&](const ProgramSource& program, const std::string& name,
-                       std::vector<const StageText*> stages) {
-    const std::uint64_t hash = hashOf(stages);
-    const ModFamily* family = modFamilyOf(program.group);
-    units.push_back({unitName(program, name), hash, std::move(stages),
-                     family ? family->name : std::string_view()});
-  };
-  for (const auto* programs : {&pack.programs, &pack.modPrograms}) {
-    for (const ProgramSource& program : *programs) {
-      // A fullscreen program and a compute shader may share their name.
-      for (const ComputeSource& compute : program.computes)
-        add(program, compute.name + ".csh", {&compute.text});
-      std::vector<const StageText*> stages;
-      for (const StageText& stage : program.stages) stages.push_back(&stage);
-      if (!stages.empty()) add(program, program.name, std::move(stages));
-    }
-  }
-  return units;
+Diagnostic lostJob(const JobOutcome& outcome, std::string_view tool, const std::string& name,
+                   const std::string& file) {
+  const bool crashed = outcome.kind == JobOutcome::Kind::Crashed;
+  Diagnostic diagnostic;
+  diagnostic.id = crashed ? "compiler-crash" : "compiler-timeout";
+  diagnostic.at.file = file;
+  diagnostic.message = crashed
+                           ? fmt::format("{} died while checking {}: {}", tool, name, outcome.cause)
+                           : fmt::format("{} did not finish checking {} in time", tool, name);
+  diagnostic.hint =
+      "leave out parts of the program until the rest compiles: players' drivers may "
+      "fail on the same lines";
+  return diagnostic;
 }
 
 void checkWithGlslang(const ShaderPack& pack, int jobs, Verdicts& verdicts,
                       Diagnostics& diagnostics) {
   const std::vector<ProgramUnit> units = unitsWithoutVerdict(pack, verdicts);
+  if (units.empty()) return;
   std::vector<Diagnostics> found(units.size());
   const SourceLines lines = sourceLinesOf(pack);
   DefinitionIndex index(pack);
-  runOnThreads(jobs, units.size(), [&](size_t i) {
+  warmUp();
+  const auto check = [&](size_t i) {
+    // Names that a missing file would declare are no further mistakes.
+    if (units[i].incomplete) return encodeDiagnostics({});
     std::vector<StageText> stages;
     for (const StageText* stage : units[i].stages) stages.push_back(*stage);
-    validateWithGlslang(stages, lines, found[i]);
-    if (hasErrors(found[i])) explainUnknownNames(index, units[i].stages, found[i]);
-  });
+    Diagnostics messages;
+    validateWithGlslang(stages, lines, messages);
+    if (hasErrors(messages)) explainUnknownNames(index, units[i].stages, messages);
+    return encodeDiagnostics(messages);
+  };
+  runIsolated({.count = units.size(), .workers = jobs, .work = check},
+              [&](size_t i, const JobOutcome& outcome) {
+                found[i] = outcome.kind == JobOutcome::Kind::Done
+                               ? decodeDiagnostics(outcome.result)
+                               : Diagnostics{lostJob(outcome, "the compiler", units[i].name,
+                                                     entryFile(units[i]))};
+                return true;
+              });
   for (size_t i = 0; i < units.size(); ++i) {
-    verdicts[units[i].hash] = !hasErrors(found[i]);
+    verdicts[units[i].hash] = !hasErrors(found[i]) && !units[i].incomplete;
     if (!units[i].mod.empty()) markAsOfMod(units[i].mod, found[i]);
     diagnostics.insert(diagnostics.end(), found[i].begin(), found[i].end());
-  }
-}
-
-void checkWithDriver(const ShaderPack& pack, Verdicts& verdicts, Diagnostics& diagnostics) {
-  const SourceLines lines = sourceLinesOf(pack);
-  for (const ProgramUnit& unit : unitsWithoutVerdict(pack, verdicts)) {
-    Diagnostics found;
-    const GpuProgram program = buildGpuProgram(unit.name, unit.stages, lines, found);
-    verdicts[unit.hash] = program.program.linked;
-    if (!unit.mod.empty()) markAsOfMod(unit.mod, found);
-    diagnostics.insert(diagnostics.end(), found.begin(), found.end());
   }
 }
 

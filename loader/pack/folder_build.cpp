@@ -93,7 +93,18 @@ ProgramSource FolderBuild::build(const ProgramEntry& entry) const {
   const FileLookup lookup = [this](const std::string& file) { return lines(file); };
   ProgramSource program = buildProgram(entry, context(lookup));
   if (mod_) markAsOfMod(mod_->name, program.diagnostics);
+  program.incomplete = !files_->broken.empty() && reachesBroken(entry);
   return program;
+}
+
+bool FolderBuild::reachesBroken(const ProgramEntry& entry) const {
+  const auto reaches = [&](const auto& named) {
+    const auto files = reachableFiles(files_->graph, named.second);
+    return std::any_of(files.begin(), files.end(),
+                       [&](const std::string& file) { return files_->broken.contains(file); });
+  };
+  return std::any_of(entry.stages.begin(), entry.stages.end(), reaches) ||
+         std::any_of(entry.computes.begin(), entry.computes.end(), reaches);
 }
 
 void FolderBuild::listAll() {

@@ -41,6 +41,7 @@ class FolderBuild {
 
  private:
   void readProperties(const MacroDefinitions& environment, const FolderBuild* similar);
+  bool reachesBroken(const ProgramEntry& entry) const;
   void listAll();
   void listVoxy(const std::map<std::string, std::string>& uniformTypes);
   BuildContext context(const FileLookup& lookup) const;

@@ -58,6 +58,11 @@ std::shared_ptr<const PackFiles> readPackFiles(std::shared_ptr<const FileSource>
   }
   files->graph = readIncludeGraph(*source, roots, found);
   files->complete = !hasErrors(found);
+  for (const auto& [file, includes] : files->graph.includes) {
+    for (const auto& [line, target] : includes) {
+      if (target.empty()) files->broken.insert(file);
+    }
+  }
   files->options = discoverOptions(files->graph.files, found);
   for (const auto& [name, option] : files->options.all()) files->optionNames.push_back(name);
   files->properties = source->read(kPropertiesFile);

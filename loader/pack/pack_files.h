@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -25,7 +26,8 @@ struct PackFiles {
   std::optional<std::string> properties;  ///< text of shaders.properties
   std::vector<Profile> profiles;
   std::map<std::string, std::map<std::string, std::string>> languages;
-  bool complete = true;  ///< false: Iris refuses the pack, for what `diagnostics` told
+  std::set<std::string> broken;  ///< files with an #include in error
+  bool complete = true;          ///< false: Iris refuses the pack, for what `diagnostics` told
 };
 
 inline constexpr const char* kPropertiesFile = "/shaders.properties";

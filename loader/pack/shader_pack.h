@@ -44,6 +44,7 @@ struct ProgramSource {
   std::optional<BlendMode> blend;
   std::map<std::string, BlendMode> bufferBlend;
   std::array<float, 3> scale{1, 0, 0};
+  bool incomplete = false;            ///< an #include of it is in error and counts as empty
   bool writesFragData = false;        ///< fixed-function alpha test applies (glsl/rewrite.h)
   std::map<std::string, bool> flips;  ///< explicit flip.* of this program, canonical buffer names
   std::vector<AppliedRule> rules;

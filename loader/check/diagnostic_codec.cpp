@@ -1,0 +1,52 @@
+#include "check/diagnostic_codec.h"
+
+#include <nlohmann/json.hpp>
+
+namespace orris {
+namespace {
+
+using nlohmann::json;
+
+json pack(const SourceLocation& at) { return json::array({at.file, at.line, at.column}); }
+
+SourceLocation unpackLocation(const json& value) { return {value[0], value[1], value[2]}; }
+
+json pack(const Diagnostic& d) {
+  json chain = json::array();
+  for (const SourceLocation& at : d.includedFrom) chain.push_back(pack(at));
+  return json::array(
+      {int(d.severity), d.id, pack(d.at), d.message, chain, d.sourceLine, d.notes, d.hint});
+}
+
+Diagnostic unpack(const json& value) {
+  Diagnostic d;
+  d.severity = static_cast<Severity>(value[0].get<int>());
+  d.id = value[1];
+  d.at = unpackLocation(value[2]);
+  d.message = value[3];
+  for (const json& at : value[4]) d.includedFrom.push_back(unpackLocation(at));
+  d.sourceLine = value[5];
+  d.notes = value[6].get<std::vector<std::string>>();
+  d.hint = value[7];
+  return d;
+}
+
+}  // namespace
+
+std::string encodeDiagnostics(const Diagnostics& diagnostics) {
+  json list = json::array();
+  for (const Diagnostic& diagnostic : diagnostics) list.push_back(pack(diagnostic));
+  std::string bytes;
+  json::to_cbor(list, bytes);
+  return bytes;
+}
+
+Diagnostics decodeDiagnostics(std::string_view bytes) {
+  Diagnostics diagnostics;
+  for (const json& value : json::from_cbor(bytes.begin(), bytes.end())) {
+    diagnostics.push_back(unpack(value));
+  }
+  return diagnostics;
+}
+
+}  // namespace orris

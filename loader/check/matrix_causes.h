@@ -1,0 +1,21 @@
+// From the failures of a matrix to one report for each mistake, with the values that it needs.
+#pragma once
+
+#include <vector>
+
+#include "check/matrix_worker.h"
+
+namespace orris {
+
+/// One problem wherever it occurs.
+struct MatrixFailure {
+  Diagnostic diagnostic;          ///< as in the first job
+  std::vector<std::size_t> jobs;  ///< those that have it, in order
+  bool lost = false;              ///< the job killed or stalled the compiler
+};
+
+/// Adds to each failure a note with its cause and where it occurs. Works in `jobs` processes.
+void explainFailures(const MatrixPlan& plan, const MacroDefinitions& environment, int jobs,
+                     std::vector<MatrixFailure>& failures);
+
+}  // namespace orris

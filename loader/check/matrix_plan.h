@@ -1,0 +1,49 @@
+// Which programs a matrix has to look at: of each configuration those that it can change.
+#pragma once
+
+#include <deque>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "check/matrix_run.h"
+#include "pack/folder_build.h"
+
+namespace orris {
+
+/// One program of one configuration; without an entry, the properties.
+struct MatrixJob {
+  std::size_t configuration = 0;
+  std::size_t build = 0;  ///< index into MatrixPlan::builds
+  const ProgramEntry* entry = nullptr;
+};
+
+struct MatrixPlan {
+  std::vector<OptionValues> configurations;
+  std::vector<std::shared_ptr<const FolderBuild>> builds;  ///< of the values in force
+  std::vector<std::size_t> hosts;                          ///< of each build, that of its folder
+  std::vector<MatrixJob> jobs;                             ///< in the order of configurations
+  std::deque<std::vector<ProgramEntry>> entries;           ///< own those of the jobs
+};
+
+MatrixPlan planMatrix(const MatrixBase& base, const MatrixRequest& request);
+
+/// Builds of the plan under other values, one after the other; those of one configuration share what
+/// they can.
+class MatrixVariants {
+ public:
+  MatrixVariants(const MatrixPlan& plan, const MacroDefinitions& environment)
+      : plan_(plan), environment_(environment) {}
+  /// Valid until the next call.
+  const FolderBuild& get(std::size_t build, const OptionValues& values);
+
+ private:
+  const FolderBuild& host(std::size_t build, const OptionValues& values);
+
+  const MatrixPlan& plan_;
+  const MacroDefinitions& environment_;
+  std::map<const ModFamily*, std::shared_ptr<const FolderBuild>> last_;
+};
+
+}  // namespace orris

@@ -1,0 +1,179 @@
+#include "check/matrix_run.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "check/diagnostic_codec.h"
+#include "check/isolated_jobs.h"
+#include "check/matrix_causes.h"
+#include "glsl/validate.h"
+
+namespace orris {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// What tells problems apart: place and words, whatever the program and the values.
+using ProblemKey = std::tuple<std::string, int, std::string, std::string>;
+ProblemKey keyOf(const Diagnostic& d) { return {d.at.file, d.at.line, d.id, d.message}; }
+
+class Run {
+ public:
+  Run(const MatrixBase& base, const MatrixRequest& request,
+      const std::function<void(std::size_t, std::size_t)>& progress)
+      : base_(base),
+        request_(request),
+        progress_(progress),
+        plan_(planMatrix(base, request)),
+        worker_(plan_, base.environment),
+        seen_(4 * (plan_.jobs.size() + base.verdicts.size()) + 1024),
+        stalls_(plan_.jobs.size() + 1024),
+        found_(plan_.jobs.size()) {
+    for (const auto& [hash, good] : base.verdicts) seen_.insert(hash);
+  }
+
+  MatrixResult run() {
+    compileAll();
+    findMessages();
+    std::vector<MatrixFailure> failures = group();
+    explainFailures(plan_, base_.environment, request_.jobs, failures);
+    MatrixResult result;
+    for (MatrixFailure& failure : failures) {
+      result.diagnostics.push_back(std::move(failure.diagnostic));
+    }
+    result.configurations = plan_.configurations.size();
+    result.tried = tried();
+    result.variants = done_;
+    result.compiled = compiled_;
+    result.seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+    return result;
+  }
+
+ private:
+  struct JobResult {
+    bool done = false;
+    JobOutcome lost;  ///< Kind::Done unless the worker died
+    MatrixFinding finding;
+  };
+
+  // A program that stalls under one set of values may stall under thousands.
+  std::uint64_t programKey(const MatrixJob& job) const {
+    return std::hash<std::string>()(job.entry ? job.entry->name.program : "") * 31 + job.build + 1;
+  }
+
+  void compileAll() {
+    const auto work = [this](std::size_t i) {
+      if (stalls_.contains(programKey(plan_.jobs[i]))) return encode(MatrixFinding());
+      return encode(worker_.run(plan_.jobs[i], seen_));
+    };
+    runIsolated({.count = plan_.jobs.size(), .workers = request_.jobs, .work = work},
+                [this](std::size_t i, JobOutcome outcome) { return take(i, std::move(outcome)); });
+  }
+
+  bool take(std::size_t i, JobOutcome outcome) {
+    JobResult& result = found_[i];
+    result.done = true;
+    if (outcome.kind == JobOutcome::Kind::Done) {
+      result.finding = decodeFinding(outcome.result);
+      compiled_ += static_cast<std::size_t>(result.finding.compiled);
+      failing_.insert(result.finding.failing.begin(), result.finding.failing.end());
+    } else {
+      if (outcome.kind == JobOutcome::Kind::TimedOut) stalls_.insert(programKey(plan_.jobs[i]));
+      outcome.result.clear();
+      result.lost = std::move(outcome);
+    }
+    progress_(++done_, plan_.jobs.size());
+    return request_.budget.count() == 0 || Clock::now() - start_ < request_.budget;
+  }
+
+  std::size_t tried() const {
+    std::set<std::size_t> open;
+    for (std::size_t i = 0; i < found_.size(); ++i) {
+      if (!found_[i].done) open.insert(plan_.jobs[i].configuration);
+    }
+    return plan_.configurations.size() - open.size();
+  }
+
+  // Which process came first to a text must not decide what is told of it: the first job does.
+  void findMessages() {
+    std::vector<std::size_t> firsts;
+    std::map<std::uint64_t, std::size_t> firstOf;
+    for (std::size_t i = 0; i < found_.size(); ++i) {
+      for (const std::uint64_t hash : found_[i].finding.units) {
+        if (!failing_.contains(hash) || !firstOf.emplace(hash, i).second) continue;
+        if (firsts.empty() || firsts.back() != i) firsts.push_back(i);
+      }
+    }
+    const auto work = [&](std::size_t i) {
+      const MatrixJob& job = plan_.jobs[firsts[i]];
+      return encodeDiagnostics(worker_.errorsWith(job, plan_.configurations[job.configuration]));
+    };
+    std::map<std::size_t, Diagnostics> messages;
+    runIsolated({.count = firsts.size(), .workers = request_.jobs, .work = work},
+                [&](std::size_t i, const JobOutcome& outcome) {
+                  if (outcome.kind == JobOutcome::Kind::Done) {
+                    messages[firsts[i]] = decodeDiagnostics(outcome.result);
+                  }
+                  return true;
+                });
+    for (const auto& [hash, first] : firstOf) messagesOf_[hash] = messages[first];
+  }
+
+  std::vector<MatrixFailure> group() {
+    std::set<ProblemKey> told;
+    for (const Diagnostic& diagnostic : base_.told) told.insert(keyOf(diagnostic));
+    std::map<ProblemKey, MatrixFailure> failures;
+    const auto add = [&](const Diagnostic& diagnostic, std::size_t job, bool lost) {
+      const ProblemKey key = keyOf(diagnostic);
+      if (told.contains(key)) return;
+      MatrixFailure& failure = failures[key];
+      if (failure.jobs.empty()) failure.diagnostic = diagnostic;
+      failure.lost = lost;
+      if (failure.jobs.empty() || failure.jobs.back() != job) failure.jobs.push_back(job);
+    };
+    for (std::size_t i = 0; i < found_.size(); ++i) {
+      for (const Diagnostic& diagnostic : found_[i].finding.errors) add(diagnostic, i, false);
+      for (const std::uint64_t hash : found_[i].finding.units) {
+        const auto known = messagesOf_.find(hash);
+        if (known == messagesOf_.end()) continue;
+        for (const Diagnostic& diagnostic : known->second) add(diagnostic, i, false);
+      }
+      if (found_[i].lost.kind != JobOutcome::Kind::Done) add(lostDiagnostic(i), i, true);
+    }
+    std::vector<MatrixFailure> result;
+    for (auto& [key, failure] : failures) result.push_back(std::move(failure));
+    return result;
+  }
+
+  Diagnostic lostDiagnostic(std::size_t i) const {
+    const ProgramEntry* entry = plan_.jobs[i].entry;
+    const std::string file = !entry                  ? kPropertiesFile
+                             : entry->stages.empty() ? entry->computes.front().second
+                                                     : entry->stages.back().second;
+    return lostJob(found_[i].lost, "the compiler", entry ? entry->name.program : "the properties",
+                   file);
+  }
+
+  const MatrixBase& base_;
+  const MatrixRequest& request_;
+  const std::function<void(std::size_t, std::size_t)>& progress_;
+  Clock::time_point start_ = Clock::now();
+  MatrixPlan plan_;
+  MatrixWorker worker_;
+  SharedHashes seen_, stalls_;
+  std::vector<JobResult> found_;
+  std::set<std::uint64_t> failing_;
+  std::map<std::uint64_t, Diagnostics> messagesOf_;
+  std::size_t done_ = 0, compiled_ = 0;
+};
+
+}  // namespace
+
+MatrixResult runMatrix(const MatrixBase& base, const MatrixRequest& request,
+                       const std::function<void(std::size_t, std::size_t)>& progress) {
+  return Run(base, request, progress).run();
+}
+
+}  // namespace orris
