@@ -21,8 +21,9 @@ int runExplain(const ValidateOptions& options) {
 int runValidate(const ValidateOptions& options) {
   ReportOutput output(options.report, options.output);
   if (!output.open()) return kUsage;
-  Checker checker{.jobs = options.jobs, .target = *findTarget(options.target)};
-  if (options.draw && !openContext(options, checker)) return kHostFailed;
+  Checker checker{
+      .jobs = options.jobs, .target = *findTarget(options.target), .backend = options.backend};
+  if (options.draw && !findDriver(options, checker)) return kHostFailed;
   for (const std::string& path : options.paths) {
     // A report of its own for each pack: equal messages of two packs are two problems.
     Report report(options.output, Report::Mode::Keep);
@@ -52,7 +53,7 @@ void addValidateCommand(CLI::App& app, int& status) {
   addBackendFlag(*command, options->backend);
   command->add_option("--patched", options->patched,
                       "write the sources as the driver gets them, and where each line is from");
-  command->add_option("--jobs", options->jobs, "threads")->check(CLI::Range(1, 256));
+  command->add_option("--jobs", options->jobs, "processes")->check(CLI::Range(1, 256));
   std::vector<std::string> targets;
   for (const TargetLimits& target : targetTable()) targets.emplace_back(target.name);
   command->add_option("--target", options->target, "whose limits and macros: mesa, apple, ...")
@@ -69,6 +70,7 @@ void addValidateCommand(CLI::App& app, int& status) {
   command->add_option("--stage", options->stage, "what a bare driver log is about: composite.fsh")
       ->type_name("NAME")
       ->needs(log);
+  addMatrixFlags(*command, options->matrix);
   addReportFlags(*command, options->report);
   addOutputFlags(*command, options->output);
   command->callback([options, &status] {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/common.h"
+#include "app/matrix_options.h"
 #include "app/report_options.h"
 
 namespace orris {
@@ -18,7 +19,7 @@ struct ValidateOptions {
   std::vector<std::string> dimensions{"all"};
   int jobs = std::max(1, int(std::thread::hardware_concurrency()));
   std::string target = "mesa";  ///< row of targetTable()
-  std::string patched;  ///< folder
+  std::string patched;          ///< folder
   bool draw = false;
   gl::Backend backend = gl::Backend::Auto;
   std::string explainLog;      ///< file, or "-"
@@ -26,6 +27,7 @@ struct ValidateOptions {
   std::string stage;           ///< "composite.fsh": what a bare driver log is about
   OutputOptions output;
   ReportOptions report;
+  MatrixOptions matrix;
 };
 
 }  // namespace orris

@@ -5,6 +5,33 @@
 #include <nlohmann/json.hpp>
 
 namespace orris {
+namespace {
+
+std::string toText(const MatrixSummary& matrix) {
+  std::string text = fmt::format("  matrix {}", matrix.kind);
+  if (!matrix.profile.empty()) text += fmt::format(", profile {}", matrix.profile);
+  if (matrix.shards > 1) text += fmt::format(", shard {}/{}", matrix.shard, matrix.shards);
+  text += matrix.tried == matrix.configurations
+              ? fmt::format(": {} configurations", matrix.configurations)
+              : fmt::format(": {} of {} configurations within the budget", matrix.tried,
+                            matrix.configurations);
+  return text + fmt::format(", {} program variants, {} distinct programs compiled, {:.1f} s\n",
+                            matrix.variants, matrix.compiled, matrix.seconds);
+}
+
+nlohmann::json toJson(const MatrixSummary& matrix) {
+  return {{"kind", matrix.kind},
+          {"profile", matrix.profile},
+          {"shard", matrix.shard},
+          {"shards", matrix.shards},
+          {"configurations", matrix.configurations},
+          {"tried", matrix.tried},
+          {"programVariants", matrix.variants},
+          {"distinctPrograms", matrix.compiled},
+          {"seconds", matrix.seconds}};
+}
+
+}  // namespace
 
 std::string toText(const PackVerdict& verdict) {
   const auto count = [](const ProgramVerdicts& programs, std::string_view kind) {
@@ -21,6 +48,7 @@ std::string toText(const PackVerdict& verdict) {
   };
   addFailed(verdict.programs);
   for (const auto& [mod, programs] : verdict.modPrograms) addFailed(programs);
+  for (const MatrixSummary& matrix : verdict.matrices) text += toText(matrix);
   return text;
 }
 
@@ -29,12 +57,15 @@ nlohmann::json toJson(const PackVerdict& verdict) {
   for (const auto& [mod, programs] : verdict.modPrograms) {
     mods.push_back({{"name", mod}, {"programs", programs.all}, {"failed", programs.failed}});
   }
+  nlohmann::json matrices = nlohmann::json::array();
+  for (const MatrixSummary& matrix : verdict.matrices) matrices.push_back(toJson(matrix));
   return {{"path", verdict.path},
           {"programs", verdict.programs.all},
           {"failed", verdict.programs.failed},
           {"mods", mods},
           {"folders", verdict.dimensions},
           {"profiles", verdict.profiles},
+          {"matrices", matrices},
           {"status", verdict.status}};
 }
 

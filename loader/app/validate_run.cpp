@@ -1,12 +1,16 @@
 #include "app/validate_run.h"
 
+#include <fmt/format.h>
+
 #include "app/draw_check.h"
 #include "app/inputs.h"
 #include "app/patched_sources.h"
+#include "app/progress.h"
 #include "check/link_errors.h"
 #include "check/pack_checks.h"
 #include "frame/render_session.h"
 #include "frame/uniforms.h"
+#include "pack/text.h"
 
 namespace orris {
 namespace {
@@ -27,12 +31,12 @@ std::vector<std::string> chosen(const std::vector<std::string>& request,
 
 void checkPrograms(const ShaderPack& pack, Checker& checker, Diagnostics& diagnostics) {
   checkWithGlslang(pack, checker.jobs, checker.glslang, diagnostics);
-  if (!checker.context) return;
+  if (!checker.gpu) return;
   // What glslang refuses has been told; the driver would tell it again in other words.
   for (const auto& [hash, good] : checker.glslang) {
     if (!good) checker.driver[hash] = false;
   }
-  checkWithDriver(pack, checker.driver, diagnostics);
+  checkWithDriver(pack, checker.backend, checker.driver, diagnostics);
 }
 
 // The size decides nothing that the checks look at but sizes given in pixels.
@@ -44,12 +48,17 @@ void checkFrame(const ShaderPack& pack, const TargetLimits& target, Diagnostics&
   diagnostics.insert(diagnostics.end(), found.begin(), found.end());
 }
 
-std::optional<ShaderPack> checkOne(const std::shared_ptr<const FileSource>& files,
-                                   const LoadRequest& request, Checker& checker,
-                                   PackVerdict& verdict, Report& report) {
-  auto pack = loadPack(files, request, report, verdict.status);
-  if (!pack) return std::nullopt;
-  Diagnostics diagnostics = ruleNotes(*pack);
+/// One folder under the values of `request`, from the files that `outline` was loaded from.
+std::optional<ShaderPack> checkOne(const ShaderPack& outline, const LoadRequest& request,
+                                   Checker& checker, PackVerdict& verdict, Report& report) {
+  Diagnostics diagnostics;
+  auto pack = rebuildShaderPack(outline, request, diagnostics);
+  report.add(diagnostics);
+  if (!pack) {
+    verdict.status = loadFailureStatus(outline.source, request);
+    return std::nullopt;
+  }
+  diagnostics = ruleNotes(*pack);
   checkPrograms(*pack, checker, diagnostics);
   checkFrame(*pack, checker.target, diagnostics);
   dropRepeatedLinkErrors(diagnostics);
@@ -61,29 +70,76 @@ std::optional<ShaderPack> checkOne(const std::shared_ptr<const FileSource>& file
     programs.all.insert(unit.name);
     if (!checker.passed(unit.hash)) programs.failed.insert(unit.name);
   }
-  if (checker.context && !hasErrors(diagnostics)) {
-    drawOneFrame(*checker.context, files, request, diagnostics);
+  if (checker.gpu && !hasErrors(diagnostics)) {
+    const Diagnostics drawn =
+        runWithContext(checker.backend, "one frame", [&](gl::Context& context, Diagnostics& found) {
+          drawOneFrame(context, outline.source, request, found);
+        });
+    diagnostics.insert(diagnostics.end(), drawn.begin(), drawn.end());
   }
   report.add(diagnostics);
   return pack;
 }
 
+void checkMatrix(const std::vector<ShaderPack>& folders, const LoadRequest& request,
+                 const ValidateOptions& options, const Checker& checker, PackVerdict& verdict,
+                 Report& report) {
+  const MatrixRequest matrix = matrixRequest(options.matrix, options.jobs);
+  if (matrix.kind == MatrixKind::None || folders.empty()) return;
+  std::optional<Progress> progress;
+  MatrixResult result = runMatrix({.folders = folders,
+                                   .environment = request.environment,
+                                   .verdicts = checker.glslang,
+                                   .told = report.all()},
+                                  matrix, [&](size_t, size_t total) {
+                                    if (!progress) {
+                                      progress.emplace("option matrix", int(total), options.output);
+                                    }
+                                    progress->advance();
+                                  });
+  progress.reset();
+  report.add(result.diagnostics);
+  verdict.matrices.push_back({.kind = options.matrix.kind,
+                              .profile = request.profile,
+                              .shard = matrix.shard,
+                              .shards = matrix.shards,
+                              .configurations = result.configurations,
+                              .tried = result.tried,
+                              .variants = result.variants,
+                              .compiled = result.compiled,
+                              .seconds = result.seconds});
+}
+
+/// The options that --options names must be the pack's.
+bool knowsOptions(const ShaderPack& pack, const std::vector<std::string>& names, Report& report) {
+  bool all = true;
+  for (const std::string& name : names) {
+    if (pack.options.find(name)) continue;
+    std::vector<std::string> known;
+    for (const auto& [option, definition] : pack.options.all()) known.push_back(option);
+    report.error("option-unknown", fmt::format("--options: the pack has no option {}", name),
+                 suggest(name, known));
+    all = false;
+  }
+  return all;
+}
+
 }  // namespace
 
 MacroDefinitions Checker::environment() const {
-  return context ? environmentFor(context->driver()) : standardMacros(hostOf(target));
+  return gpu ? environmentFor(*gpu) : standardMacros(hostOf(target));
 }
 
 bool Checker::passed(std::uint64_t hash) const {
-  return glslang.at(hash) && (!context || driver.at(hash));
+  return glslang.at(hash) && (!gpu || driver.at(hash));
 }
 
-bool openContext(const ValidateOptions& options, Checker& checker) {
+bool findDriver(const ValidateOptions& options, Checker& checker) {
   Report report(options.output);
   Diagnostics diagnostics;
-  checker.context = gl::createContext({.backend = options.backend}, diagnostics);
+  checker.gpu = askDriver(options.backend, diagnostics);
   report.add(diagnostics);
-  return checker.context != nullptr;
+  return checker.gpu.has_value();
 }
 
 PackVerdict validatePack(const std::string& path, const ValidateOptions& options, Checker& checker,
@@ -96,8 +152,13 @@ PackVerdict validatePack(const std::string& path, const ValidateOptions& options
       makeLoadRequest(files, options.pack, checker.environment(), report, verdict.status);
   if (!request) return verdict;
   request->buildSources = false;
+  request->keepGoing = true;
   const auto outline = loadPack(files, *request, report, verdict.status);
   if (!outline) return verdict;
+  if (!knowsOptions(*outline, options.matrix.options, report)) {
+    verdict.status = kUsage;
+    return verdict;
+  }
 
   request->buildSources = true;
   request->buildModPrograms = true;
@@ -108,7 +169,7 @@ PackVerdict validatePack(const std::string& path, const ValidateOptions& options
     std::vector<ShaderPack> folders;
     for (const std::string& dimension : chosen(options.dimensions, outline->dimensions)) {
       request->dimension = dimension;
-      auto pack = checkOne(files, *request, checker, verdict, report);
+      auto pack = checkOne(*outline, *request, checker, verdict, report);
       if (!pack) continue;
       if (!options.patched.empty()) {
         writePatchedWithMap(options.patched, *pack, report, verdict.status);
@@ -119,6 +180,7 @@ PackVerdict validatePack(const std::string& path, const ValidateOptions& options
       Diagnostics diagnostics = checkWholePack(folders);
       report.add(diagnostics);
     }
+    checkMatrix(folders, *request, options, checker, verdict, report);
   }
   return verdict;
 }

@@ -3,11 +3,13 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 
 #include "app/report.h"
 #include "app/validate_options.h"
+#include "check/driver_check.h"
 #include "check/program_check.h"
 #include "check/target_limits.h"
 #include "pack/shader_pack.h"
@@ -26,22 +28,25 @@ struct PackVerdict {
   ProgramVerdicts programs;
   std::map<std::string, ProgramVerdicts> modPrograms;  ///< by name of the mod, "Distant Horizons"
   std::set<std::string> dimensions, profiles;
+  std::vector<MatrixSummary> matrices;  ///< one for each profile, with --matrix
   int status = kClean;
 };
 
-/// Checks shared by all packs of a run: the driver's context (with --draw), and what was checked.
+/// Checks shared by all packs of a run: the driver (with --draw), and what was checked. This process
+/// never holds a context: work with the driver is done in others.
 struct Checker {
   int jobs = 1;
   const TargetLimits& target;
-  std::unique_ptr<gl::Context> context;
+  gl::Backend backend = gl::Backend::Auto;
+  std::optional<gl::DriverInfo> gpu;
   Verdicts glslang, driver;
 
   MacroDefinitions environment() const;
   bool passed(std::uint64_t hash) const;
 };
 
-/// Makes the context that --draw needs; false: reported.
-bool openContext(const ValidateOptions& options, Checker& checker);
+/// Asks the driver that --draw needs; false: reported.
+bool findDriver(const ValidateOptions& options, Checker& checker);
 
 PackVerdict validatePack(const std::string& path, const ValidateOptions& options, Checker& checker,
                          Report& report);

@@ -19,18 +19,12 @@ struct Use {
 std::map<std::string, Use> usesOf(std::span<const ShaderPack> folders) {
   std::map<std::string, Use> uses;
   for (const ShaderPack& pack : folders) {
-    for (const ProgramList* programs : {&pack.programs, &pack.modPrograms}) {
-      for (const ProgramSource& program : *programs) {
-        for (const std::string& option : program.options) ++uses[option].programs;
-        for (const std::string& option : program.conditionOptions) {
-          uses[option].inConditions = true;
-        }
-      }
+    for (const ProgramSource& program : pack.programs) {
+      for (const std::string& option : program.options) ++uses[option].programs;
+      for (const std::string& option : program.conditionOptions) uses[option].inConditions = true;
     }
-    for (const auto& build : pack.builds) {
-      for (const std::string& option : build->properties().options) {
-        uses[option].inConditions = true;
-      }
+    for (const std::string& option : pack.builds.front()->properties().options) {
+      uses[option].inConditions = true;
     }
   }
   return uses;

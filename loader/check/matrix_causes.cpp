@@ -55,8 +55,9 @@ std::string explain(const MatrixPlan& plan, MatrixWorker& worker, const MatrixFa
   const FailsWith fails = [&](const OptionValues& values) {
     if (!failure.lost) {
       const Diagnostics errors = worker.errorsWith(job, values);
-      return std::any_of(errors.begin(), errors.end(),
-                         [&](auto& d) { return sameProblem(d, failure.diagnostic); });
+      const bool same = std::any_of(errors.begin(), errors.end(),
+                                    [&](auto& d) { return sameProblem(d, failure.diagnostic); });
+      return same ? Trial::Fails : errors.empty() ? Trial::Good : Trial::FailsOtherwise;
     }
     bool lost = false;
     runIsolated({.count = 1,
@@ -66,7 +67,7 @@ std::string explain(const MatrixPlan& plan, MatrixWorker& worker, const MatrixFa
                   lost = outcome.kind != JobOutcome::Kind::Done;
                   return true;
                 });
-    return lost;
+    return lost ? Trial::Fails : Trial::Good;
   };
   const OptionSet& options = plan.builds[job.build]->files().options;
   int tries = failure.lost ? kLostTries : kMinimiseTries;

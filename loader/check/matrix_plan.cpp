@@ -1,6 +1,7 @@
 #include "check/matrix_plan.h"
 
 #include <algorithm>
+#include <map>
 
 namespace orris {
 namespace {
@@ -12,8 +13,7 @@ class BuildPlanner {
                MatrixPlan& plan)
       : index_(index), variants_(variants), plan_(plan) {
     const FolderBuild& build = *plan.builds[index];
-    const ProgramList& programs = build.mod() ? pack.modPrograms : pack.programs;
-    for (const ProgramSource& program : programs) known_[program.name] = &program;
+    for (const ProgramSource& program : pack.programs) known_[program.name] = &program;
     const auto& profiles = build.properties().shader.profiles;
     profilesDisable_ = std::any_of(profiles.begin(), profiles.end(),
                                    [](const Profile& p) { return !p.disabledPrograms.empty(); });
@@ -84,19 +84,11 @@ MatrixPlan planMatrix(const MatrixBase& base, const MatrixRequest& request) {
   MatrixPlan plan;
   if (base.folders.empty()) return plan;
   plan.configurations = configurationsOf(base, request);
-  std::vector<const ShaderPack*> packs;
-  for (const ShaderPack& pack : base.folders) {
-    const std::size_t host = plan.builds.size();
-    for (const auto& build : pack.builds) {
-      plan.builds.push_back(build);
-      plan.hosts.push_back(host);
-      packs.push_back(&pack);
-    }
-  }
+  for (const ShaderPack& pack : base.folders) plan.builds.push_back(pack.builds.front());
   MatrixVariants variants(plan, base.environment);
   std::vector<BuildPlanner> planners;
   for (std::size_t i = 0; i < plan.builds.size(); ++i) {
-    planners.emplace_back(*packs[i], i, variants, plan);
+    planners.emplace_back(base.folders[i], i, variants, plan);
   }
   for (std::size_t c = 0; c < plan.configurations.size(); ++c) {
     // shaders.properties and the id maps are those of the pack, whatever the folder.
@@ -105,26 +97,13 @@ MatrixPlan planMatrix(const MatrixBase& base, const MatrixRequest& request) {
   return plan;
 }
 
-const FolderBuild& MatrixVariants::host(std::size_t build, const OptionValues& values) {
-  const FolderBuild& base = *plan_.builds[plan_.hosts[build]];
-  auto& last = last_[nullptr];
-  const bool current = last && last->values() == values;
-  if (current && last->folder() == base.folder()) return *last;
-  last = std::make_shared<const FolderBuild>(base.sharedFiles(), base.folder(), values,
-                                             environment_, current ? last.get() : &base);
-  return *last;
-}
-
 const FolderBuild& MatrixVariants::get(std::size_t build, const OptionValues& values) {
   const FolderBuild& base = *plan_.builds[build];
-  const FolderBuild& ofHost = host(build, values);
-  if (!base.mod()) return ofHost;
-  auto& last = last_[base.mod()];
-  const bool current = last && last->values() == values;
-  if (current && last->folder() == base.folder()) return *last;
-  last = std::make_shared<const FolderBuild>(ofHost, *base.mod(), environment_,
-                                             current ? last.get() : &base);
-  return *last;
+  const bool current = last_ && last_->values() == values;
+  if (current && last_->folder() == base.folder()) return *last_;
+  last_ = std::make_shared<const FolderBuild>(base.sharedFiles(), base.folder(), values,
+                                              environment_, current ? last_.get() : &base);
+  return *last_;
 }
 
 }  // namespace orris

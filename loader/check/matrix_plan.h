@@ -2,7 +2,6 @@
 #pragma once
 
 #include <deque>
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -21,10 +20,11 @@ struct MatrixJob {
 
 struct MatrixPlan {
   std::vector<OptionValues> configurations;
-  std::vector<std::shared_ptr<const FolderBuild>> builds;  ///< of the values in force
-  std::vector<std::size_t> hosts;                          ///< of each build, that of its folder
-  std::vector<MatrixJob> jobs;                             ///< in the order of configurations
-  std::deque<std::vector<ProgramEntry>> entries;           ///< own those of the jobs
+  /// Of the values in force, one for each folder. Programs of other mods are left out: what fails in
+  /// them is no error of the pack.
+  std::vector<std::shared_ptr<const FolderBuild>> builds;
+  std::vector<MatrixJob> jobs;                    ///< in the order of configurations
+  std::deque<std::vector<ProgramEntry>> entries;  ///< own those of the jobs
 };
 
 MatrixPlan planMatrix(const MatrixBase& base, const MatrixRequest& request);
@@ -39,11 +39,9 @@ class MatrixVariants {
   const FolderBuild& get(std::size_t build, const OptionValues& values);
 
  private:
-  const FolderBuild& host(std::size_t build, const OptionValues& values);
-
   const MatrixPlan& plan_;
   const MacroDefinitions& environment_;
-  std::map<const ModFamily*, std::shared_ptr<const FolderBuild>> last_;
+  std::shared_ptr<const FolderBuild> last_;
 };
 
 }  // namespace orris

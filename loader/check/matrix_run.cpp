@@ -118,7 +118,15 @@ class Run {
                   }
                   return true;
                 });
+    for (auto& [first, found] : messages) keepFirstOfLine(found);
     for (const auto& [hash, first] : firstOf) messagesOf_[hash] = messages[first];
+  }
+
+  // What a compiler says next about a line follows from what it said first.
+  static void keepFirstOfLine(Diagnostics& diagnostics) {
+    std::set<std::pair<std::string, int>> lines;
+    std::erase_if(diagnostics,
+                  [&](const Diagnostic& d) { return !lines.emplace(d.at.file, d.at.line).second; });
   }
 
   std::vector<MatrixFailure> group() {

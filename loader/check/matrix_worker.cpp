@@ -5,7 +5,6 @@
 
 #include "check/diagnostic_codec.h"
 #include "glsl/validate.h"
-#include "pack/mods.h"
 
 namespace orris {
 namespace {
@@ -34,7 +33,6 @@ Diagnostics compile(const ProgramUnit& unit, const FolderBuild& build) {
   std::vector<StageText> stages;
   for (const StageText* stage : unit.stages) stages.push_back(*stage);
   validateWithGlslang(stages, lines, found);
-  if (build.mod()) markAsOfMod(build.mod()->name, found);
   return errorsOf(std::move(found));
 }
 

@@ -23,16 +23,17 @@ Condition tryValues(const Option& option, const OptionValues& minimal, const std
                     const FailsWith& fails, int& tries) {
   Condition condition{.option = option.name};
   for (const std::string& value : option.values) {
-    bool bad = value == current;
-    if (!bad) {
+    Trial trial = Trial::Fails;
+    if (value != current) {
       if (tries <= 0) continue;
       --tries;
       OptionValues values = minimal;
       values.erase(option.name);
       if (value != option.defaultValue) values[option.name] = value;
-      bad = fails(values);
+      trial = fails(values);
     }
-    (bad ? condition.values : condition.others).push_back(value);
+    if (trial == Trial::Fails) condition.values.push_back(value);
+    if (trial == Trial::Good) condition.others.push_back(value);
   }
   return condition;
 }
@@ -49,7 +50,7 @@ bool mayMatter(const Option& option, const OptionValues& minimal, const std::str
     OptionValues values = minimal;
     values.erase(option.name);
     if (*value != option.defaultValue) values[option.name] = *value;
-    if (!fails(values)) return true;
+    if (fails(values) == Trial::Good) return true;
   }
   return false;
 }
@@ -65,7 +66,7 @@ OptionValues minimalValues(const OptionValues& values, const FailsWith& fails, i
     for (std::size_t from = 0; from < settings.size() && tries > 0; from += size) {
       --tries;
       const OptionValues rest = asValues(settings, from, from + size);
-      if (!fails(rest)) continue;
+      if (fails(rest) != Trial::Fails) continue;
       std::vector<Setting>(rest.begin(), rest.end()).swap(settings);
       parts = std::max<std::size_t>(parts - 1, 2);
       smaller = true;

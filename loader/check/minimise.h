@@ -22,8 +22,11 @@ struct Cause {
   bool complete = true;               ///< false: not every option could be tried
 };
 
+/// What a try gave. Another failure may hide the one that is looked for, so it tells nothing.
+enum class Trial { Good, Fails, FailsOtherwise };
+
 /// Does the failure occur with these values (those that differ from the defaults)?
-using FailsWith = std::function<bool(const OptionValues& values)>;
+using FailsWith = std::function<Trial(const OptionValues& values)>;
 
 /// The smallest part of `values` with which it still fails, by delta debugging: taking away any one
 /// value makes it good. Asks at most `tries` times and lowers the number.

@@ -6,7 +6,11 @@
 namespace orris {
 
 std::span<const Rule> matrixRules() {
-  static const std::vector<Rule> kRules = {};
+  static const std::vector<Rule> kRules = {
+      {"compiler-crash", Severity::Error, "a program kills the compiler or the GL driver"},
+      {"compiler-timeout", Severity::Error,
+       "the compiler or the GL driver does not finish with a program"},
+  };
   return kRules;
 }
 

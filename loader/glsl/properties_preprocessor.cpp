@@ -57,7 +57,20 @@ class PropertiesPreprocessor {
       directive(text, column);
       return "";
     }
-    return runner_.active() ? expand(text, column) : "";
+    if (!continued_) isMenu_ = startsMenuKey(text);
+    continued_ = text.back() == '\\';
+    if (!runner_.active()) return "";
+    MacroTable& macros = runner_.expansion().macros;
+    const unsigned char purpose = macros.setPurpose(isMenu_ ? 0 : NameWatch::kText);
+    std::string expanded = expand(text, column);
+    macros.setPurpose(purpose);
+    return expanded;
+  }
+
+  // These keys are read from the unpreprocessed file, so that the names in them decide nothing.
+  static bool startsMenuKey(std::string_view text) {
+    return text.starts_with("screen") || text.starts_with("profile.") ||
+           text.starts_with("sliders");
   }
 
   void directive(std::string_view text, std::size_t column) {
@@ -85,6 +98,8 @@ class PropertiesPreprocessor {
   TokenStream stream_;
   DirectiveRunner runner_;
   int line_ = 0;
+  bool continued_ = false;  ///< the line before ended in a backslash
+  bool isMenu_ = false;     ///< this line belongs to a key of screens, profiles or sliders
 };
 
 }  // namespace

@@ -1,0 +1,76 @@
+#include "app/matrix_options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdlib>
+#include <optional>
+#include <utility>
+
+#include "pack/text.h"
+
+namespace orris {
+namespace {
+
+using Shard = std::pair<int, int>;
+
+constexpr int kMostShards = 4096;
+
+std::optional<Shard> parseShard(const std::string& text) {
+  const std::size_t slash = text.find('/');
+  if (slash == std::string::npos) return std::nullopt;
+  const auto index = parseInteger(text.substr(0, slash));
+  const auto count = parseInteger(text.substr(slash + 1));
+  if (!index || !count || *index < 1 || *index > *count || *count > kMostShards) {
+    return std::nullopt;
+  }
+  return Shard{static_cast<int>(*index), static_cast<int>(*count)};
+}
+
+std::optional<std::chrono::seconds> parseBudget(const std::string& text) {
+  constexpr long long kDay = 24 * 60 * 60;
+  if (text.empty()) return std::nullopt;
+  const bool minutes = text.back() == 'm';
+  const bool unit = minutes || text.back() == 's';
+  const auto number = parseInteger(unit ? text.substr(0, text.size() - 1) : text);
+  if (!number || *number < 1 || *number > kDay) return std::nullopt;
+  return std::chrono::seconds(*number * (minutes ? 60 : 1));
+}
+
+/// GitLab sets these for jobs with `parallel`, counting from 1.
+std::optional<Shard> shardOfEnvironment() {
+  const char* index = std::getenv("CI_NODE_INDEX");
+  const char* total = std::getenv("CI_NODE_TOTAL");
+  return index && total ? parseShard(fmt::format("{}/{}", index, total)) : std::nullopt;
+}
+
+}  // namespace
+
+void addMatrixFlags(CLI::App& command, MatrixOptions& options) {
+  command
+      .add_option("--matrix", options.kind,
+                  "other option values too: none, each value alone, or each pair of values")
+      ->check(CLI::IsMember({"none", "each", "pairwise"}));
+  command.add_option("--options", options.options, "vary only these options: NAME,...")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command.add_option("--shard", options.shard, "part I of N of the matrix: I/N")
+      ->check([](const std::string& text) {
+        return parseShard(text) ? std::string() : "expected I/N, with I from 1 to N: " + text;
+      });
+  command.add_option("--budget", options.budget, "end the matrix after this time: 60s, 5m")
+      ->check([](const std::string& text) {
+        return parseBudget(text) ? std::string() : "expected a time such as 60s or 5m: " + text;
+      });
+}
+
+MatrixRequest matrixRequest(const MatrixOptions& options, int jobs) {
+  MatrixRequest request{.kind = *parseMatrixKind(options.kind), .options = options.options};
+  const auto shard = options.shard.empty() ? shardOfEnvironment() : parseShard(options.shard);
+  if (shard) std::tie(request.shard, request.shards) = *shard;
+  if (const auto budget = parseBudget(options.budget)) request.budget = *budget;
+  request.jobs = jobs;
+  return request;
+}
+
+}  // namespace orris

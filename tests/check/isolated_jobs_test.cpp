@@ -1,0 +1,99 @@
+#include "check/isolated_jobs.h"
+
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <map>
+#include <stdexcept>
+
+namespace orris {
+namespace {
+
+using testing::ElementsAre;
+
+using Outcomes = std::map<std::size_t, JobOutcome>;
+
+Outcomes run(IsolatedJobs jobs) {
+  Outcomes outcomes;
+  runIsolated(jobs, [&](std::size_t index, JobOutcome outcome) {
+    outcomes[index] = std::move(outcome);
+    return true;
+  });
+  return outcomes;
+}
+
+std::string textOf(const JobOutcome& outcome) {
+  switch (outcome.kind) {
+    case JobOutcome::Kind::Done:
+      return outcome.result;
+    case JobOutcome::Kind::Crashed:
+      return "crashed: " + outcome.cause;
+    case JobOutcome::Kind::TimedOut:
+      return "timed out";
+  }
+  return "";
+}
+
+std::vector<std::string> texts(const Outcomes& outcomes) {
+  std::vector<std::string> result;
+  for (const auto& [index, outcome] : outcomes) result.push_back(textOf(outcome));
+  return result;
+}
+
+TEST(IsolatedJobs, each_job_gives_its_result_whatever_the_workers) {
+  for (const int workers : {1, 3, 9}) {
+    const auto outcomes = run({.count = 5, .workers = workers, .work = [](std::size_t i) {
+                                 return std::string(i * 100'000, 'x');
+                               }});
+    ASSERT_EQ(outcomes.size(), 5u);
+    for (const auto& [i, outcome] : outcomes) EXPECT_EQ(outcome.result.size(), i * 100'000);
+  }
+}
+
+TEST(IsolatedJobs, job_that_kills_its_worker_is_told_and_the_rest_goes_on) {
+  const auto outcomes = run({.count = 5, .workers = 2, .work = [](std::size_t i) {
+                               if (i == 1) raise(SIGKILL);
+                               if (i == 2) _exit(9);
+                               if (i == 3) throw std::runtime_error("no more");
+                               return "job " + std::to_string(i);
+                             }});
+  EXPECT_THAT(texts(outcomes),
+              ElementsAre("job 0", "crashed: signal 9 (Killed)", "crashed: exit status 9",
+                          "crashed: an exception, such as out of memory", "job 4"));
+}
+
+TEST(IsolatedJobs, job_that_never_ends_is_given_up) {
+  const auto outcomes = run({.count = 3,
+                             .workers = 2,
+                             .work =
+                                 [](std::size_t i) {
+                                   for (volatile bool forever = i == 1; forever;) {
+                                   }
+                                   return std::string("done");
+                                 },
+                             .time = std::chrono::seconds(1)});
+  EXPECT_THAT(texts(outcomes), ElementsAre("done", "timed out", "done"));
+}
+
+TEST(IsolatedJobs, job_that_sleeps_for_ever_is_given_up) {
+  const auto outcomes = run({.count = 2,
+                             .workers = 1,
+                             .work =
+                                 [](std::size_t i) {
+                                   while (i == 0) pause();
+                                   return std::string("done");
+                                 },
+                             .time = std::chrono::seconds(0)});
+  EXPECT_THAT(texts(outcomes), ElementsAre("timed out", "done"));
+}
+
+TEST(IsolatedJobs, nothing_starts_after_take_said_no) {
+  std::size_t taken = 0;
+  runIsolated({.count = 100, .workers = 1, .work = [](std::size_t) { return std::string(); }},
+              [&](std::size_t, const JobOutcome&) { return ++taken < 3; });
+  EXPECT_EQ(taken, 3u);
+}
+
+}  // namespace
+}  // namespace orris
