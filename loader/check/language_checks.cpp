@@ -16,9 +16,14 @@ namespace {
 
 using Names = std::set<std::string, std::less<>>;
 
-/// "option.SSAO.comment" is {"option", "SSAO"}; "value.MODE.0.5" is {"value", "MODE", "0.5"}.
+/// "option.SSAO.comment" is {"option", "SSAO", "", true}; "value.MODE.0.5" is {"value", "MODE",
+/// "0.5"}.
 struct LanguageKey {
   std::string kind, name, value;
+  bool comment = false;
+
+  /// What names are compared among: a comment says nothing about whether there is a title.
+  std::string group() const { return kind + (comment ? ".comment" : ""); }
 };
 
 const std::vector<std::string>& kinds() {
@@ -29,10 +34,11 @@ const std::vector<std::string>& kinds() {
 
 LanguageKey splitKey(std::string key) {
   constexpr std::string_view kComment = ".comment";
-  if (key.ends_with(kComment)) key.resize(key.size() - kComment.size());
+  const bool comment = key.ends_with(kComment);
+  if (comment) key.resize(key.size() - kComment.size());
   const size_t dot = key.find('.');
-  if (dot == std::string::npos) return {key, "", ""};
-  LanguageKey split{key.substr(0, dot), key.substr(dot + 1), ""};
+  if (dot == std::string::npos) return {key, "", "", comment};
+  LanguageKey split{key.substr(0, dot), key.substr(dot + 1), "", comment};
   const size_t second = split.name.find('.');
   if (split.kind == "value" && second != std::string::npos) {
     split.value = split.name.substr(second + 1);
@@ -74,7 +80,7 @@ class FileCheck {
       : pack_(pack), known_(known), entries_(std::move(entries)), diagnostics_(diagnostics) {
     for (const PropertyEntry& entry : entries_) {
       const LanguageKey key = splitKey(entry.key);
-      translated_[key.kind].insert(key.name);
+      translated_[key.group()].insert(key.name);
       if (key.kind == "value") translated_["value." + key.name].insert(key.value);
     }
   }
@@ -112,7 +118,7 @@ class FileCheck {
     const std::string meant =
         known == known_.end() || pack_.options.rejected(key.name)
             ? ""
-            : likelyMeant(key.name, untranslated(known->second, translated_[key.kind]));
+            : likelyMeant(key.name, untranslated(known->second, translated_[key.group()]));
     if (!meant.empty()) return misspelt(entry, key.name, meant);
     report(
         Severity::Note, "language-stale", entry,

@@ -169,6 +169,16 @@ void reportUnknown(const PropertyContext& context) {
                fmt::format("did you mean {}?", nearest));
 }
 
+bool isKnownKey(std::string_view key) {
+  const auto& names = settings();
+  return key == "weather" || key == "screen" || key.starts_with("screen.") ||
+         key.starts_with("profile.") ||
+         std::any_of(names.begin(), names.end(),
+                     [&](auto& setting) { return setting.key == key; }) ||
+         std::any_of(kReaders.begin(), kReaders.end(),
+                     [&](auto& reader) { return key.starts_with(reader.prefix); });
+}
+
 void readEntry(const PropertyContext& context) {
   const std::string& key = context.entry.key;
   if (key == "weather") return readWeather(context);
@@ -180,8 +190,6 @@ void readEntry(const PropertyContext& context) {
       return reader.read(context, std::string_view(key).substr(reader.prefix.size()));
     }
   }
-  if (key.starts_with("screen.") || key.starts_with("profile.") || key == "screen") return;
-  reportUnknown(context);
 }
 
 }  // namespace
@@ -247,6 +255,10 @@ ShaderProperties parseShaderProperties(const std::string& file, const std::strin
     readEntry({properties, entry, options, diagnostics});
   }
   const auto original = lastValues(parseProperties(file, text, Continuation::Java));
+  // In inactive branches, too: other options make them active.
+  for (const PropertyEntry& entry : original) {
+    if (!isKnownKey(entry.key)) reportUnknown({properties, entry, options, diagnostics});
+  }
   readProfiles(original, properties, options, diagnostics);
   readScreens(original, properties, options, diagnostics);
   return properties;
