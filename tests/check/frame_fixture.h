@@ -5,9 +5,11 @@
 
 #include <map>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "check/frame_view.h"
+#include "check/pack_checks.h"
 #include "core/file_source.h"
 #include "pack/shader_pack.h"
 
@@ -56,7 +58,11 @@ std::vector<std::string> messagesOf(Check check, const Files& files) {
   const ShaderPack pack = loadFolder(files);
   Diagnostics diagnostics;
   const Schedule schedule = buildSchedule(pack, 64, 32, {}, diagnostics);
-  check(FrameView(pack, schedule), diagnostics);
+  if constexpr (std::is_invocable_v<Check, FrameView, Diagnostics&>) {
+    check(FrameView(pack, schedule), diagnostics);
+  } else {
+    check({.pack = pack, .schedule = schedule, .target = targetTable().front()}, diagnostics);
+  }
   std::vector<std::string> messages;
   for (const Diagnostic& d : diagnostics) {
     const std::string text = formatDiagnostic(d);
