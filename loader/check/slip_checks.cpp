@@ -21,20 +21,6 @@ Diagnostic slip(std::string id, SourceLocation at, std::string_view line, std::s
   return d;
 }
 
-void checkKeyHead(const PropertyEntry& entry, Diagnostics& diagnostics) {
-  static const std::vector<std::string> kHeads{
-      "screen",       "profile", "sliders", "blend",   "alphaTest",     "flip",
-      "program",      "size",    "texture", "uniform", "customTexture", "image",
-      "bufferObject", "scale",   "iris",    "variable"};
-  const std::string head = entry.key.substr(0, entry.key.find('.'));
-  if (head.size() == entry.key.size() && head != "sliders") return;
-  if (std::ranges::find(kHeads, head) != kHeads.end()) return;
-  const std::string meant = likelyMeant(head, kHeads);
-  if (meant.empty()) return;
-  diagnostics.push_back(slip("property-unknown", entry.at, entry.lines.front(),
-                             fmt::format("unknown key {}", entry.key), meant));
-}
-
 void checkProgramName(const PropertyEntry& entry, std::string_view program,
                       Diagnostics& diagnostics) {
   static const std::vector<std::string> kPasses{"setup",   "begin",    "shadow",    "shadowcomp",
@@ -69,7 +55,6 @@ void checkPropertyNames(std::span<const ShaderPack> folders, Diagnostics& diagno
   constexpr std::string_view kProgram = "program.", kEnabled = ".enabled";
   for (const PropertyEntry& entry : originalProperties(pack)) {
     if (entry.lines.empty()) continue;
-    checkKeyHead(entry, diagnostics);
     const std::string_view key = entry.key;
     if (!key.starts_with(kProgram) || !key.ends_with(kEnabled)) continue;
     if (key.size() <= kProgram.size() + kEnabled.size()) continue;

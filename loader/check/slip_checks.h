@@ -8,7 +8,7 @@
 
 namespace orris {
 
-/// Keys of shaders.properties ("blned.composite"), programs and options of "program.*.enabled".
+/// Programs and options of "program.*.enabled" in shaders.properties.
 void checkPropertyNames(std::span<const ShaderPack> folders, Diagnostics& diagnostics);
 
 }  // namespace orris

@@ -9,7 +9,6 @@ namespace orris {
 namespace {
 
 using testing::ElementsAre;
-using testing::IsEmpty;
 
 std::vector<std::string> slipsIn(const std::string& final, const std::string& properties = "") {
   Files files = cleanPack();
@@ -20,12 +19,6 @@ std::vector<std::string> slipsIn(const std::string& final, const std::string& pr
         checkPropertyNames({&input.pack, 1}, diagnostics);
       },
       files);
-}
-
-TEST(Slips, a_key_near_a_known_one) {
-  EXPECT_THAT(slipsIn("", "varaible.float.a = 1.0\nothermod.setting = 3\nsliders = A\n"),
-              ElementsAre("property-unknown /shaders.properties:1:1: warning: unknown key "
-                          "varaible.float.a | did you mean variable?"));
 }
 
 TEST(Slips, a_program_and_an_option_of_a_condition) {
