@@ -12,6 +12,7 @@ std::span<const Rule> textRules() {
       {"condition-malformed", Severity::Warning,
        "the condition of #if or #elif cannot be computed"},
       {"conditional-unbalanced", Severity::Warning, "#if, #else and #endif do not match"},
+      {"directive-error", Severity::Error, "an active #error stands in the source"},
       {"directive-malformed", Severity::Warning, "a preprocessor directive is not complete"},
       {"directive-trailing-text", Severity::Warning, "there is text after the end of a directive"},
       {"directive-unknown", Severity::Warning, "a preprocessor directive does not exist"},

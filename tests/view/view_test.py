@@ -264,7 +264,7 @@ def broken_edit_changes_nothing_and_is_told_once(test):
     view.end(status=1)
     errors = view.stderr()
     assert errors.count("error:") == 1, errors
-    assert errors.startswith("/lib/tint.glsl:11:") and "included from /composite.fsh:2" in errors, errors
+    assert errors.startswith("/lib/tint.glsl:9:") and "included from /composite.fsh:2" in errors, errors
     assert share_within_one(read_png(path), before) == 1
 
 
