@@ -90,6 +90,8 @@ class Reader {
   void function(std::size_t begin, std::size_t open) {
     const std::string_view head = text_.substr(begin, open - begin);
     const std::size_t parenthesis = head.find('(');
+    // "void main) {": a ')' that nothing opens.
+    if (parenthesis == std::string_view::npos) return;
     std::size_t end = parenthesis;
     while (end > 0 && isBlank(head[end - 1])) --end;
     std::size_t name = end;

@@ -107,6 +107,12 @@ TEST(validate, a_semicolon_missing_at_the_end_of_an_include_is_told_there) {
       "  hint: something is missing after 'b'\n");
 }
 
+TEST(validate, a_function_without_its_opening_parenthesis_is_a_message) {
+  const std::string text = fragmentMessages("void main) {\n}\n");
+  EXPECT_EQ(text.substr(0, text.find('\n')),
+            "/a.fsh:2:6: error: 'main' : illegal use of type 'void'");
+}
+
 TEST(validate, a_statement_after_the_head_of_an_if_misses_nothing_before_it) {
   const std::string text = fragmentMessages("void main() {\n  if (true)\n    return 1 2;\n}\n");
   EXPECT_EQ(text.substr(0, text.find(':', 7)), "/a.fsh:4");
