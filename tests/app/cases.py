@@ -114,6 +114,21 @@ PACKS = [
         "composite.fsh": VERSION + "/*\nconst int colortex1Format = RGBA7;\n*/\n"
                                    "void main() { gl_FragData[0] = vec4(1.0); }\n"}),
         stderr=[r"/composite\.fsh:3:\d+: warning: .*RGBA7"]),
+    Case("everything_broken_at_once", ["validate pack"], 1, pack({
+        "composite.vsh": VERSION + '#include "/lib/none.glsl"\nvoid main() {}\n',
+        "composite.fsh": VERSION + "/* RENDERTARGETS: 0,99 */\n#ifdef X\nvoid main() {\n",
+        "composite1.fsh": VERSION + "void main() { gl_FragData[0] = vec4(" + "(" * 100000 + "1.0"
+                                    + ")" * 100000 + "); }\n",
+        "final.fsh": VERSION + "in vec2 uv;\nvoid main() { gl_FragData[0] = vec4(uv.xyq, 1.0); }\n",
+        "shaders.properties": "screen = NOPE\nblend.composite = SRC_ALPA ONE ONE ONE\n",
+        "block.properties": "block.1=stone\nblock.2=stone\n"}),
+        [r"^/composite\.fsh:2:1: error: buffer 99 does not exist",
+         r"^/composite\.vsh:2:1: error: no such file: /lib/none\.glsl",
+         r"^/composite1\.fsh:2: error: .*memory exhausted",
+         r"^/final\.fsh:3:\d+: error: 'xyq'",
+         r"^/shaders\.properties:2:19: error: SRC_ALPA is no blend factor"],
+        stderr=[r"(?s)/block\.properties:2:9: warning: .*/composite\.fsh:3:1: warning: .*"
+                r"/final\.fsh:2:9: warning: .*/shaders\.properties:1:10: warning: "]),
     Case("unknown_option", [f"{command} --set NO_SUCH_OPTION=1"
                             for command in (RENDER, "validate pack", "options pack")],
          2, PACK, ["NO_SUCH_OPTION"]),
