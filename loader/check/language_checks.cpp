@@ -115,15 +115,30 @@ class FileCheck {
 
   void checkUnknown(const PropertyEntry& entry, const LanguageKey& key) {
     const auto known = known_.find(key.kind);
-    const std::string meant =
+    std::string meant =
         known == known_.end() || pack_.options.rejected(key.name)
             ? ""
             : likelyMeant(key.name, untranslated(known->second, translated_[key.group()]));
+    if (meant.empty()) meant = optionOfValue(key);
     if (!meant.empty()) return misspelt(entry, key.name, meant);
     report(
         Severity::Note, "language-stale", entry,
         fmt::format("the pack has no {} {}",
                     key.kind == "screen" || key.kind == "profile" ? key.kind : "option", key.name));
+  }
+
+  /// The option that has such a value without a text, for a name that stands in no other line.
+  std::string optionOfValue(const LanguageKey& key) {
+    const bool onlyHere =
+        translated_["value." + key.name].size() == 1 && !translated_["option"].contains(key.name);
+    if (key.kind != "value" || key.comment || !onlyHere || pack_.options.rejected(key.name))
+      return "";
+    std::vector<std::string> options;
+    for (const auto& [name, option] : pack_.options.all()) {
+      const bool has = std::ranges::find(option.values, key.value) != option.values.end();
+      if (has && !translated_["value." + name].contains(key.value)) options.push_back(name);
+    }
+    return likelyMeant(key.name, options);
   }
 
   void checkValue(const PropertyEntry& entry, const LanguageKey& key) {

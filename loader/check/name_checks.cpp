@@ -7,6 +7,7 @@
 #include "check/declaration_checks.h"
 #include "check/glsl_types.h"
 #include "check/known_names.h"
+#include "check/pack_texts.h"
 #include "check/sampler_facts.h"
 #include "pack/text.h"
 
@@ -47,6 +48,12 @@ std::vector<std::string> packNames(const ShaderPack& pack, NameKind kind) {
     for (const CustomImage& image : properties.images) names.push_back(image.name);
   }
   return names;
+}
+
+bool isOneSlip(std::string_view name, const std::string& meant) {
+  // "cameraMovement" is no slip of "cameraMovementX".
+  if (name.starts_with(meant) || meant.starts_with(name)) return false;
+  return editDistance(name, meant) == 1 && !likelyMeant(name, {meant}).empty();
 }
 
 bool occursAsWord(std::string_view text, std::string_view word) {
@@ -143,9 +150,10 @@ class StageNames {
     const auto& known = knownNames(kind);
     own.insert(own.end(), known.begin(), known.end());
     const std::string nearest = nearestName(global.name, own);
-    // Nothing uses it, and the name that was meant is used without being declared.
-    const bool meant = !global.used && !nearest.empty() && !declares(nearest) &&
-                       occursAsWord(stage_.stage->text.text, nearest);
+    // Nothing uses it, and the name that was meant is one slip away or is used undeclared.
+    const bool meant =
+        !global.used && !nearest.empty() && !declares(nearest) &&
+        (isOneSlip(global.name, nearest) || occursAsWord(stage_.stage->text.text, nearest));
     std::string hint = nearest.empty() ? "" : fmt::format("did you mean {}?", nearest);
     if (hint.empty() && kind == NameKind::Uniform)
       hint = "define it in shaders.properties: uniform.<type>.<name> = <expression>";

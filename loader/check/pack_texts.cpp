@@ -5,6 +5,20 @@
 #include "pack/text.h"
 
 namespace orris {
+namespace {
+
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
+/// Is it "colorte1x" for "colortex1": a digit and a letter beside it exchanged?
+bool movesDigit(std::string_view name, std::string_view meant) {
+  const size_t at = static_cast<size_t>(
+      std::mismatch(name.begin(), name.end(), meant.begin(), meant.end()).first - name.begin());
+  return name.size() == meant.size() && at + 1 < name.size() && name[at] == meant[at + 1] &&
+         name[at + 1] == meant[at] && name.substr(at + 2) == meant.substr(at + 2) &&
+         isDigit(name[at]) != isDigit(name[at + 1]);
+}
+
+}  // namespace
 
 std::vector<PropertyEntry> originalProperties(const ShaderPack& pack) {
   constexpr const char* kFile = "/shaders.properties";
@@ -75,10 +89,9 @@ void forEachWord(std::string_view text, const std::function<void(std::string_vie
 std::string likelyMeant(std::string_view name, const std::vector<std::string>& names) {
   const std::string nearest = nearestName(name, names);
   const size_t most = name.size() < 4 ? 1 : 2;
-  const auto digit = [](char c) { return c >= '0' && c <= '9'; };
   // "colortex4" is no slip of "colortex5".
   const auto withoutDigits = [&](std::string text) {
-    std::erase_if(text, digit);
+    std::erase_if(text, isDigit);
     return text;
   };
   // "STEPS_H" is a sibling of "STEPS", or what it was called before.
@@ -86,7 +99,8 @@ std::string likelyMeant(std::string_view name, const std::vector<std::string>& n
     return longer.starts_with(shorter) && longer.substr(shorter.size()).starts_with('_');
   };
   if (extends(name, nearest) || extends(nearest, name)) return "";
-  if (nearest.empty() || withoutDigits(nearest) == withoutDigits(std::string(name))) return "";
+  const bool sibling = withoutDigits(nearest) == withoutDigits(std::string(name));
+  if (nearest.empty() || (sibling && !movesDigit(name, nearest))) return "";
   return editDistance(lowerCase(name), lowerCase(nearest)) <= most ? nearest : "";
 }
 

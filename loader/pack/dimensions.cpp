@@ -1,7 +1,11 @@
 #include "pack/dimensions.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <set>
 
 #include "core/pack_path.h"
 #include "pack/program_id.h"
@@ -12,6 +16,7 @@ namespace orris {
 namespace {
 
 constexpr const char* kFile = "/dimension.properties";
+constexpr std::string_view kPrefix = "dimension.";
 
 struct LegacyFolder {
   std::string_view folder, dimension;
@@ -32,10 +37,16 @@ bool hasPrograms(const FileSource& source, const std::string& folder) {
   });
 }
 
+bool isMapping(const PropertyEntry& entry) { return entry.key.starts_with(kPrefix); }
+
+/// nullopt for a path out of the pack and for another key.
+std::optional<std::string> folderOfKey(const PropertyEntry& entry) {
+  return isMapping(entry) ? resolvePackPath(kFile, entry.key.substr(kPrefix.size())) : std::nullopt;
+}
+
 void addMapping(const PropertyEntry& entry, Dimensions& dimensions, Diagnostics& diagnostics) {
-  constexpr std::string_view kPrefix = "dimension.";
-  if (!entry.key.starts_with(kPrefix)) return;
-  const auto folder = resolvePackPath(kFile, entry.key.substr(kPrefix.size()));
+  if (!isMapping(entry)) return;
+  const auto folder = folderOfKey(entry);
   if (!folder || *folder == "/") {
     diagnostics.push_back(propertyDiagnostic(Severity::Warning, "dimension-folder", entry,
                                              "the key names no folder inside shaders/"));
@@ -51,12 +62,42 @@ void addMapping(const PropertyEntry& entry, Dimensions& dimensions, Diagnostics&
   }
 }
 
+bool exists(const FileSource& source, const std::string& folder) {
+  return std::any_of(source.files().begin(), source.files().end(),
+                     [&](const std::string& path) { return path.starts_with(folder + "/"); });
+}
+
+/// Names of the folders with programs that belong to no dimension.
+std::vector<std::string> unusedFolders(const FileSource& source, const Dimensions& dimensions) {
+  std::set<std::string> names;
+  for (const std::string& path : source.files()) {
+    const auto program = parseProgramFile(path);
+    if (program && program->folder != "/") names.insert(program->folder.substr(1));
+  }
+  for (const std::string& folder : dimensions.folders) names.erase(folder.substr(1));
+  return {names.begin(), names.end()};
+}
+
+// Iris: ShaderPack.getProgramSet logs an error for a dimension whose folder is not there. Only "*"
+// may lead nowhere: so a pack leaves the other dimensions alone.
+void checkFolder(const FileSource& source, const PropertyEntry& entry, const Dimensions& dimensions,
+                 Diagnostics& diagnostics) {
+  const auto folder = folderOfKey(entry);
+  if (!folder || *folder == "/" || exists(source, *folder)) return;
+  const std::string name = folder->substr(1);
+  const std::string hint = suggest(name, unusedFolders(source, dimensions));
+  const bool mayBeMeant = trim(entry.value) == "*" && hint.empty();
+  diagnostics.push_back(propertyDiagnostic(
+      mayBeMeant ? Severity::Note : Severity::Warning, "dimension-folder", entry,
+      fmt::format("the pack has no folder {}, so {} has no programs of its own", name,
+                  trim(entry.value) == "*" ? "any other dimension" : trim(entry.value)),
+      hint));
+}
+
 void addLegacy(const FileSource& source, Dimensions& dimensions) {
   for (const LegacyFolder& legacy : kLegacy) {
     const std::string folder(legacy.folder);
-    const bool exists = std::any_of(source.files().begin(), source.files().end(),
-                                    [&](auto& path) { return path.starts_with(folder + "/"); });
-    if (!exists) continue;
+    if (!exists(source, folder)) continue;
     dimensions.folders.push_back(folder);
     dimensions.folderOf[std::string(legacy.dimension)] = folder;
     if (folder == "/world0") dimensions.base = folder;
@@ -84,10 +125,10 @@ Dimensions readDimensions(const FileSource& source, const MacroDefinitions& envi
   Dimensions dimensions;
   if (const auto text = source.read(kFile)) {
     const std::string preprocessed = preprocessProperties(kFile, *text, environment, diagnostics);
-    for (const auto& entry :
-         lastValues(parseProperties(kFile, preprocessed, Continuation::Preprocessed, *text))) {
-      addMapping(entry, dimensions, diagnostics);
-    }
+    const auto entries =
+        lastValues(parseProperties(kFile, preprocessed, Continuation::Preprocessed, *text));
+    for (const auto& entry : entries) addMapping(entry, dimensions, diagnostics);
+    for (const auto& entry : entries) checkFolder(source, entry, dimensions, diagnostics);
   }
   if (dimensions.folders.empty()) addLegacy(source, dimensions);
   dimensions.folders.insert(dimensions.folders.begin(), "/");

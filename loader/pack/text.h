@@ -31,7 +31,7 @@ std::string joinNames(const std::vector<std::string>& names);
 std::string lowerCase(std::string_view text);
 std::string upperCase(std::string_view text);
 
-/// Least number of inserted, removed and replaced characters.
+/// Least number of slips: characters inserted, removed, replaced, and neighbours exchanged.
 size_t editDistance(std::string_view a, std::string_view b);
 /// The name with the fewest edits from `name`, "" when none is within a third of its length.
 std::string nearestName(std::string_view name, const std::vector<std::string>& names);

@@ -211,6 +211,17 @@ TEST(Names, a_misspelt_declaration_is_found_although_only_the_right_name_is_used
                           "'frameTimeCountr'"));
 }
 
+TEST(Names, an_unused_declaration_one_slip_from_a_known_name_is_a_warning) {
+  EXPECT_THAT(messages(fragmentOf("uniform float playreMood;\nuniform sampler2D colotrex5;\n"
+                                  "uniform sampler2D colortex55;\nuniform vec3 mineX;\n"
+                                  "void main() { gl_FragColor = vec4(1); }",
+                                  "uniform.float.mine = 1.0\n")),
+              ElementsAre("uniform-unknown /composite.fsh:2:15: warning: no uniform is called "
+                          "'playreMood'",
+                          "uniform-unknown /composite.fsh:3:19: warning: no sampler is called "
+                          "'colotrex5'"));
+}
+
 TEST(Names, a_global_that_nothing_uses_does_not_use_its_initialiser) {
   EXPECT_THAT(messages(fragmentOf("uniform float foo;\nfloat bar = foo * 2.0;\n"
                                   "void main() { gl_FragColor = vec4(1); }")),

@@ -88,7 +88,7 @@ TEST(IdProperty, misspelt_states_are_reported_at_the_word) {
       blocks("block.1=oak_stairs:half=tpo oak_door:hafl=lower \\\n  furnace:lit=yes\n"),
       ElementsAre(
           "id-property /block.properties:1:9: warning: \"tpo\" in oak_stairs:half=tpo is no "
-          "value of half | its values are upper, lower, top, bottom",
+          "value of half | did you mean top?",
           "id-property /block.properties:1:29: warning: \"hafl\" in oak_door:hafl=lower is no "
           "property of a block | did you mean half?",
           "id-property /block.properties:2:3: warning: \"yes\" in furnace:lit=yes is no value "

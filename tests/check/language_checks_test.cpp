@@ -5,7 +5,9 @@
 namespace orris {
 namespace {
 
+using testing::Each;
 using testing::ElementsAre;
+using testing::HasSubstr;
 using testing::IsEmpty;
 
 const std::string kOptions =
@@ -46,6 +48,22 @@ TEST(LanguageKeys, a_misspelt_key_is_a_warning_at_its_line) {
                       "HIHG | did you mean HIGH?",
                   "language-key /lang/en_us.lang:6:1: warning: the text of opton.MODE" + unused +
                       "opton | did you mean option?"));
+}
+
+TEST(LanguageKeys, the_one_value_with_a_misspelt_option_is_a_warning) {
+  EXPECT_THAT(
+      run(checkLanguageKeys,
+          "value.SHADOW_STEPS.2=two\nvalue.SHAODW_STEPS.4=four\nvalue.MODE.FAST=Fast\n"),
+      ElementsAre("language-key /lang/en_us.lang:2:1: warning: the text of "
+                  "value.SHAODW_STEPS.4 is used for nothing: there is no SHAODW_STEPS | did "
+                  "you mean SHADOW_STEPS?"));
+  // Not when that value has its text, or when the old name occurs throughout.
+  for (const char* lang :
+       {"value.SHADOW_STEPS.2=a\nvalue.SHADOW_STEPS.4=b\nvalue.SHAODW_STEPS.4=c\n",
+        "value.SHADOW_STEPS.2=a\nvalue.SHAODW_STEPS.4=b\nvalue.SHAODW_STEPS.8=c\n",
+        "value.SHADOW_STEPS.2=a\nvalue.SHAODW_STEPS.9=b\n"}) {
+    EXPECT_THAT(run(checkLanguageKeys, lang), Each(HasSubstr("note: "))) << lang;
+  }
 }
 
 TEST(LanguageKeys, what_is_left_over_is_a_note) {

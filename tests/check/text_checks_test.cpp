@@ -47,6 +47,16 @@ TEST(DirectiveNames, a_misspelt_constant_that_nothing_uses_is_a_warning) {
                           "shadowMapResolution?"));
 }
 
+TEST(DirectiveNames, a_digit_may_stand_before_the_letter_it_belongs_behind) {
+  EXPECT_THAT(
+      found(checkDirectiveNames,
+            {{"/settings.glsl",
+              "const bool colorte1x3Clear = false;\nconst int colortex55Format = RGBA8;\n"}}),
+      ElementsAre("directive-misspelt /settings.glsl:1:12: warning: nothing reads "
+                  "colorte1x3Clear, which is no directive | did you mean "
+                  "colortex13Clear?"));
+}
+
 TEST(DirectiveNames, the_constants_of_a_shader_and_of_larger_hosts_are_quiet) {
   EXPECT_THAT(
       found(checkDirectiveNames,

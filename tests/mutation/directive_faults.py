@@ -134,13 +134,13 @@ def render_target_range(view):
 
 
 def format_unknown(view):
-    pattern = r"const\s+int\s+(?:colortex\d+|shadowcolor\d|g\w+)Format\s*=\s*(\w+)\s*;"
+    pattern = r"^\s*const\s+int\s+(?:colortex\d+|shadowcolor\d|g\w+)Format\s*=\s*(\w+)\s*;"
     for file, source, number, match in matching(view, pattern):
         yield edit("format-unknown", file, source, number, *match.span(1), match.group(1) + "Q")
 
 
 def constant_misspelt(view):
-    pattern = (r"const\s+\w+\s+(shadowMapResolution|shadowDistance|sunPathRotation|ambientOcclusionLevel"
+    pattern = (r"^\s*const\s+\w+\s+(shadowMapResolution|shadowDistance|sunPathRotation|ambientOcclusionLevel"
                r"|shadowDistanceRenderMul|colortex\d+Clear|colortex\d+Format|noiseTextureResolution"
                r"|eyeBrightnessHalflife|wetnessHalflife|shadowHardwareFiltering\d?)\s*=")
     for file, source, number, match in matching(view, pattern):
