@@ -116,12 +116,11 @@ std::string where(const MatrixPlan& plan, const MatrixFailure& failure) {
 
 }  // namespace
 
-void explainFailures(const MatrixPlan& plan, const MacroDefinitions& environment, int jobs,
+void explainFailures(const MatrixPlan& plan, MatrixWorker& worker, int jobs,
                      std::vector<MatrixFailure>& failures) {
   std::vector<std::size_t> clusterOf;
   const std::vector<Cluster> clusters = clustersOf(plan, failures, clusterOf);
   std::vector<std::string> causes(clusters.size());
-  MatrixWorker worker(plan, environment);
   const auto work = [&](std::size_t i) {
     return explain(plan, worker, failures[clusters[i].first], plan.jobs[clusters[i].job]);
   };

@@ -15,7 +15,7 @@ struct MatrixFailure {
 };
 
 /// Adds to each failure a note with its cause and where it occurs. Works in `jobs` processes.
-void explainFailures(const MatrixPlan& plan, const MacroDefinitions& environment, int jobs,
+void explainFailures(const MatrixPlan& plan, MatrixWorker& worker, int jobs,
                      std::vector<MatrixFailure>& failures);
 
 }  // namespace orris

@@ -27,18 +27,21 @@ class Run {
         request_(request),
         progress_(progress),
         plan_(planMatrix(base, request)),
-        worker_(plan_, base.environment),
+        shapes_(base, plan_),
         seen_(4 * (plan_.jobs.size() + base.verdicts.size()) + 1024),
+        worker_(plan_, shapes_, base.environment, seen_),
         stalls_(plan_.jobs.size() + 1024),
         found_(plan_.jobs.size()) {
-    for (const auto& [hash, good] : base.verdicts) seen_.insert(hash);
+    for (const auto& [name, program] : shapes_.all()) {
+      for (const std::uint64_t unit : program.units) seen_.insert(unit);
+    }
   }
 
   MatrixResult run() {
     compileAll();
     findMessages();
     std::vector<MatrixFailure> failures = group();
-    explainFailures(plan_, base_.environment, request_.jobs, failures);
+    explainFailures(plan_, worker_, request_.jobs, failures);
     MatrixResult result;
     for (MatrixFailure& failure : failures) {
       result.diagnostics.push_back(std::move(failure.diagnostic));
@@ -66,7 +69,7 @@ class Run {
   void compileAll() {
     const auto work = [this](std::size_t i) {
       if (stalls_.contains(programKey(plan_.jobs[i]))) return encode(MatrixFinding());
-      return encode(worker_.run(plan_.jobs[i], seen_));
+      return encode(worker_.run(plan_.jobs[i]));
     };
     runIsolated({.count = plan_.jobs.size(), .workers = request_.jobs, .work = work},
                 [this](std::size_t i, JobOutcome outcome) { return take(i, std::move(outcome)); });
@@ -169,8 +172,10 @@ class Run {
   const std::function<void(std::size_t, std::size_t)>& progress_;
   Clock::time_point start_ = Clock::now();
   MatrixPlan plan_;
+  BaseShapes shapes_;
+  SharedHashes seen_;
   MatrixWorker worker_;
-  SharedHashes seen_, stalls_;
+  SharedHashes stalls_;
   std::vector<JobResult> found_;
   std::set<std::uint64_t> failing_;
   std::map<std::uint64_t, Diagnostics> messagesOf_;

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "check/diagnostic_codec.h"
+#include "glsl/shape.h"
 #include "glsl/validate.h"
 
 namespace orris {
@@ -36,13 +37,6 @@ Diagnostics compile(const ProgramUnit& unit, const FolderBuild& build) {
   return errorsOf(std::move(found));
 }
 
-const ProgramEntry* entryNamed(const FolderBuild& build, const std::string& name) {
-  const auto& programs = build.programs();
-  const auto found = std::find_if(programs.begin(), programs.end(),
-                                  [&](auto& entry) { return entry.name.program == name; });
-  return found == programs.end() ? nullptr : &*found;
-}
-
 }  // namespace
 
 std::string encode(const MatrixFinding& finding) {
@@ -58,28 +52,83 @@ MatrixFinding decodeFinding(const std::string& bytes) {
   return {value[0], value[1], value[2], decodeDiagnostics(value[3].get<std::string>())};
 }
 
-MatrixFinding MatrixWorker::run(const MatrixJob& job, SharedHashes& seen) {
+MatrixFinding MatrixWorker::run(const MatrixJob& job) {
+  if (job.entry) {
+    if (auto known = sweeps_.known(job)) return {.units = std::move(*known)};
+  }
   const FolderBuild& build = variants_.get(job.build, plan_.configurations[job.configuration]);
-  MatrixFinding finding;
-  if (!job.entry) {
-    finding.errors = errorsOf(build.properties().diagnostics);
+  if (!job.entry) return {.errors = errorsOf(build.properties().diagnostics)};
+  Variant variant = shapesOf(job, build);
+  MatrixFinding finding{.units = unitShapes(*job.entry, variant.shapes)};
+  if (!variant.failed && isClean(job, finding.units)) {
+    sweeps_.learn(job, finding.units);
     return finding;
   }
-  const ProgramSource program = build.build(*job.entry);
+  const ProgramSource program = finish(job, build, std::move(variant));
   finding.errors = loadErrors(program);
-  for (const ProgramUnit& unit : programUnits(program)) {
-    finding.units.push_back(unit.hash);
-    if (!seen.insert(unit.hash)) continue;
-    ++finding.compiled;
-    if (!compile(unit, build).empty()) finding.failing.push_back(unit.hash);
+  compileNew(program, build, finding);
+  if (finding.errors.empty()) {
+    clean_.insert({job.build, job.entry->name.program, finding.units});
+    sweeps_.learn(job, finding.units);
   }
   return finding;
+}
+
+// Parts that the values do not reach have the shape they had.
+MatrixWorker::Variant MatrixWorker::shapesOf(const MatrixJob& job, const FolderBuild& build) const {
+  const FolderBuild& old = *plan_.builds[job.build];
+  const BaseProgram* base = shapes_.find(job);
+  if (base && !(base->files == filesOf(*job.entry) &&
+                build.properties().shaderMacros == old.properties().shaderMacros)) {
+    base = nullptr;
+  }
+  const auto changed = differingOptions(build.files().options, old.values(), build.values());
+  Variant variant;
+  for (std::size_t i = 0; i < partCount(*job.entry); ++i) {
+    auto& part = variant.parts.emplace_back();
+    if (base && !haveCommonName(changed, base->options[i])) {
+      variant.shapes.push_back(base->parts[i]);
+      continue;
+    }
+    part = build.buildPart(*job.entry, i);
+    variant.failed = variant.failed || hasErrors(part->diagnostics);
+    variant.shapes.push_back(shapeOf(part->stream, stageOfPart(*job.entry, i)));
+  }
+  return variant;
+}
+
+// A program like this one was compiled, or is as with the values in force, and all was well with
+// what its text tells the host.
+bool MatrixWorker::isClean(const MatrixJob& job, const UnitShapes& units) const {
+  const BaseProgram* base = shapes_.find(job);
+  return (base && base->units == units) ||
+         clean_.contains({job.build, job.entry->name.program, units});
+}
+
+ProgramSource MatrixWorker::finish(const MatrixJob& job, const FolderBuild& build,
+                                   Variant variant) const {
+  std::vector<PreprocessedPart> parts;
+  for (std::size_t i = 0; i < variant.parts.size(); ++i) {
+    auto& part = variant.parts[i];
+    parts.push_back(part ? std::move(*part) : build.buildPart(*job.entry, i));
+  }
+  return build.finish(*job.entry, std::move(parts));
+}
+
+void MatrixWorker::compileNew(const ProgramSource& program, const FolderBuild& build,
+                              MatrixFinding& finding) {
+  const std::vector<ProgramUnit> units = programUnits(program);
+  for (std::size_t i = 0; i < units.size() && i < finding.units.size(); ++i) {
+    if (!seen_.insert(finding.units[i])) continue;
+    ++finding.compiled;
+    if (!compile(units[i], build).empty()) finding.failing.push_back(finding.units[i]);
+  }
 }
 
 Diagnostics MatrixWorker::errorsWith(const MatrixJob& job, const OptionValues& values) {
   const FolderBuild& build = variants_.get(job.build, values);
   if (!job.entry) return errorsOf(build.properties().diagnostics);
-  const ProgramEntry* entry = entryNamed(build, job.entry->name.program);
+  const ProgramEntry* entry = build.entryNamed(job.entry->name.program);
   if (!entry) return {};
   const ProgramSource program = build.build(*entry);
   Diagnostics errors = loadErrors(program);
@@ -93,7 +142,7 @@ Diagnostics MatrixWorker::errorsWith(const MatrixJob& job, const OptionValues& v
 std::vector<std::string> MatrixWorker::deciding(const MatrixJob& job, const OptionValues& values) {
   const FolderBuild& build = variants_.get(job.build, values);
   std::vector<std::string> names = build.properties().options;
-  if (const auto* entry = job.entry ? entryNamed(build, job.entry->name.program) : nullptr) {
+  if (const auto* entry = job.entry ? build.entryNamed(job.entry->name.program) : nullptr) {
     const ProgramSource program = build.build(*entry);
     names.insert(names.begin(), program.conditionOptions.begin(), program.conditionOptions.end());
   }

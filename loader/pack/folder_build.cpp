@@ -46,15 +46,14 @@ void FolderBuild::listVoxy(const std::map<std::string, std::string>& uniformType
   Diagnostics ignored;  // the file is no shader
   const TokenStream interface = preprocess(flatten(files_->graph, lookup, interfaceFile, ignored),
                                            properties_->shaderMacros, ignored);
-  const auto prelude =
-      voxyPrelude(readVoxyInterface(interface), [&](const std::string& uniform) {
-        for (const CustomUniform& own : properties_->shader.customUniforms) {
-          if (own.name != uniform) continue;
-          return own.type == ValueType::Bool ? "int" : std::string(typeName(own.type));
-        }
-        const auto known = uniformTypes.find(uniform);
-        return known == uniformTypes.end() ? "" : known->second;
-      });
+  const auto prelude = voxyPrelude(readVoxyInterface(interface), [&](const std::string& uniform) {
+    for (const CustomUniform& own : properties_->shader.customUniforms) {
+      if (own.name != uniform) continue;
+      return own.type == ValueType::Bool ? "int" : std::string(typeName(own.type));
+    }
+    const auto known = uniformTypes.find(uniform);
+    return known == uniformTypes.end() ? "" : known->second;
+  });
   if (!prelude) return;
   voxyPrelude_ = *prelude;
   for (const std::string_view name : kVoxyPrograms) {
@@ -89,9 +88,27 @@ const FileLines* FolderBuild::lines(const std::string& file) const {
   return known == files_->graph.files.end() ? nullptr : &known->second;
 }
 
+const ProgramEntry* FolderBuild::entryNamed(std::string_view program) const {
+  const auto found = std::find_if(programs_.begin(), programs_.end(),
+                                  [&](auto& entry) { return entry.name.program == program; });
+  return found == programs_.end() ? nullptr : &*found;
+}
+
 ProgramSource FolderBuild::build(const ProgramEntry& entry) const {
+  std::vector<PreprocessedPart> parts;
+  for (std::size_t i = 0; i < partCount(entry); ++i) parts.push_back(buildPart(entry, i));
+  return finish(entry, std::move(parts));
+}
+
+PreprocessedPart FolderBuild::buildPart(const ProgramEntry& entry, std::size_t part) const {
   const FileLookup lookup = [this](const std::string& file) { return lines(file); };
-  ProgramSource program = buildProgram(entry, context(lookup));
+  return preprocessPart(entry, part, context(lookup));
+}
+
+ProgramSource FolderBuild::finish(const ProgramEntry& entry,
+                                  std::vector<PreprocessedPart> parts) const {
+  const FileLookup lookup = [this](const std::string& file) { return lines(file); };
+  ProgramSource program = finishProgram(entry, context(lookup), std::move(parts));
   if (mod_) markAsOfMod(mod_->name, program.diagnostics);
   program.incomplete = !files_->broken.empty() && reachesBroken(entry);
   return program;

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "pack/mods.h"
@@ -32,12 +33,16 @@ class FolderBuild {
   const PackProperties& properties() const { return *properties_; }
   /// Enabled programs in frame order, then name.
   const std::vector<ProgramEntry>& programs() const { return programs_; }
+  const ProgramEntry* entryNamed(std::string_view program) const;  ///< nullptr: none is enabled
   const std::vector<std::string>& disabled() const { return disabled_; }
   /// Lines of a file of the include graph with the values applied, nullptr for another file.
   const FileLines* lines(const std::string& file) const;
 
   /// From its files to texts that compile. Safe to call from several threads.
   ProgramSource build(const ProgramEntry& entry) const;
+  /// The two halves of it (pack/program_builder.h).
+  PreprocessedPart buildPart(const ProgramEntry& entry, std::size_t part) const;
+  ProgramSource finish(const ProgramEntry& entry, std::vector<PreprocessedPart> parts) const;
 
  private:
   void readProperties(const MacroDefinitions& environment, const FolderBuild* similar);

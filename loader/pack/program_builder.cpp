@@ -61,14 +61,16 @@ class ProgramBuild {
   ProgramBuild(const ProgramEntry& entry, const BuildContext& context)
       : entry_(entry), context_(context), watch_(context.optionNames) {}
 
-  ProgramSource run() {
+  ProgramSource run(std::vector<PreprocessedPart> parts) {
     ProgramSource& source = built_;
     source.name = entry_.name.program;
     source.folder = entry_.name.folder;
     source.group = entry_.name.group;
     source.index = entry_.name.index;
-    for (const auto& [stage, file] : entry_.stages) addStage(stage, file);
-    for (const auto& [name, file] : entry_.computes) addCompute(name, file);
+    for (PreprocessedPart& part : parts) addUses(part.optionUses);
+    std::size_t next = 0;
+    for (const auto& [stage, file] : entry_.stages) addStage(stage, parts[next++]);
+    for (const auto& [name, file] : entry_.computes) addCompute(name, parts[next++]);
     applyProperties();
     source.options = watch_.used();
     source.conditionOptions = watch_.used(NameWatch::kCondition);
@@ -77,21 +79,18 @@ class ProgramBuild {
   }
 
  private:
-  TokenStream preprocessFile(const std::string& file) {
-    const bool voxy = entry_.name.group == ProgramGroup::Voxy;
-    if (file.empty()) {
-      return voxy ? voxyVertex()
-                  : preprocess(defaultVertexSource(), context_.macros, built_.diagnostics);
-    }
-    const FlatSource flat = flatten(context_.graph, context_.files, file, built_.diagnostics);
-    TokenStream stream = preprocess(flat, context_.macros, built_.diagnostics, &watch_);
-    if (voxy) return voxyFragment(std::move(stream), context_.voxyPrelude);
-    requireVersion(stream, built_.diagnostics);
-    return stream;
+  void addUses(const std::vector<unsigned char>& uses) {
+    for (std::size_t i = 0; i < uses.size(); ++i) watch_.uses[i] |= uses[i];
   }
 
-  void addStage(Stage stage, const std::string& file) {
-    TokenStream stream = preprocessFile(file);
+  TokenStream& take(PreprocessedPart& part) {
+    auto& all = built_.diagnostics;
+    all.insert(all.end(), part.diagnostics.begin(), part.diagnostics.end());
+    return part.stream;
+  }
+
+  void addStage(Stage stage, PreprocessedPart& part) {
+    TokenStream& stream = take(part);
     if (stage == Stage::Fragment) {
       built_.directives = readProgramDirectives(stream, targetsOf(entry_.name), built_.diagnostics);
       built_.constLines = findConstLines(stream);
@@ -117,8 +116,8 @@ class ProgramBuild {
     }
   }
 
-  void addCompute(const std::string& name, const std::string& file) {
-    TokenStream stream = preprocessFile(file);
+  void addCompute(const std::string& name, PreprocessedPart& part) {
+    TokenStream& stream = take(part);
     ComputeSource compute{.name = name};
     compute.directives = readProgramDirectives(stream, kColorTargets, built_.diagnostics);
     compute.localSize = readLocalSize(stream.tokens);
@@ -178,8 +177,41 @@ class ProgramBuild {
 
 }  // namespace
 
-ProgramSource buildProgram(const ProgramEntry& entry, const BuildContext& context) {
-  return ProgramBuild(entry, context).run();
+std::size_t partCount(const ProgramEntry& entry) {
+  return entry.stages.size() + entry.computes.size();
+}
+
+Stage stageOfPart(const ProgramEntry& entry, std::size_t part) {
+  return part < entry.stages.size() ? entry.stages[part].first : Stage::Compute;
+}
+
+PreprocessedPart preprocessPart(const ProgramEntry& entry, std::size_t part,
+                                const BuildContext& context) {
+  const bool draws = part < entry.stages.size();
+  const std::string& file =
+      draws ? entry.stages[part].second : entry.computes[part - entry.stages.size()].second;
+  const bool voxy = entry.name.group == ProgramGroup::Voxy;
+  PreprocessedPart result;
+  if (file.empty()) {
+    result.stream =
+        voxy ? voxyVertex() : preprocess(defaultVertexSource(), context.macros, result.diagnostics);
+    return result;
+  }
+  NameWatch watch(context.optionNames);
+  const FlatSource flat = flatten(context.graph, context.files, file, result.diagnostics);
+  result.stream = preprocess(flat, context.macros, result.diagnostics, &watch);
+  result.optionUses = std::move(watch.uses);
+  if (voxy) {
+    result.stream = voxyFragment(std::move(result.stream), context.voxyPrelude);
+  } else {
+    requireVersion(result.stream, result.diagnostics);
+  }
+  return result;
+}
+
+ProgramSource finishProgram(const ProgramEntry& entry, const BuildContext& context,
+                            std::vector<PreprocessedPart> parts) {
+  return ProgramBuild(entry, context).run(std::move(parts));
 }
 
 }  // namespace orris

@@ -38,6 +38,20 @@ struct BuildContext {
   std::string voxyPrelude{};                    ///< stands before the code of its programs
 };
 
-ProgramSource buildProgram(const ProgramEntry& entry, const BuildContext& context);
+/// One file of a program preprocessed, nothing rewritten.
+struct PreprocessedPart {
+  TokenStream stream;
+  Diagnostics diagnostics;
+  std::vector<unsigned char> optionUses;  ///< as in NameWatch, of BuildContext::optionNames
+};
+
+/// The files of a program: its stages, then its compute shaders.
+std::size_t partCount(const ProgramEntry& entry);
+Stage stageOfPart(const ProgramEntry& entry, std::size_t part);
+PreprocessedPart preprocessPart(const ProgramEntry& entry, std::size_t part,
+                                const BuildContext& context);
+/// `parts` are all those of the program.
+ProgramSource finishProgram(const ProgramEntry& entry, const BuildContext& context,
+                            std::vector<PreprocessedPart> parts);
 
 }  // namespace orris

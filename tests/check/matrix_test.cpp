@@ -87,7 +87,7 @@ TEST(Matrix, each_value_alone_does_not_find_it) {
   const Matrix matrix = run(plantedPack(), {.kind = MatrixKind::Each, .jobs = 2});
   EXPECT_THAT(matrix.texts(), IsEmpty());
   EXPECT_EQ(matrix.result.configurations, 40u + 2 * 20u);
-  EXPECT_EQ(matrix.result.compiled, 80u);
+  EXPECT_EQ(matrix.result.compiled, 40u + 20u);  // 1 and 2 in the same place make no difference
 }
 
 TEST(Matrix, only_named_options_are_varied) {
