@@ -102,7 +102,8 @@ std::map<std::string, std::vector<Candidate>> nearlyDirectives(const ShaderPack&
       if (name.empty() || known.contains(name)) continue;
       const auto [nearest, isNew] = meant.try_emplace(name);
       if (isNew) nearest->second = likelyMeant(name, names);
-      if (nearest->second.empty()) continue;
+      // A constant made from the directive is the pack's own.
+      if (nearest->second.empty() || text[i].find(nearest->second) != std::string::npos) continue;
       const int column = static_cast<int>(text[i].find(name)) + 1;
       found[name].push_back({{file, static_cast<int>(i) + 1, column}, text[i], nearest->second});
     }

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "check/block_states.h"
+#include "check/lost_blocks.h"
 #include "check/pack_texts.h"
 #include "pack/id_map.h"
 #include "pack/text.h"
@@ -66,28 +67,30 @@ class BlockCheck {
       : branches_(branches), diagnostics_(diagnostics) {}
 
   void add(const PropertyEntry& entry) {
-    for (PropertyWord& word : locatedWords(entry)) {
+    for (const PropertyWord& word : locatedWords(entry)) {
       std::vector<std::string> told;
       BlockFilter filter = parseBlockFilter(word.text, 0, told);
       checkStates(filter, word);
+      ListedBlock listed{&entry, word.text, word.at, !filter.properties.empty()};
       auto& before = seen_[{filter.isTag, filter.name}];
       // Where the first may be missing, this one is what counts then.
       const auto first = std::find_if(before.begin(), before.end(), [&](const Before& b) {
-        return covers(b.filter, filter) && branches_.implies(word.at.line, b.line);
+        return covers(b.filter, filter) && branches_.implies(word.at.line, b.listed.at.line);
       });
       if (first != before.end()) {
-        if (!isLegacy(filter)) report(*first, entry.key, word);
+        if (!isLegacy(filter)) lost_.push_back({first->listed, std::move(listed)});
       } else if (before.size() < kMostFilters) {
-        before.push_back({std::move(filter), entry.key, word.text, word.at.line});
+        before.push_back({std::move(filter), std::move(listed)});
       }
     }
   }
 
+  const std::vector<LostBlock>& lost() const { return lost_; }
+
  private:
   struct Before {
     BlockFilter filter;
-    std::string key, text;
-    int line;
+    ListedBlock listed;
   };
   // A block has some hundred states; beyond that the search would grow with the square.
   static constexpr size_t kMostFilters = 1024;
@@ -98,22 +101,6 @@ class BlockCheck {
       const StateProperty* property = findStateProperty(wanted.first);
       return property && property->values.empty();
     });
-  }
-
-  void report(const Before& first, const std::string& key, const PropertyWord& word) {
-    const std::string& text = word.text;
-    if (first.key == key) {
-      diagnostics_.push_back(
-          wordDiagnostic(Severity::Note, "id-repeated", word,
-                         fmt::format("{} is covered by {} in line {}, of the same {}", text,
-                                     first.text, first.line, key)));
-      return;
-    }
-    const std::string what = first.text == text ? "" : fmt::format("as {} ", first.text);
-    diagnostics_.push_back(wordDiagnostic(
-        Severity::Warning, "id-twice", word,
-        fmt::format("{} has {} {}already, from line {}", text, first.key, what, first.line),
-        "the first line that fits a block counts, so this one does nothing"));
   }
 
   void checkStates(const BlockFilter& filter, const PropertyWord& word) {
@@ -156,11 +143,14 @@ class BlockCheck {
   const Branches& branches_;
   Diagnostics& diagnostics_;
   std::map<std::pair<bool, std::string>, std::vector<Before>> seen_;
+  std::vector<LostBlock> lost_;
 };
 
 void checkBlocks(const IdFile& file, Diagnostics& diagnostics) {
+  const std::vector<PropertyEntry> entries = lastValues(file.entries);
   BlockCheck check(file.branches, diagnostics);
-  for (const PropertyEntry& entry : lastValues(file.entries)) check.add(entry);
+  for (const PropertyEntry& entry : entries) check.add(entry);
+  reportLostBlocks(check.lost(), diagnostics);
 }
 
 /// Iris: IdMap.parseIdMap, parseDimensionMap: of two lines with the same name the later one counts,

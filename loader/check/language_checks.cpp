@@ -87,18 +87,39 @@ class FileCheck {
 
   void run() {
     for (const PropertyEntry& entry : entries_) {
+      if (entry.key.starts_with("//")) continue;  // meant as a comment, and nobody reads it
       checkTwice(entry);
       checkKey(entry, splitKey(entry.key));
     }
+    reportTwice();
   }
 
  private:
   void checkTwice(const PropertyEntry& entry) {
     const auto [first, isNew] = first_.try_emplace(entry.key, &entry);
     if (isNew || trim(first->second->value) == trim(entry.value)) return;
-    report(Severity::Warning, "language-twice", entry,
-           fmt::format("{} has another text in line {}, which is lost", entry.key,
-                       first->second->at.line));
+    twice_.emplace_back(first->second, &entry);
+  }
+
+  /// Whole files are copied and translated: more than a few slips of a file are one finding.
+  void reportTwice() {
+    constexpr size_t kMostAlone = 3;
+    for (const auto& [first, again] : twice_) {
+      if (twice_.size() > kMostAlone) break;
+      report(
+          Severity::Warning, "language-twice", *again,
+          fmt::format("{} has another text in line {}, which is lost", again->key, first->at.line));
+    }
+    if (twice_.size() <= kMostAlone) return;
+    const auto& [first, again] = twice_.front();
+    report(Severity::Warning, "language-twice", *again,
+           fmt::format("{} and {} later lines of this file give keys another text, so that the "
+                       "earlier one is lost",
+                       again->key, twice_.size() - 1));
+    for (const auto& [earlier, later] : twice_) {
+      diagnostics_.back().notes.push_back(fmt::format("{}: line {}, before it line {}", later->key,
+                                                      later->at.line, earlier->at.line));
+    }
   }
 
   void checkKey(const PropertyEntry& entry, const LanguageKey& key) {
@@ -179,6 +200,7 @@ class FileCheck {
   Diagnostics& diagnostics_;
   std::map<std::string, Names> translated_;
   std::map<std::string, const PropertyEntry*> first_;
+  std::vector<std::pair<const PropertyEntry*, const PropertyEntry*>> twice_;
 };
 
 void checkFileName(const std::string& path, Diagnostics& diagnostics) {

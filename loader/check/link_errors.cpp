@@ -26,19 +26,35 @@ bool namesAnyOf(const Diagnostic& linkError, const std::set<std::string_view>& n
   });
 }
 
+/// "Input block `Data' is not an output of the previous stage" -> Data
+std::string_view backquotedName(std::string_view message) {
+  const std::size_t begin = message.find('`'), end = message.find('\'', begin + 1);
+  return begin == message.npos || end == message.npos ? std::string_view()
+                                                      : message.substr(begin + 1, end - begin - 1);
+}
+
+const std::string& entryFileOf(const Diagnostic& d) {
+  return d.includedFrom.empty() ? d.at.file : d.includedFrom.back().file;
+}
+
 }  // namespace
 
 void dropRepeatedLinkErrors(Diagnostics& diagnostics) {
   std::set<std::string_view> names;
+  std::set<std::string_view> missing, limited;
   std::set<std::pair<std::string, int>> overlaps;
   for (const Diagnostic& d : diagnostics) {
     if (d.id == "varying-type" || d.id == "varying-interpolation" || d.id == "uniform-conflict")
       names.insert(quotedName(d.message));
     if (d.id == "output-overlap") overlaps.emplace(d.at.file, d.at.line);
+    if (d.id == "varying-missing") missing.insert(quotedName(d.message));
+    if (d.id == "target-limit" && d.at.line > 0) limited.insert(entryFileOf(d));
   }
   const auto repeated = [&](const Diagnostic& d) {
     if (d.id == "glsl-link")
       return d.message.find("must match") != std::string::npos && namesAnyOf(d, names);
+    if (d.id == "driver-log") return d.at.line == 0 && missing.contains(backquotedName(d.message));
+    if (d.id == "target-limit") return d.at.line == 0 && limited.contains(d.at.file);
     return d.id == "glsl-compile" && overlaps.contains({d.at.file, d.at.line}) &&
            d.message.find("overlapping use of location") != std::string::npos;
   };

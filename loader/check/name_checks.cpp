@@ -154,11 +154,13 @@ class StageNames {
     const bool meant =
         !global.used && !nearest.empty() && !declares(nearest) &&
         (isOneSlip(global.name, nearest) || occursAsWord(stage_.stage->text.text, nearest));
+    // An attribute with a number of its own is found by the number, on some hosts and drivers.
+    const bool numbered = kind == NameKind::Attribute && global.layout.location >= 0;
     std::string hint = nearest.empty() ? "" : fmt::format("did you mean {}?", nearest);
     if (hint.empty() && kind == NameKind::Uniform)
       hint = "define it in shaders.properties: uniform.<type>.<name> = <expression>";
     report_.add(stage_, global.place,
-                {global.used || meant ? Severity::Warning : Severity::Note,
+                {(global.used || meant) && !numbered ? Severity::Warning : Severity::Note,
                  kind == NameKind::Attribute ? "attribute-unknown" : "uniform-unknown",
                  fmt::format("no {} is called '{}'", nameKindWord(kind), global.name),
                  hint,

@@ -12,7 +12,7 @@
 namespace orris {
 namespace {
 
-constexpr int kMostNodes = 2048;
+constexpr int kMostNodes = 8192;
 constexpr int kDeepest = 64;
 
 struct Operator {

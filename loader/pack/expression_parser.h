@@ -27,7 +27,7 @@ struct ExpressionError {
   int column = 1;
 };
 
-/// At most 2048 nodes, nested at most 64 deep.
+/// At most 8192 nodes, nested at most 64 deep.
 std::optional<ExpressionTree> parseExpression(std::string_view text, ExpressionError& error);
 
 }  // namespace orris

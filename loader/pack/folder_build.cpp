@@ -111,6 +111,10 @@ ProgramSource FolderBuild::finish(const ProgramEntry& entry,
   ProgramSource program = finishProgram(entry, context(lookup), std::move(parts));
   if (mod_) markAsOfMod(mod_->name, program.diagnostics);
   program.incomplete = !files_->broken.empty() && reachesBroken(entry);
+  // The #version may be in the file that is missing.
+  if (program.incomplete) {
+    std::erase_if(program.diagnostics, [](const auto& d) { return d.id == "version-missing"; });
+  }
   return program;
 }
 

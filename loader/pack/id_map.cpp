@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "pack/block_tags.h"
@@ -18,24 +19,62 @@ std::string withNamespace(std::string_view name) {
   return (name.find(':') == std::string_view::npos ? "minecraft:" : "") + std::string(name);
 }
 
-/// Entries of a file in order of their keys; a line without a key that was meant to be a continued
-/// one is reported.
+/// Which lines of a text, from 1, are within C comments. To the host they are as all others, but
+/// packs hide ids in comments to include the file in their programs, or write comments this way.
+class CommentLines {
+ public:
+  explicit CommentLines(std::string_view text) {
+    bool inside = false;
+    for (const std::string& line : splitLines(text)) {
+      const size_t open = line.rfind("/*"), close = line.rfind("*/");
+      const bool opens = open != line.npos && (close == line.npos || close < open);
+      marked_.push_back(open != line.npos || close != line.npos || trim(line).starts_with("//"));
+      inside_.push_back(inside);
+      inside = opens || (inside && close == line.npos);
+    }
+  }
+  bool hasMark(int line) const { return at(marked_, line); }
+  bool isInside(int line) const { return at(inside_, line); }
+
+ private:
+  static bool at(const std::vector<bool>& flags, int line) {
+    return line > 0 && static_cast<size_t>(line) <= flags.size() &&
+           flags[static_cast<size_t>(line) - 1];
+  }
+  std::vector<bool> marked_, inside_;
+};
+
+/// Reports lines without a key that were meant to continue another, where ids are listed.
+void reportStrayLines(const std::vector<PropertyEntry>& known,
+                      const std::vector<PropertyEntry>& others, std::string_view text,
+                      std::string_view prefix, Diagnostics& diagnostics) {
+  const CommentLines comments(text);
+  std::array<bool, 2> hasIds{};  // outside and inside comments
+  for (const PropertyEntry& id : known) hasIds[comments.isInside(id.at.line)] = true;
+  for (const PropertyEntry& entry : others) {
+    const int line = entry.at.line;
+    if (entry.lines.front().find('=') != std::string::npos || comments.hasMark(line)) continue;
+    if (!hasIds[comments.isInside(line)]) continue;
+    diagnostics.push_back(propertyDiagnostic(
+        Severity::Warning, "id-stray-line", entry, "this line belongs to no key and is ignored",
+        fmt::format("end the line before it with a backslash, or start it with {}", prefix)));
+  }
+}
+
+/// Entries of a file in order of their keys.
 std::vector<PropertyEntry> idEntries(const std::string& file, const std::string& text,
                                      const std::string& original,
                                      const std::vector<std::string_view>& prefixes,
                                      Diagnostics& diagnostics) {
   auto entries = lastValues(parseProperties(file, text, Continuation::IdMap, original));
-  std::erase_if(entries, [&](const PropertyEntry& entry) {
-    const bool known = std::any_of(prefixes.begin(), prefixes.end(),
-                                   [&](auto& prefix) { return entry.key.starts_with(prefix); });
-    if (!known && entry.lines.front().find('=') == std::string::npos) {
-      diagnostics.push_back(propertyDiagnostic(
-          Severity::Warning, "id-stray-line", entry, "this line belongs to no key and is ignored",
-          fmt::format("end the line before it with a backslash, or start it with {}",
-                      prefixes.front())));
-    }
-    return !known;
-  });
+  const auto others =
+      std::stable_partition(entries.begin(), entries.end(), [&](const PropertyEntry& entry) {
+        return std::any_of(prefixes.begin(), prefixes.end(),
+                           [&](auto& prefix) { return entry.key.starts_with(prefix); });
+      });
+  const std::vector<PropertyEntry> stray(others, entries.end());
+  entries.erase(others, entries.end());
+  reportStrayLines(entries, stray, original, prefixes.front(), diagnostics);
   return entries;
 }
 

@@ -12,6 +12,8 @@
 namespace orris {
 namespace {
 
+constexpr size_t kLongestShown = 16384;
+
 bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\f'; }
 
 std::string_view skipBlanks(std::string_view text) {
@@ -234,7 +236,7 @@ Diagnostic wordDiagnostic(Severity severity, std::string id, const PropertyWord&
           .id = std::move(id),
           .at = word.at,
           .message = std::move(message),
-          .sourceLine = word.sourceLine,
+          .sourceLine = std::string(word.sourceLine.size() > kLongestShown ? "" : word.sourceLine),
           .hint = std::move(hint)};
 }
 

@@ -22,7 +22,7 @@ struct PropertyEntry {
 struct PropertyWord {
   std::string text;
   SourceLocation at;
-  std::string sourceLine;
+  std::string_view sourceLine;  ///< of the entry, which must outlive it: a line may have many words
 };
 
 /// How an entry goes on after a line that ends in a backslash.
@@ -46,7 +46,7 @@ std::vector<PropertyEntry> lastValues(const std::vector<PropertyEntry>& entries)
 /// escape made it, is placed at the key.
 std::vector<PropertyWord> locatedWords(const PropertyEntry& entry);
 
-/// A diagnostic at `word`.
+/// A diagnostic at `word`, without the line for the caret where that is too long to be of use.
 Diagnostic wordDiagnostic(Severity severity, std::string id, const PropertyWord& word,
                           std::string message, std::string hint = {});
 

@@ -123,15 +123,19 @@ size_t editDistance(std::string_view a, std::string_view b) {
 
 std::string nearestName(std::string_view name, const std::vector<std::string>& names) {
   // Names come from untrusted files: there may be very many, and very long ones.
-  constexpr size_t kLongest = 128, kMost = 4096;
+  constexpr size_t kLongest = 128, kMost = 4096, kShort = 5;
   if (name.size() > kLongest || names.size() > kMost) return "";
   const std::string lower = lowerCase(name);
   std::string nearest;
   size_t best = name.size() / 3 + 1;
   for (const std::string& candidate : names) {
     if (candidate.size() > kLongest) continue;
-    const size_t distance = editDistance(lower, lowerCase(candidate));
-    if (distance < best || (nearest.empty() && distance == best && best > 1)) {
+    const std::string lowerCandidate = lowerCase(candidate);
+    const size_t distance = editDistance(lower, lowerCandidate);
+    // In a short name two changed letters are a half: swapped ones at best, seldom the first.
+    const bool atLimit = nearest.empty() && distance == best && best > 1 &&
+                         (lower.size() > kShort || lowerCandidate.starts_with(lower.front()));
+    if (distance < best || atLimit) {
       best = distance;
       nearest = candidate;
     }

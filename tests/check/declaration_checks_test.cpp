@@ -244,6 +244,13 @@ TEST(Names, unknown_attributes) {
                           "'at_tangant'"));
 }
 
+TEST(Names, attributes_with_a_number_may_be_found_by_it) {
+  EXPECT_THAT(messages(packOf("layout(location = 0) in vec4 place;\n"
+                              "void main() { gl_Position = place; }",
+                              "void main() { gl_FragColor = vec4(1); }")),
+              IsEmpty());
+}
+
 TEST(Names, a_declaration_made_by_a_macro_is_located_where_it_is_used) {
   EXPECT_THAT(messages(fragmentOf("#define DECLARE(name) uniform float name;\n\nDECLARE(nothing)\n"
                                   "void main() { gl_FragColor = vec4(nothing); }")),

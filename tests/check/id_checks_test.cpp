@@ -51,6 +51,31 @@ TEST(IdTwice, within_one_id_it_is_a_note) {
                   "1, of the same block.1"));
 }
 
+TEST(IdTwice, a_block_before_its_states_is_reported_once_where_it_stands) {
+  EXPECT_THAT(
+      blocks("block.1=dirt stairs\nblock.2=stairs:half=top\nblock.3=stairs:half=bottom a\n"
+             "block.4=stairs:shape=straight\n"),
+      ElementsAre("id-twice /block.properties:1:14: warning: stairs has block.1 here in all "
+                  "its states, so 3 later entries of it do nothing | the first line that "
+                  "fits a block counts: name the states that are meant here, or put this "
+                  "line last"));
+}
+
+TEST(IdTwice, a_copied_line_is_reported_once) {
+  EXPECT_THAT(
+      blocks("block.1=a b c d e\nblock.2=e d c b x\n"),
+      ElementsAre("id-twice /block.properties:2:9: warning: e, d, c and 1 more have block.1 "
+                  "already, from line 1 | the first line that fits a block counts, so these "
+                  "do nothing"));
+  EXPECT_THAT(blocks("block.1=a b\nblock.2=a\nblock.3=b\n"), testing::SizeIs(2));
+}
+
+TEST(IdTwice, a_very_long_line_costs_no_more_than_its_length) {
+  std::string text = "block.1=";
+  for (int i = 0; i < 50000; ++i) text += "a" + std::to_string(i) + ' ';
+  EXPECT_THAT(blocks(text + "\nblock.2=a7\n"), testing::SizeIs(1));
+}
+
 TEST(IdTwice, states_of_old_versions_were_for_another_host) {
   EXPECT_THAT(blocks("block.1=stone\nblock.2=stone:variant=granite\n"), IsEmpty());
 }

@@ -84,6 +84,23 @@ TEST(LanguageKeys, a_second_text_is_a_warning_where_it_differs) {
                           "text in line 1, which is lost"));
 }
 
+TEST(LanguageKeys, many_second_texts_are_one_finding) {
+  std::string text;
+  for (const char* value : {"a", "b"}) {
+    for (const char* name : {"MODE", "A", "B", "C"}) {
+      text += std::string("option.") + name + '=' + value + '\n';
+    }
+  }
+  EXPECT_THAT(run(checkLanguageKeys, text),
+              testing::Contains("language-twice /lang/en_us.lang:5:1: warning: option.MODE and 3 "
+                                "later lines of this file give keys another text, so that the "
+                                "earlier one is lost"));
+}
+
+TEST(LanguageKeys, a_line_after_two_slashes_was_meant_as_a_comment) {
+  EXPECT_THAT(run(checkLanguageKeys, "// a\n// b\n//value.MODE.FAST=c\n"), IsEmpty());
+}
+
 TEST(LanguageKeys, files_are_named_after_languages) {
   EXPECT_THAT(
       run(checkLanguageKeys, "", "/lang/english.lang"),

@@ -63,6 +63,7 @@ TEST(DirectiveNames, the_constants_of_a_shader_and_of_larger_hosts_are_quiet) {
             {{"/settings.glsl",
               "const float shadowDistances = 3.0;\nfloat f = shadowDistances;\n"
               "const int colortex17Format = RGBA16F;\nconst float pi = 3.14;\n"
+              "const float rShadowMapResolution = 1.0 / float(shadowMapResolution);\n"
               "// const int colortex1Fromat = RGBA16F;\nconst bool gaux4Clear = false;\n"}}),
       IsEmpty());
 }

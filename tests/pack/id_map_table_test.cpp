@@ -97,6 +97,11 @@ TEST(IdMapTable, problems_stand_at_the_word) {
       {"block.1=a \\\n  mod:lamp:lit b",
        "id-state 2:3 \"lit\" in mod:lamp:lit is no property=value"},
       {"block.1=stone\n  dirt", "id-stray-line 2:3 this line belongs to no key and is ignored"},
+      // Comments that the programs see, and ids that they do not.
+      {"/*\nblock.1=stone\n*/\nfloat f(float x) {\n}\n", ""},
+      {"/*\nblock.1=stone\n dirt\n*/\n",
+       "id-stray-line 3:2 this line belongs to no key and is ignored"},
+      {"/* stone\n and dirt */\nblock.1=stone\n// lamps\nblock.2=lamp\n", ""},
       {"layer.glass=stone", "id-layer 1:1 there is no render layer glass"},
   };
   for (const ProblemCase& test : kCases) {
