@@ -39,6 +39,8 @@ StageText stage(Stage kind, const char* text) {
 
 }  // namespace
 
+bool usesBuiltinSky(Geometry geometry) { return isSky(geometry) || isClouds(geometry); }
+
 std::vector<StageText> builtinProgram(bool sky) {
   return {stage(Stage::Vertex, kVertex), stage(Stage::Fragment, sky ? kSky : kTerrain)};
 }

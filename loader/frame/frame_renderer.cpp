@@ -8,7 +8,6 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "frame/builtin_program.h"
-#include "frame/celestial.h"
 #include "frame/frustum.h"
 #include "frame/loaded_pack.h"
 #include "frame/pass_state.h"
@@ -21,12 +20,9 @@ using Clock = std::chrono::steady_clock;
 
 RenderLayer layerOf(Geometry geometry) {
   return geometry == Geometry::Cutout        ? RenderLayer::Cutout
+         : geometry == Geometry::BlockEntity ? RenderLayer::BlockEntity
          : geometry == Geometry::Translucent ? RenderLayer::Translucent
                                              : RenderLayer::Solid;
-}
-
-bool isSky(Geometry geometry) {
-  return geometry == Geometry::Sky || geometry == Geometry::Stars || geometry == Geometry::SunMoon;
 }
 
 }  // namespace
@@ -142,7 +138,7 @@ void FrameRenderer::runStep(const Step& step, const FrameState& state) {
 
 const GpuProgram& FrameRenderer::programOf(const Step& step) const {
   if (step.program >= 0) return *loaded_->programs.at(step.program);
-  return isSky(step.geometry) ? *loaded_->builtinSky : *loaded_->builtinTerrain;
+  return usesBuiltinSky(step.geometry) ? *loaded_->builtinSky : *loaded_->builtinTerrain;
 }
 
 void FrameRenderer::useProgram(const GpuProgram& program, const Step& step, const FrameState& state,
@@ -188,6 +184,8 @@ void FrameRenderer::drawGeometry(const Step& step, const FrameState& state) {
   const GpuProgram& program = programOf(step);
   if (isSky(step.geometry)) {
     drawSky(step, program, state, draw);
+  } else if (isClouds(step.geometry)) {
+    drawClouds(step, program, state, draw);
   } else {
     glm::mat4 projection = state.gbufferProjection;
     if (shadow) {
@@ -238,57 +236,14 @@ void FrameRenderer::drawTerrain(const Step& step, const GpuProgram& program,
   }
   for (const auto& [distance, section] : visible) {
     draw.chunkOffset = glm::vec3(glm::dvec3(section->origin) - state.cameraPosition);
+    if (section->layer == RenderLayer::BlockEntity)
+      draw.blockEntityId = loaded_->scene->blockId(section->state);
     loadModelView(glm::translate(view, draw.chunkOffset));
     uploadUniforms(program.drawUniforms, state, draw, loaded_->custom);
     if (sorted)
       loaded_->scene->drawSorted(*section, program.patches);
     else
       loaded_->scene->drawQuads({section->first, section->count / 4}, program.patches);
-  }
-  unbindVertices(program.program);
-  SamplerBinder::unbind(program);
-}
-
-void FrameRenderer::drawSky(const Step& step, const GpuProgram& program, const FrameState& state,
-                            DrawState& draw) {
-  const GpuScene& scene = *loaded_->scene;
-  const bool turning = step.geometry != Geometry::Sky;
-  const float night =
-      std::clamp(1 - (std::cos(state.skyAngle * 6.2831853f) * 2 + 0.25f), 0.0f, 1.0f);
-  const float starlight = night * night * 0.5f;
-  if (step.geometry == Geometry::Stars && starlight <= 0) return;
-  draw.modelView = state.gbufferModelView;
-  if (turning) {
-    const auto turn = [](float degrees, glm::vec3 axis) {
-      return glm::rotate(glm::mat4(1), glm::radians(degrees), axis);
-    };
-    draw.modelView = draw.modelView * turn(-90, {0, 1, 0}) *
-                     turn(pack_->directives.sunPathRotation, {0, 0, 1}) *
-                     turn(360 * state.skyAngle, {1, 0, 0});
-  }
-  draw.projection = state.gbufferProjection;
-  draw.atlasSize = glm::ivec2(0);
-  loadMatrices(draw.modelView, draw.projection, true);
-  useProgram(program, step, state, draw);
-  scene.bindShapes();
-  bindVertices(program.program);
-  if (step.geometry == Geometry::Sky) {
-    setConstantColor(program.program, glm::vec4(state.environment.skyColor, 1));
-    scene.drawQuads(scene.skyDisc, program.patches);
-  } else if (step.geometry == Geometry::Stars) {
-    setConstantColor(program.program, glm::vec4(starlight));
-    scene.drawQuads(scene.stars, program.patches);
-  } else {
-    setConstantColor(program.program, glm::vec4(1, 1, 1, 1 - state.environment.rain));
-    // A world without ground below the camera would show the body that the game's ground hides.
-    constexpr float kLowest = -0.3f;
-    const float sunHeight = sunDirection(state.skyAngle, pack_->directives.sunPathRotation).y;
-    if (sunHeight > kLowest && pack_->properties.flag("sun", true))
-      scene.drawQuads(scene.sun, program.patches);
-    draw.renderStage = 5;  // MC_RENDER_STAGE_MOON
-    uploadUniforms(program.drawUniforms, state, draw, loaded_->custom);
-    if (-sunHeight > kLowest && pack_->properties.flag("moon", true))
-      scene.drawQuads(scene.moon, program.patches);
   }
   unbindVertices(program.program);
   SamplerBinder::unbind(program);

@@ -78,6 +78,8 @@ class FrameRenderer {
                    const glm::mat4& view, const glm::mat4& projection, DrawState& draw);
   void drawSky(const Step& step, const GpuProgram& program, const FrameState& state,
                DrawState& draw);
+  void drawClouds(const Step& step, const GpuProgram& program, const FrameState& state,
+                  DrawState& draw);
   void dispatch(const Step& step, const FrameState& state);
   void present(const Step& step, const FrameState& state);
   void buildMipmaps(const Step& step);

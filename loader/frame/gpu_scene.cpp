@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "frame/shapes.h"
 #include "gl/functions.h"
 
 namespace orris {
@@ -11,19 +12,6 @@ namespace {
 
 // Mip levels in which a 16-texel tile still covers whole texels.
 constexpr int kAtlasLevels = 5;
-constexpr int kStars = 780;
-
-std::uint32_t hashOf(std::uint32_t x) {
-  x ^= x >> 16;
-  x *= 0x7feb352du;
-  x ^= x >> 15;
-  x *= 0x846ca68bu;
-  return x ^ x >> 16;
-}
-float unitFloat(std::uint32_t& state) {
-  state = hashOf(state + 0x9e3779b9u);
-  return static_cast<float>(state >> 8) / 16777216.0f;
-}
 
 gl::Texture uploadImage(const Image8& image, int levels, const std::string& label) {
   gl::Texture texture =
@@ -38,86 +26,6 @@ gl::Texture uploadAtlas(const Image8& image, const std::string& label) {
   gl::generateMipmaps(texture);
   gl::setParameters(texture, {.linear = false, .repeat = false, .mipmaps = true});
   return texture;
-}
-
-GpuVertex shapeVertex(glm::vec3 position, glm::vec2 uv) {
-  GpuVertex v;
-  for (int i = 0; i < 3; ++i) v.position[i] = position[i];
-  for (int i = 0; i < 2; ++i) v.uv[i] = v.midUv[i] = uv[i];
-  return v;
-}
-
-/// Collects quads and remembers where each shape starts.
-class ShapeList {
- public:
-  void quad(const std::array<glm::vec3, 4>& corners, const std::array<glm::vec2, 4>& uv) {
-    for (int i = 0; i < 4; ++i) vertices.push_back(shapeVertex(corners[i], uv[i]));
-  }
-  QuadRange since(size_t start) const {
-    return {static_cast<unsigned>(start), static_cast<unsigned>((vertices.size() - start) / 4)};
-  }
-  std::vector<GpuVertex> vertices;
-};
-
-constexpr std::array<glm::vec2, 4> kUnitUv = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
-
-QuadRange addSkyDisc(ShapeList& shapes) {
-  const size_t start = shapes.vertices.size();
-  const std::array<glm::vec2, 4> center = {
-      {{0.5f, 0.5f}, {0.5f, 0.5f}, {0.5f, 0.5f}, {0.5f, 0.5f}}};
-  constexpr int kSegments = 8;
-  const auto rim = [](int i) {
-    const float a = static_cast<float>(i) * 2 * 3.14159265f / kSegments;
-    return glm::vec3(512 * std::cos(a), 16, 512 * std::sin(a));
-  };
-  for (int i = 0; i < kSegments; i += 2)
-    shapes.quad({{{0, 16, 0}, rim(i), rim(i + 1), rim(i + 2)}}, center);
-  return shapes.since(start);
-}
-
-QuadRange addStars(ShapeList& shapes) {
-  const size_t start = shapes.vertices.size();
-  std::uint32_t random = 10842;
-  for (int i = 0; i < kStars; ++i) {
-    const float y = unitFloat(random) * 2 - 1, angle = unitFloat(random) * 6.2831853f;
-    const float size = 0.15f + unitFloat(random) * 0.1f, r = std::sqrt(1 - y * y);
-    const glm::vec3 d(r * std::cos(angle), y, r * std::sin(angle));
-    const glm::vec3 side = glm::normalize(
-        glm::cross(d, std::abs(d.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0)));
-    const glm::vec3 up = glm::cross(side, d);
-    const glm::vec3 c = d * 100.0f;
-    shapes.quad({{c - (side + up) * size, c + (side - up) * size, c + (side + up) * size,
-                  c + (up - side) * size}},
-                kUnitUv);
-  }
-  return shapes.since(start);
-}
-
-QuadRange addCelestialQuad(ShapeList& shapes, float y, float size, float u0) {
-  const size_t start = shapes.vertices.size();
-  shapes.quad({{{-size, y, -size}, {size, y, -size}, {size, y, size}, {-size, y, size}}},
-              {{{u0, 0}, {u0 + 0.5f, 0}, {u0 + 0.5f, 1}, {u0, 1}}});
-  return shapes.since(start);
-}
-
-// A white square for the sun and a dimmer, blotched one for the moon; each fills the middle quarter
-// of its half, as in the game.
-Image8 celestialImage() {
-  Image8 image(64, 32, 4);
-  for (int y = 0; y < 32; ++y)
-    for (int x = 0; x < 64; ++x) {
-      const float dx = (static_cast<float>(x % 32) - 15.5f) / 4,
-                  dy = (static_cast<float>(y) - 15.5f) / 4;
-      const bool inside = std::max(std::abs(dx), std::abs(dy)) < 1;
-      const bool blotch = hashOf(static_cast<std::uint32_t>(y / 2 * 16 + x / 2)) % 3 == 0;
-      const std::array<int, 3> color = x < 32   ? std::array{255, 250, 220}
-                                       : blotch ? std::array{150, 155, 170}
-                                                : std::array{190, 195, 210};
-      for (int c = 0; c < 3; ++c)
-        image.at(x, y)[c] = static_cast<std::uint8_t>(inside ? color[c] : 0);
-      image.at(x, y)[3] = 255;
-    }
-  return image;
 }
 
 void appendQuad(std::uint32_t first, std::vector<std::uint32_t>& indices) {
@@ -159,19 +67,36 @@ void GpuScene::buildShapes() {
                              "shapes");
 }
 
+const CloudLayer& GpuScene::clouds(bool fancy) {
+  if (clouds_ && clouds_->fancy == fancy) return *clouds_;
+  const CloudMesh mesh = buildClouds(fancy);
+  clouds_ = {
+      fancy, mesh.parts,
+      gl::createBuffer(mesh.vertices.size() * sizeof(GpuVertex), mesh.vertices.data(), "clouds")};
+  for (const CloudPart& part : mesh.parts) needIndices(part.range.quads);
+  return *clouds_;
+}
+
+void GpuScene::needIndices(unsigned quads) {
+  if (quads <= indexedQuads_) return;
+  indexedQuads_ = quads;
+  std::vector<std::uint32_t> indices;
+  indices.reserve(size_t{quads} * 6);
+  for (std::uint32_t i = 0; i < quads; ++i) appendQuad(i * 4, indices);
+  indices_ =
+      gl::createBuffer(indices.size() * sizeof(std::uint32_t), indices.data(), "quad indices");
+}
+
 void GpuScene::uploadMesh(const SceneData& scene, const std::vector<int>& blockIds,
                           const VertexStyle& style) {
   const std::vector<GpuVertex> vertices = packVertices(scene.mesh, blockIds, style);
   sections_ = scene.mesh.sections;
   terrain_ = gl::createBuffer(std::max<size_t>(1, vertices.size()) * sizeof(GpuVertex),
                               vertices.empty() ? nullptr : vertices.data(), "terrain");
-  unsigned most = kStars;
+  blockIds_ = blockIds;
+  unsigned most = stars.quads;
   for (const MeshSection& section : sections_) most = std::max(most, section.count / 4);
-  std::vector<std::uint32_t> indices;
-  indices.reserve(size_t{most} * 6);
-  for (std::uint32_t i = 0; i < most; ++i) appendQuad(i * 4, indices);
-  indices_ =
-      gl::createBuffer(indices.size() * sizeof(std::uint32_t), indices.data(), "quad indices");
+  needIndices(most);
   collectTranslucent(scene.mesh);
 }
 
@@ -241,6 +166,11 @@ void GpuScene::bindTerrain() const {
   gl::BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
 }
 
+void GpuScene::bindClouds() const {
+  gl::BindBuffer(GL_ARRAY_BUFFER, clouds_->buffer.id());
+  gl::BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
+}
+
 void GpuScene::bindShapes() const {
   gl::BindBuffer(GL_ARRAY_BUFFER, shapes_.id());
   gl::BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
@@ -256,7 +186,7 @@ gl::Texture makeNoiseTexture(int resolution) {
   Image8 image(resolution, resolution, 4);
   for (size_t i = 0; i < image.pixels.size(); ++i)
     image.pixels[i] =
-        i % 4 == 3 ? 255 : static_cast<std::uint8_t>(hashOf(static_cast<std::uint32_t>(i)));
+        i % 4 == 3 ? 255 : static_cast<std::uint8_t>(mixBits(static_cast<std::uint32_t>(i)));
   gl::Texture texture = uploadImage(image, 1, "noisetex");
   gl::setParameters(texture, {.linear = true, .repeat = true});
   return texture;

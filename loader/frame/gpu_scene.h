@@ -8,8 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "frame/clouds.h"
 #include "frame/frame_state.h"
 #include "frame/schedule.h"
+#include "frame/shapes.h"
 #include "frame/vertex_layout.h"
 #include "gl/buffer.h"
 #include "gl/texture.h"
@@ -45,9 +47,11 @@ SceneData buildScene(World world, const MeshStyle& style, Diagnostics& diagnosti
 /// Light and mesh again after blocks changed.
 void rebuildMesh(SceneData& scene, const MeshStyle& style);
 
-/// A range of triangles: `count` quads from vertex `firstVertex` of one buffer.
-struct QuadRange {
-  unsigned firstVertex = 0, quads = 0;
+/// The clouds that were drawn last, on the GPU.
+struct CloudLayer {
+  bool fancy = false;
+  std::vector<CloudPart> parts;
+  gl::Buffer buffer;
 };
 
 class GpuScene {
@@ -65,10 +69,17 @@ class GpuScene {
   const gl::Texture& celestial() const { return celestial_; }  ///< sun left half, moon right half
   glm::ivec2 atlasSize() const { return {atlas_.width, atlas_.height}; }
   const std::vector<MeshSection>& sections() const { return sections_; }
+  /// The id that block.properties gives a palette index, -1 for none.
+  int blockId(std::uint16_t state) const {
+    return state < blockIds_.size() ? blockIds_[state] : -1;
+  }
 
   void updateLightmap(const FrameState& state);
   void bindTerrain() const;
   void bindShapes() const;
+  /// Made when first asked for.
+  const CloudLayer& clouds(bool fancy);
+  void bindClouds() const;
   /// Orders the translucent quads of each section from far to near as seen from `eye` (world blocks),
   /// as blending needs; free while neither eye nor mesh has moved.
   void sortTranslucent(const glm::dvec3& eye);
@@ -81,9 +92,14 @@ class GpuScene {
 
  private:
   void buildShapes();
+  /// Makes the index buffer serve draws of so many quads.
+  void needIndices(unsigned quads);
   void collectTranslucent(const BlockMesh& mesh);
   gl::Texture atlas_, normals_, specular_, lightmap_, white_, celestial_;
   gl::Buffer terrain_, shapes_, indices_, sortedIndices_;
+  unsigned indexedQuads_ = 0;
+  std::optional<CloudLayer> clouds_;
+  std::vector<int> blockIds_;
   std::vector<MeshSection> sections_;
   std::vector<glm::vec3>
       translucentCenters_;         ///< of each translucent quad, relative to its section

@@ -101,9 +101,7 @@ void FrameRenderer::Loaded::buildPrograms(const ShaderPack& pack, const Schedule
   const auto needsBuiltin = [&](bool sky) {
     return std::any_of(schedule.frame.begin(), schedule.frame.end(), [&](const Step& step) {
       const bool geometry = step.kind == Step::Kind::Draw || step.kind == Step::Kind::DrawShadow;
-      const bool isSky = step.geometry == Geometry::Sky || step.geometry == Geometry::Stars ||
-                         step.geometry == Geometry::SunMoon;
-      return geometry && step.program < 0 && isSky == sky;
+      return geometry && step.program < 0 && usesBuiltinSky(step.geometry) == sky;
     });
   };
   for (const bool sky : {false, true}) {

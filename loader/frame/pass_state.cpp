@@ -78,6 +78,8 @@ glm::ivec4 defaultBlend(const Step& step) {
   if (step.kind == Step::Kind::DrawShadow) return kNoBlend;
   switch (step.geometry) {
     case Geometry::Translucent:
+    case Geometry::CloudsFast:
+    case Geometry::CloudsFancy:
       return kTranslucent;
     case Geometry::Stars:
     case Geometry::SunMoon:
@@ -87,9 +89,11 @@ glm::ivec4 defaultBlend(const Step& step) {
   }
 }
 
-// Iris: ShaderKey. Cutout terrain always, every textured shadow caster but solid terrain.
+// Iris: ShaderKey. Cutout terrain, block entities and clouds always, every textured shadow caster
+// but solid terrain.
 bool hasDefaultAlphaTest(const Step& step) {
-  return step.geometry == Geometry::Cutout ||
+  return step.geometry == Geometry::Cutout || step.geometry == Geometry::BlockEntity ||
+         isClouds(step.geometry) ||
          (step.kind == Step::Kind::DrawShadow && step.geometry == Geometry::Translucent);
 }
 
@@ -132,8 +136,13 @@ int renderStageOf(Geometry geometry) {
       return 8;
     case Geometry::Cutout:
       return 10;
+    case Geometry::BlockEntity:
+      return 12;
     case Geometry::Translucent:
       return 17;
+    case Geometry::CloudsFast:
+    case Geometry::CloudsFancy:
+      return 20;
   }
   return 0;
 }
@@ -151,13 +160,12 @@ void setFullscreenState(const ProgramSource* program, DrawState& draw) {
 }
 
 void setGeometryState(const Step& step, const ProgramSource* program, DrawState& draw) {
-  const bool terrain = step.geometry == Geometry::Solid || step.geometry == Geometry::Cutout ||
-                       step.geometry == Geometry::Translucent;
+  const bool sky = isSky(step.geometry);
   gl::Enable(GL_DEPTH_TEST);
   gl::DepthFunc(GL_LEQUAL);
-  gl::DepthMask(terrain ? GL_TRUE : GL_FALSE);
-  // Contract programs.csv "shadow": back faces are drawn there.
-  if (terrain && step.kind == Step::Kind::Draw)
+  gl::DepthMask(sky ? GL_FALSE : GL_TRUE);
+  // Contract programs.csv "shadow": back faces are drawn there. Flat clouds are seen from above too.
+  if (!sky && step.kind == Step::Kind::Draw && step.geometry != Geometry::CloudsFast)
     gl::Enable(GL_CULL_FACE);
   else
     gl::Disable(GL_CULL_FACE);
@@ -196,7 +204,7 @@ void setFog(const FrameState& state) {
                           state.environment.fogColor.b, 1};
   gl::Fogf(GL_FOG_START, 0.9f * far);
   gl::Fogf(GL_FOG_END, far);
-  gl::Fogf(GL_FOG_DENSITY, 0);
+  gl::Fogf(GL_FOG_DENSITY, fogDensityOf(state));
   gl::Fogfv(GL_FOG_COLOR, color);
 }
 

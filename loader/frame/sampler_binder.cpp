@@ -106,6 +106,9 @@ SamplerBinder::Choice SamplerBinder::chooseFallback(const Step& step) {
       return {&scene_.white(), {}};
     case Geometry::SunMoon:
       return {&scene_.celestial(), {}};
+    case Geometry::CloudsFast:
+    case Geometry::CloudsFancy:
+      return {&scene_.white(), {}};
     default:
       return {&scene_.atlas(), {false, false, true, false, false}};
   }

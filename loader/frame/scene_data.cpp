@@ -22,7 +22,10 @@ SceneContents SceneData::contents() const {
   SceneContents contents;
   contents.solid = has(RenderLayer::Solid);
   contents.cutout = has(RenderLayer::Cutout);
+  contents.blockEntities = has(RenderLayer::BlockEntity);
   contents.translucent = has(RenderLayer::Translucent);
+  contents.cloudPlane = world.environment.dimension == "minecraft:overworld";
+  contents.clouds = world.environment.clouds;
   contents.sky = world.environment.dimension != "minecraft:the_nether";
   return contents;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <span>
 
 #include "frame/program_uses.h"
 #include "frame/schedule_targets.h"
@@ -24,12 +25,16 @@ constexpr GeometryPass kSky[] = {{"gbuffers_skybasic", Geometry::Sky, &SceneCont
                                  {"gbuffers_skytextured", Geometry::SunMoon, &SceneContents::sky}};
 constexpr GeometryPass kOpaque[] = {
     {"gbuffers_terrain_solid", Geometry::Solid, &SceneContents::solid},
-    {"gbuffers_terrain_cutout", Geometry::Cutout, &SceneContents::cutout}};
+    {"gbuffers_terrain_cutout", Geometry::Cutout, &SceneContents::cutout},
+    {"gbuffers_block", Geometry::BlockEntity, &SceneContents::blockEntities}};
 constexpr GeometryPass kTranslucent[] = {
-    {"gbuffers_water", Geometry::Translucent, &SceneContents::translucent}};
+    {"gbuffers_water", Geometry::Translucent, &SceneContents::translucent},
+    {"gbuffers_clouds", Geometry::CloudsFast, &SceneContents::cloudPlane},
+    {"gbuffers_clouds", Geometry::CloudsFancy, &SceneContents::cloudPlane}};
 constexpr GeometryPass kShadowOpaque[] = {
     {"shadow_solid", Geometry::Solid, &SceneContents::solid},
-    {"shadow_cutout", Geometry::Cutout, &SceneContents::cutout}};
+    {"shadow_cutout", Geometry::Cutout, &SceneContents::cutout},
+    {"shadow_block", Geometry::BlockEntity, &SceneContents::blockEntities}};
 constexpr GeometryPass kShadowTranslucent[] = {
     {"shadow_water", Geometry::Translucent, &SceneContents::translucent}};
 
@@ -101,9 +106,12 @@ class Builder {
   }
 
   bool gbuffersDrawn(const ProgramSource& program) const {
-    for (const auto* passes :
-         {&kSky[0], &kSky[1], &kSky[2], &kOpaque[0], &kOpaque[1], &kTranslucent[0]})
-      if (scene_.*passes->needed && pack_.resolve(passes->program) == &program) return true;
+    for (const std::span<const GeometryPass> passes :
+         {std::span<const GeometryPass>(kSky), std::span<const GeometryPass>(kOpaque),
+          std::span<const GeometryPass>(kTranslucent)})
+      for (const GeometryPass& pass : passes)
+        if (scene_.*pass.needed && wanted(pass) && pack_.resolve(pass.program) == &program)
+          return true;
     return false;
   }
 
@@ -175,8 +183,7 @@ class Builder {
     addCompute(*program, schedule_.frame);
   }
 
-  template <size_t N>
-  void addGeometry(const GeometryPass (&passes)[N], Kind kind) {
+  void addGeometry(std::span<const GeometryPass> passes, Kind kind) {
     if (kind == Kind::Draw && pack_.properties.flag("skipAllRendering", false)) return;
     for (const GeometryPass& pass : passes) {
       if (!(scene_.*pass.needed) || !wanted(pass)) continue;
@@ -202,10 +209,24 @@ class Builder {
       case Geometry::Solid:
       case Geometry::Cutout:
         return !pass.program.starts_with("shadow") || p.flag("shadowTerrain", true);
+      case Geometry::BlockEntity:
+        return !pass.program.starts_with("shadow") || p.flag("shadowBlockEntities", true);
       case Geometry::Translucent:
         return !pass.program.starts_with("shadow") || p.flag("shadowTranslucent", true);
+      case Geometry::CloudsFast:
+        return clouds() == Clouds::Fast;
+      case Geometry::CloudsFancy:
+        return clouds() == Clouds::Fancy;
     }
     return true;
+  }
+
+  Clouds clouds() const {
+    const auto it = pack_.properties.settings.find("clouds");
+    if (it == pack_.properties.settings.end()) return scene_.clouds;
+    return it->second == "fancy"  ? Clouds::Fancy
+           : it->second == "fast" ? Clouds::Fast
+                                  : Clouds::Off;
   }
 
   void addShadow() {
@@ -262,6 +283,14 @@ class Builder {
 };
 
 }  // namespace
+
+bool isSky(Geometry geometry) {
+  return geometry == Geometry::Sky || geometry == Geometry::Stars || geometry == Geometry::SunMoon;
+}
+
+bool isClouds(Geometry geometry) {
+  return geometry == Geometry::CloudsFast || geometry == Geometry::CloudsFancy;
+}
 
 bool Step::writesAlt(int buffer) const {
   const bool shadow = group == ProgramGroup::ShadowComp || group == ProgramGroup::Shadow;

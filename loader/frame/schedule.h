@@ -10,6 +10,7 @@
 
 #include "core/diagnostic.h"
 #include "pack/shader_pack.h"
+#include "world/world.h"
 
 namespace orris {
 
@@ -28,7 +29,19 @@ struct TargetPlan {
 };
 
 /// What a geometry step draws.
-enum class Geometry { Sky, Stars, SunMoon, Solid, Cutout, Translucent };
+enum class Geometry {
+  Sky,
+  Stars,
+  SunMoon,
+  Solid,
+  Cutout,
+  BlockEntity,
+  Translucent,
+  CloudsFast,
+  CloudsFancy
+};
+bool isSky(Geometry geometry);
+bool isClouds(Geometry geometry);
 
 struct Step {
   enum class Kind {
@@ -80,8 +93,10 @@ struct Schedule {
 
 /// What the world contains; programs that nothing needs are not scheduled.
 struct SceneContents {
-  bool solid = true, cutout = true, translucent = true;
+  bool solid = true, cutout = true, blockEntities = true, translucent = true;
   bool sky = true;
+  bool cloudPlane = true;       ///< the dimension has clouds, which a pack may switch on
+  Clouds clouds = Clouds::Off;  ///< what the world asks for
   bool operator==(const SceneContents&) const = default;
 };
 

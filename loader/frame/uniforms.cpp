@@ -55,6 +55,9 @@ int categoryOf(const FrameState& s) {
   return biomeCategory(biome);
 }
 
+// GL_LINEAR and GL_EXP2, as uniform fogMode gives them.
+constexpr int kLinearFog = 9729, kExp2Fog = 2049;
+
 using S = const FrameState&;
 using D = const DrawState&;
 #define FRAME(name, type, expr)                         \
@@ -167,8 +170,8 @@ std::vector<UniformRow> makeTable() {
     DRAW("fogColor", Vec3, valueOf(s.environment.fogColor)),
     DRAW("fogStart", Float, valueOf(0.9f * static_cast<float>(s.environment.renderDistance))),
     DRAW("fogEnd", Float, valueOf(static_cast<float>(s.environment.renderDistance))),
-    DRAW("fogDensity", Float, valueOf(0.0f)),
-    DRAW("fogMode", Int, Value::ofInt(d.fullscreen ? 0 : 9729)),
+    DRAW("fogDensity", Float, valueOf(fogDensityOf(s))),
+    DRAW("fogMode", Int, Value::ofInt(d.fullscreen ? 0 : fogDensityOf(s) > 0 ? kExp2Fog : kLinearFog)),
     DRAW("fogShape", Int, Value::ofInt(d.fullscreen ? -1 : 1)),
     DRAW("alphaTestRef", Float, valueOf(d.alphaTestRef)),
     DRAW("chunkOffset", Vec3, valueOf(d.chunkOffset)),
@@ -212,7 +215,7 @@ std::vector<UniformRow> makeTable() {
     FRAME("heldBlockLightColor", Vec3, valueOf(glm::vec3(1))),
     FRAME("heldBlockLightColor2", Vec3, valueOf(glm::vec3(1))),
     DRAW("entityId", Int, Value::ofInt(0)),
-    DRAW("blockEntityId", Int, Value::ofInt(-1)),
+    DRAW("blockEntityId", Int, Value::ofInt(d.blockEntityId)),
     DRAW("currentRenderedItemId", Int, Value::ofInt(-1)),
     FRAME("vehicleId", Int, Value::ofInt(0)),
     FRAME("currentSelectedBlockId", Int, Value::ofInt(0)),
@@ -250,6 +253,9 @@ std::vector<UniformRow> makeTable() {
 #undef DRAW
 
 }  // namespace
+
+// Iris: MixinFogRenderer; of an eye that has been in the water for long.
+float fogDensityOf(const FrameState& state) { return state.isEyeInWater == 1 ? 0.02f : 0.0f; }
 
 Value valueOf(float v) { return Value::ofFloat(v); }
 Value valueOf(const glm::vec2& v) { return packFloats(ValueType::Vec2, v, 2); }

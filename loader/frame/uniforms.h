@@ -21,7 +21,11 @@ struct DrawState {
   int renderStage = 0;  ///< MC_RENDER_STAGE_*
   float alphaTestRef = 0.1f;
   bool fullscreen = false;
+  int blockEntityId = -1;
 };
+
+/// The game's fog is linear, but exponential in water.
+float fogDensityOf(const FrameState& state);
 
 struct UniformRow {
   std::string_view name;

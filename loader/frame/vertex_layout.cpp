@@ -135,6 +135,14 @@ std::vector<GpuVertex> packVertices(const BlockMesh& mesh, const std::vector<int
     v.entity[1] = in.fluid != 0 ? 1 : -1;
     setColor(v, in, style);
   }
+  // The game's vertices of block entities have neither.
+  for (const MeshSection& section : mesh.sections) {
+    if (section.layer != RenderLayer::BlockEntity) continue;
+    for (size_t i = section.first; i < section.first + section.count; ++i) {
+      out[i].entity[0] = out[i].entity[1] = -1;
+      std::fill(std::begin(out[i].midBlock), std::end(out[i].midBlock), std::int8_t{0});
+    }
+  }
   return out;
 }
 

@@ -157,6 +157,7 @@ FactsPatch patchOf(const json& spec, const ExpandedName& name) {
   patch.fluid = optionalOf<bool>(spec, "fluid");
   patch.cullsSame = optionalOf<bool>(spec, "cullsSame");
   patch.waterlogged = optionalOf<bool>(spec, "waterlogged");
+  patch.blockEntity = optionalOf<bool>(spec, "blockEntity");
   return patch;
 }
 

@@ -53,7 +53,7 @@ struct FactsPatch {
   std::optional<int> emission, opacity;
   std::optional<RenderLayer> layer;
   std::optional<Tint> tint;
-  std::optional<bool> air, fluid, cullsSame, waterlogged;
+  std::optional<bool> air, fluid, cullsSame, waterlogged, blockEntity;
 };
 
 struct BlockDefinition {

@@ -25,6 +25,7 @@ void apply(FactsPatch& target, const FactsPatch& patch) {
   overwrite(target.fluid, patch.fluid);
   overwrite(target.cullsSame, patch.cullsSame);
   overwrite(target.waterlogged, patch.waterlogged);
+  overwrite(target.blockEntity, patch.blockEntity);
   for (const auto& [part, texture] : patch.textures) target.textures[part] = texture;
 }
 
@@ -60,6 +61,7 @@ BlockFacts factsFrom(const FactsPatch& spec, const BlockProperties& properties) 
   facts.air = spec.air.value_or(false);
   facts.fluid = spec.fluid.value_or(false);
   facts.cullsSame = spec.cullsSame.value_or(false);
+  facts.blockEntity = spec.blockEntity.value_or(false);
   facts.emission = spec.emission.value_or(0);
   facts.layer = spec.layer.value_or(RenderLayer::Solid);
   facts.tint = spec.tint.value_or(Tint::None);

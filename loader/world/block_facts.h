@@ -13,7 +13,9 @@
 
 namespace orris {
 
-enum class RenderLayer { Solid, Cutout, Translucent };
+/// In the order the game draws them. Only the mesh has BlockEntity: facts say `blockEntity`.
+enum class RenderLayer { Solid, Cutout, BlockEntity, Translucent };
+inline constexpr int kRenderLayers = 4;
 enum class Tint { None, Grass, Foliage, Water };
 enum class FaceDirection { Down, Up, North, South, West, East };  // -y +y -z +z -x +x
 glm::ivec3 normalOf(FaceDirection direction);
@@ -34,6 +36,7 @@ struct BlockFacts {
   bool fullOpaqueCube = false;  ///< hides neighbours' faces, stops light
   bool cullsSame = false;  ///< faces between two of the same block are not drawn (glass, water)
   bool waterlogged = false;
+  bool blockEntity = false;  ///< the game draws it apart from the terrain (chests, beds, signs)
   /// Bit 1 << FaceDirection: the boxes cover that side of the cube wholly and opaquely, so it hides
   /// the neighbour's face and lets no light through (the back of stairs, the bottom of a slab).
   std::uint8_t coveredFaces = 0;

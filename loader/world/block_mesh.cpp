@@ -105,8 +105,8 @@ class MeshBuilder {
   }
 
   void buildSection(glm::ivec3 origin) {
-    std::array<std::size_t, 3> first;
-    for (std::size_t i = 0; i < 3; ++i) first[i] = vertices_[i].size();
+    std::array<std::size_t, kRenderLayers> first;
+    for (std::size_t i = 0; i < first.size(); ++i) first[i] = vertices_[i].size();
     const glm::ivec3 low = glm::max(origin, input_.blocks.origin());
     const glm::ivec3 end =
         glm::min(origin + kSectionSize, input_.blocks.origin() + input_.blocks.size());
@@ -115,11 +115,27 @@ class MeshBuilder {
         for (int x = low.x; x < end.x; ++x) addCell({x, y, z}, origin);
       }
     }
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t count = vertices_[i].size() - first[i];
-      if (count == 0) continue;
-      sections_[i].push_back(
-          {origin, RenderLayer(i), std::uint32_t(first[i]), std::uint32_t(count)});
+    for (std::size_t i = 0; i < first.size(); ++i) {
+      if (RenderLayer(i) == RenderLayer::BlockEntity) {
+        addBlockEntities(origin, first[i]);
+      } else if (const std::size_t count = vertices_[i].size() - first[i]; count > 0) {
+        sections_[i].push_back(
+            {origin, RenderLayer(i), std::uint32_t(first[i]), std::uint32_t(count)});
+      }
+    }
+  }
+
+  // Those of one state together: each draw has one blockEntityId.
+  void addBlockEntities(glm::ivec3 origin, std::size_t first) {
+    constexpr auto kLayer = std::size_t(RenderLayer::BlockEntity);
+    std::vector<BlockVertex>& vertices = vertices_[kLayer];
+    std::stable_sort(vertices.begin() + std::ptrdiff_t(first), vertices.end(),
+                     [](const auto& a, const auto& b) { return a.state < b.state; });
+    for (std::size_t start = first, end; start < vertices.size(); start = end) {
+      end = start;
+      while (end < vertices.size() && vertices[end].state == vertices[start].state) ++end;
+      sections_[kLayer].push_back({origin, RenderLayer::BlockEntity, std::uint32_t(start),
+                                   std::uint32_t(end - start), vertices[start].state});
     }
   }
 
@@ -174,7 +190,8 @@ class MeshBuilder {
     const BlockFacts& facts = input_.facts[index];
     const std::array<CornerLight, 4> light = lighting_.corners(face, cell);
     const glm::u8vec3 colour = face.tinted ? colourOf(facts.tint) : glm::u8vec3(255);
-    std::vector<BlockVertex>& vertices = vertices_[std::size_t(facts.layer)];
+    const RenderLayer layer = facts.blockEntity ? RenderLayer::BlockEntity : facts.layer;
+    std::vector<BlockVertex>& vertices = vertices_[std::size_t(layer)];
     for (std::size_t i = 0; i < 4; ++i) {
       const float occlusion = 1 - input_.ambientOcclusionLevel * (1 - light[i].occlusion);
       const glm::ivec3 toMiddle(glm::round((glm::vec3(0.5f) - face.corners[i]) * 64.0f));
@@ -195,7 +212,7 @@ class MeshBuilder {
 
   BlockMesh join() {
     BlockMesh mesh;
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < vertices_.size(); ++i) {
       const std::uint32_t start = std::uint32_t(mesh.vertices.size());
       if (i == 0) {
         mesh.vertices = std::move(vertices_[i]);
@@ -213,8 +230,8 @@ class MeshBuilder {
   const MeshInput& input_;
   FaceLighting lighting_;
   std::vector<MeshState> states_;
-  std::array<std::vector<BlockVertex>, 3> vertices_;  // by layer
-  std::array<std::vector<MeshSection>, 3> sections_;
+  std::array<std::vector<BlockVertex>, kRenderLayers> vertices_;  // by layer
+  std::array<std::vector<MeshSection>, kRenderLayers> sections_;
 };
 
 }  // namespace

@@ -25,11 +25,13 @@ struct BlockVertex {
   std::uint16_t fluid;   ///< 1 for fluids (mc_Entity.y)
 };
 
-/// Faces of one 16^3 section in one layer: vertices [first, first+count).
+/// Faces of one 16^3 section in one layer, of block entities those of one state: vertices
+/// [first, first+count).
 struct MeshSection {
   glm::ivec3 origin;
   RenderLayer layer;
   std::uint32_t first = 0, count = 0;
+  std::uint16_t state = 0;  ///< block entities: the palette index of all its faces
 };
 
 struct BlockMesh {

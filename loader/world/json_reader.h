@@ -25,6 +25,8 @@ class JsonReader {
       : source_(source), diagnostics_(diagnostics) {}
 
   void error(std::size_t offset, std::string message, std::string hint = "");
+  /// The error that `node` is something else than `expectation`.
+  void expected(const JsonNode& node, const std::string& what, const std::string& expectation);
   bool failed() const { return failed_; }
 
   /// An object that has no other keys than `keys`.
@@ -52,8 +54,6 @@ class JsonReader {
   Diagnostics& diagnostics() { return diagnostics_; }
 
  private:
-  void expected(const JsonNode& node, const std::string& what, const std::string& expectation);
-
   const JsonText& source_;
   Diagnostics& diagnostics_;
   bool failed_ = false;

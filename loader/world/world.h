@@ -31,6 +31,9 @@ struct Player {
   bool onGround = true, hideGui = true;
 };
 
+/// The game's setting of its clouds: none, flat, or boxes.
+enum class Clouds { Off, Fast, Fancy };
+
 /// Everything but blocks and cameras. Contract: uniforms.csv groups world, biome, player.
 struct Environment {
   int time = 6000;  ///< ticks 0..23999
@@ -41,6 +44,7 @@ struct Environment {
   int renderDistance = 128;  ///< blocks, uniform `far`
   float temperature = 0.8f, rainfall = 0.4f;
   glm::vec3 fogColor{0.7f, 0.8f, 1.0f}, skyColor{0.47f, 0.65f, 1.0f};
+  Clouds clouds = Clouds::Off;  ///< a pack's `clouds` goes before it
   Player player;
 };
 

@@ -90,13 +90,24 @@ Player readPlayer(JsonReader& reader, const JsonNode& environment) {
   return player;
 }
 
+Clouds readClouds(JsonReader& reader, const JsonNode& node) {
+  const JsonNode* text = node.find("clouds");
+  if (!text) return Clouds::Off;
+  static const std::map<std::string, Clouds> kClouds{
+      {"off", Clouds::Off}, {"fast", Clouds::Fast}, {"fancy", Clouds::Fancy}};
+  const auto found = kClouds.find(text->text);
+  if (text->kind == JsonNode::Kind::String && found != kClouds.end()) return found->second;
+  reader.expected(*text, "\"clouds\"", "off, fast or fancy");
+  return Clouds::Off;
+}
+
 Environment readEnvironment(JsonReader& reader, const JsonNode& root) {
   Environment environment;
   const JsonNode* node = root.find("environment");
   if (!node) return environment;
   reader.object(*node, "\"environment\"",
                 {"time", "day", "rain", "thunder", "biome", "dimension", "renderDistance",
-                 "temperature", "rainfall", "fogColor", "skyColor", "player"});
+                 "temperature", "rainfall", "fogColor", "skyColor", "clouds", "player"});
   reader.optional(*node, "time", kTimeRange, environment.time);
   reader.optional(*node, "day", IntegerRange{0, 1000000}, environment.day);
   reader.optional(*node, "rain", RealRange{0, 1}, environment.rain);
@@ -108,6 +119,7 @@ Environment readEnvironment(JsonReader& reader, const JsonNode& root) {
   reader.optional(*node, "rainfall", RealRange{0, 1}, environment.rainfall);
   reader.optional(*node, "fogColor", RealRange{0, 1}, environment.fogColor);
   reader.optional(*node, "skyColor", RealRange{0, 1}, environment.skyColor);
+  environment.clouds = readClouds(reader, *node);
   environment.player = readPlayer(reader, *node);
   return environment;
 }

@@ -19,11 +19,11 @@ struct BlockCount {
 
 struct WorldSummary {
   glm::ivec3 origin{0}, size{0};
-  std::int64_t blocks = 0;              ///< other than air
-  std::vector<BlockCount> states;       ///< other than air, most frequent first, then by name
-  std::array<std::int64_t, 3> faces{};  ///< by RenderLayer
-  std::int64_t lights = 0;              ///< blocks that emit light
-  std::vector<std::string> unknown;     ///< block names without facts, sorted
+  std::int64_t blocks = 0;         ///< other than air
+  std::vector<BlockCount> states;  ///< other than air, most frequent first, then by name
+  std::array<std::int64_t, kRenderLayers> faces{};  ///< by RenderLayer
+  std::int64_t lights = 0;                          ///< blocks that emit light
+  std::vector<std::string> unknown;                 ///< block names without facts, sorted
 };
 
 /// `facts` by palette index of `blocks`.

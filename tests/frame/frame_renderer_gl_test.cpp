@@ -94,6 +94,61 @@ void main() { gl_FragData[0] = data; }
               ElementsAre(1234, 240, FloatNear(-32, 0.01f), FloatNear(1, 0.01f)));
 }
 
+TEST_F(FrameRendererGL, block_entities_have_their_program_and_their_id) {
+  files_["/block.properties"] = "block.77=minecraft:chest\nblock.78=minecraft:oak_sign\n";
+  World world = floorWorld();
+  const auto place = [&](glm::ivec3 at, const char* state) {
+    world.blocks.set(at, world.blocks.paletteIndex(*parseBlockState(state)));
+  };
+  place({0, 1, 0}, "minecraft:chest");
+  place({-1, 1, 0}, "minecraft:red_bed");
+  files_["/gbuffers_block.vsh"] =
+      "#version 330 compatibility\nuniform int blockEntityId;\nuniform int renderStage;\n"
+      "in vec2 mc_Entity;\nin vec4 at_midBlock;\nflat out vec4 data;\n"
+      "void main() {\n  gl_Position = ftransform();\n"
+      "  data = vec4(blockEntityId, mc_Entity.x, at_midBlock.y, renderStage);\n}\n";
+  files_["/gbuffers_block.fsh"] =
+      "#version 330 compatibility\nflat in vec4 data;\n/* RENDERTARGETS: 3 */\n"
+      "/*\nconst int colortex3Format = RGBA32F;\n*/\nvoid main() { gl_FragData[0] = data; }\n";
+  addProgram("final", kPass);
+  ASSERT_TRUE(start(world, 33, 33)) << messages();
+  draw();
+  EXPECT_THAT(pixel("colortex3", 16, 16), ElementsAre(77, -1, 0, 12));
+  EXPECT_THAT(pixel("colortex3", 32, 32), ElementsAre(0, 0, 0, 0));
+  bool unlisted = false;
+  for (int x = 0; x < 33; ++x) unlisted |= pixel("colortex3", x, 16)[0] == -1;
+  EXPECT_TRUE(unlisted) << "the bed has no id";
+}
+
+TEST_F(FrameRendererGL, clouds_hang_above_and_move_west) {
+  addProgram("gbuffers_clouds",
+             "/* RENDERTARGETS: 3 */\n/*\nconst int colortex3Format = R8;\n*/\n"
+             "void main() { gl_FragData[0] = vec4(1.0); }\n");
+  addProgram("final", kPass);
+  World world = floorWorld();
+  world.cameras[0].pitch = -90;
+  world.environment.renderDistance = 512;
+  const auto cover = [&](Clouds clouds, int frames) {
+    world.environment.clouds = clouds;
+    EXPECT_TRUE(start(world, 64, 64)) << messages();
+    draw(frames);
+    std::vector<float> row;
+    for (int y = 0; y < 64; ++y)
+      for (int x = 0; x < 64; ++x) row.push_back(pixel("colortex3", x, y)[0]);
+    return row;
+  };
+  const auto share = [](const std::vector<float>& row) {
+    return static_cast<double>(std::count(row.begin(), row.end(), 1.0f)) / double(row.size());
+  };
+  const std::vector<float> fast = cover(Clouds::Fast, 1), fancy = cover(Clouds::Fancy, 1);
+  EXPECT_GT(share(fast), 0.1);
+  EXPECT_LT(share(fast), 0.7);
+  // The sides of boxes cover more than flat cells.
+  EXPECT_GT(share(fancy), share(fast));
+  // Ten seconds later the pattern lies elsewhere.
+  EXPECT_NE(cover(Clouds::Fast, 600), fast);
+}
+
 TEST_F(FrameRendererGL, depth_copies_leave_out_translucent_blocks) {
   World world = floorWorld();
   world.blocks.set({0, 2, 0},

@@ -76,13 +76,14 @@ TEST(Schedule, steps_follow_the_order_of_the_contract) {
   add(files, "shadowcomp", fragment({"shadowcolor0"}, "0"));
   add(files, "gbuffers_textured", fragment({"gtexture"}, "0"));
   add(files, "final", fragment({"colortex0", "shadowtex1", "depthtex1", "depthtex2"}, ""));
-  EXPECT_THAT(stepNames(scheduleOf(load(files))),
-              ElementsAre("clear_images", "clear_color", "begin", "clear_shadow", "shadow_solid",
-                          "shadow_cutout", "copy_shadowtex1", "shadow_water", "shadow_mipmaps",
-                          "shadowcomp", "prepare", "gbuffers_skybasic", "gbuffers_skybasic",
-                          "gbuffers_skytextured", "gbuffers_terrain_solid",
-                          "gbuffers_terrain_cutout", "copy_depthtex2", "copy_depthtex1", "deferred",
-                          "gbuffers_water", "composite", "composite2", "final"));
+  EXPECT_THAT(
+      stepNames(scheduleOf(load(files))),
+      ElementsAre("clear_images", "clear_color", "begin", "clear_shadow", "shadow_solid",
+                  "shadow_cutout", "shadow_block", "copy_shadowtex1", "shadow_water",
+                  "shadow_mipmaps", "shadowcomp", "prepare", "gbuffers_skybasic",
+                  "gbuffers_skybasic", "gbuffers_skytextured", "gbuffers_terrain_solid",
+                  "gbuffers_terrain_cutout", "gbuffers_block", "copy_depthtex2", "copy_depthtex1",
+                  "deferred", "gbuffers_water", "composite", "composite2", "final"));
 }
 
 TEST(Schedule, fullscreen_programs_flip_what_they_draw) {
@@ -245,6 +246,55 @@ TEST(Schedule, a_pack_without_final_copies_colortex0) {
   const Schedule schedule = scheduleOf(load(files));
   EXPECT_EQ(schedule.frame.back().kind, Step::Kind::Present);
   EXPECT_EQ(schedule.frame.back().program, -1);
+}
+
+TEST(Schedule, block_entities_are_drawn_where_there_are_some) {
+  Files files;
+  add(files, "gbuffers_terrain", fragment({}, "0"));
+  add(files, "gbuffers_block", fragment({}, "0"));
+  add(files, "final", fragment({"shadowtex0"}, ""));
+  add(files, "shadow", fragment({}, "0"));
+  const auto count = [](const Schedule& schedule, const std::string& name) {
+    const auto names = stepNames(schedule);
+    return std::count(names.begin(), names.end(), name);
+  };
+  const ShaderPack pack = load(files);
+  const Schedule with = scheduleOf(pack), without = scheduleOf(pack, {.blockEntities = false});
+  EXPECT_EQ(count(with, "gbuffers_block"), 1);
+  EXPECT_EQ(count(with, "shadow_block"), 1);
+  EXPECT_EQ(count(without, "gbuffers_block") + count(without, "shadow_block"), 0);
+  EXPECT_FALSE(without.programs.contains(pack.programs.indexOf(pack.find("gbuffers_block"))));
+  files["/shaders.properties"] = "shadowBlockEntities=false\n";
+  EXPECT_EQ(count(scheduleOf(load(files)), "shadow_block"), 0);
+}
+
+TEST(Schedule, clouds_follow_the_pack_then_the_world) {
+  struct Case {
+    std::string properties;
+    Clouds world;
+    bool plane;
+    std::optional<Geometry> drawn;
+  };
+  const Case cases[] = {{"", Clouds::Off, true, {}},
+                        {"", Clouds::Fast, true, Geometry::CloudsFast},
+                        {"", Clouds::Fancy, true, Geometry::CloudsFancy},
+                        {"", Clouds::Fancy, false, {}},
+                        {"clouds=off", Clouds::Fancy, true, {}},
+                        {"clouds=fast", Clouds::Fancy, true, Geometry::CloudsFast},
+                        {"clouds=fancy", Clouds::Off, true, Geometry::CloudsFancy}};
+  for (const Case& c : cases) {
+    Files files{{"/shaders.properties", c.properties + "\n"}};
+    add(files, "gbuffers_clouds", fragment({}, "0"));
+    add(files, "final", fragment({"colortex0"}, ""));
+    const ShaderPack pack = load(files);
+    const Schedule schedule = scheduleOf(pack, {.cloudPlane = c.plane, .clouds = c.world});
+    std::optional<Geometry> drawn;
+    for (const Step& step : schedule.frame)
+      if (step.name == "gbuffers_clouds") drawn = step.geometry;
+    EXPECT_EQ(drawn, c.drawn) << c.properties;
+    EXPECT_EQ(schedule.programs.contains(pack.programs.indexOf(pack.find("gbuffers_clouds"))),
+              c.drawn.has_value());
+  }
 }
 
 TEST(Schedule, shadow_enabled_forces_or_forbids_the_pass) {

@@ -24,6 +24,18 @@ TEST(Uniforms, values_have_the_type_their_row_states) {
   }
 }
 
+TEST(Uniforms, fog_is_exponential_in_water) {
+  FrameState state;
+  const auto value = [&](const char* name) { return findUniform(name)->value(state, DrawState()); };
+  EXPECT_EQ(value("fogDensity").f[0], 0.0f);
+  EXPECT_EQ(value("fogMode").i[0], 9729);
+  state.isEyeInWater = 1;
+  EXPECT_EQ(value("fogDensity").f[0], 0.02f);
+  EXPECT_EQ(value("fogMode").i[0], 2049);
+  state.isEyeInWater = 2;
+  EXPECT_EQ(value("fogDensity").f[0], 0.0f);
+}
+
 // First names of the contract rows: "a / b" and "a, b" name several.
 std::set<std::string> contractNames(std::ifstream& file) {
   std::set<std::string> names;

@@ -160,6 +160,31 @@ TEST(BlockMesh, waterlogged_blocks_stand_in_water_that_carries_its_own_id) {
   EXPECT_GT(mesh.vertices.size(), std::size_t(fluid));
 }
 
+TEST(BlockMesh, block_entities_are_apart_from_the_terrain_one_state_a_draw) {
+  Scene scene({5, 1, 1});
+  scene.set({0, 0, 0}, "oak_sign");
+  scene.set({1, 0, 0}, "chest[facing=north,waterlogged=true]");
+  scene.set({2, 0, 0}, "stone");
+  scene.set({3, 0, 0}, "oak_sign");
+  scene.blocks.paletteIndex(blockState("water"));
+  const BlockMesh mesh = scene.mesh();
+  std::vector<std::pair<RenderLayer, std::string>> draws;
+  for (const MeshSection& section : mesh.sections) {
+    const std::uint16_t state = mesh.vertices[section.first].state;
+    draws.emplace_back(section.layer, scene.blocks.palette()[state].name);
+    if (section.layer != RenderLayer::BlockEntity) continue;
+    EXPECT_EQ(section.state, state);
+    for (std::uint32_t v = section.first; v < section.first + section.count; ++v)
+      EXPECT_EQ(mesh.vertices[v].state, state);
+  }
+  const std::vector<std::pair<RenderLayer, std::string>> expected{
+      {RenderLayer::Solid, "minecraft:stone"},
+      {RenderLayer::BlockEntity, "minecraft:oak_sign"},
+      {RenderLayer::BlockEntity, "minecraft:chest"},
+      {RenderLayer::Translucent, "minecraft:water"}};
+  EXPECT_EQ(draws, expected);
+}
+
 TEST(BlockMesh, grass_is_tinted_on_top_and_leaves_all_over) {
   Scene scene({3, 1, 1});
   scene.set({0, 0, 0}, "grass_block");

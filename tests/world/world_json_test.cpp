@@ -108,6 +108,18 @@ TEST(WorldJson, environment_is_read) {
   EXPECT_EQ(environment.fogColor, glm::vec3(0, 0.5f, 1));
 }
 
+TEST(WorldJson, clouds_are_off_fast_or_fancy) {
+  const auto clouds = [](const std::string& value) {
+    return parseWorld("{\"size\": [1, 1, 1], \"environment\": {\"clouds\": " + value + "}}");
+  };
+  EXPECT_EQ(clouds("\"fancy\"").world->environment.clouds, Clouds::Fancy);
+  EXPECT_EQ(clouds("\"fast\"").world->environment.clouds, Clouds::Fast);
+  EXPECT_EQ(clouds("\"off\"").world->environment.clouds, Clouds::Off);
+  for (const char* wrong : {"\"many\"", "true"})
+    EXPECT_NE(clouds(wrong).errors.find("expected off, fast or fancy"), std::string::npos)
+        << clouds(wrong).errors;
+}
+
 TEST(WorldJson, player_is_read) {
   const ParsedWorld parsed = parseWorld(R"({"size": [1, 1, 1], "environment": {"player":
     {"blindness": 0.5, "heldLight2": 15, "sneaking": true, "onGround": false}}})");

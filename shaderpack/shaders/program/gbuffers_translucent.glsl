@@ -1,4 +1,5 @@
-// Water, glass, weather and clouds: lit where they are drawn and blended over the lit scene.
+// Water, glass, weather and clouds (PROGRAM_CLOUDS): lit where they are drawn, blended over the lit
+// scene.
 #include "/settings.glsl"
 #include "/include/blocks.glsl"
 #include "/include/uniforms.glsl"
@@ -20,6 +21,10 @@ void main() {
     tint = gl_Color;
     vec2 lightmap = (gl_TextureMatrix[1] * gl_MultiTexCoord1).xy;
     light = clamp((lightmap - 1.0 / 32.0) * 16.0 / 15.0, 0.0, 1.0);
+#if defined PROGRAM_CLOUDS
+    // They have no light levels, which reads as full; no lamp reaches them.
+    light = vec2(0.0, 1.0);
+#endif
     player = (gbufferModelViewInverse * (gl_ModelViewMatrix * gl_Vertex)).xyz;
     normal = normalize(mat3(gbufferModelViewInverse) * (gl_NormalMatrix * gl_Normal));
     is_water = float(int(floor(mc_Entity.x + 0.5)) == block_water);
