@@ -14,5 +14,6 @@ void addOptionsCommand(CLI::App& app, int& status);
 void addWorldCommand(CLI::App& app, int& status);
 void addCompareCommand(CLI::App& app, int& status);
 void addViewCommand(CLI::App& app, int& status);
+void addTraceCommand(CLI::App& app, int& status);
 
 }  // namespace orris

@@ -69,16 +69,36 @@ void addSceneFlags(CLI::App& command, SceneOptions& options) {
   command.add_option("--seed", options.seed, "seed of generated worlds and of random numbers");
 }
 
-void addImageFlags(CLI::App& command, ImageOptions& options) {
+void addSizeFlag(CLI::App& command, ImageOptions& options) {
   command
       .add_option_function<std::string>(
           "--size", [&options](const std::string& text) { parseSize(text, options); },
           fmt::format("size in pixels (default {}x{})", options.width, options.height))
       ->type_name("WxH");
+}
+
+void addImageFlags(CLI::App& command, ImageOptions& options) {
+  addSizeFlag(command, options);
   command.add_option("--frames", options.frames, "frames to draw; the last one is the picture")
       ->capture_default_str()
       ->check(CLI::Range(1, 1000000));
   addBackendFlag(command, options.backend);
+}
+
+std::optional<Shard> parseShard(const std::string& text) {
+  constexpr int kMost = 4096;
+  const std::size_t slash = text.find('/');
+  int index = 0, count = 0;
+  const bool numbers = slash != std::string::npos && parseInt(text.substr(0, slash), index) &&
+                       parseInt(text.substr(slash + 1), count);
+  if (!numbers || index < 1 || index > count || count > kMost) return std::nullopt;
+  return Shard{index, count};
+}
+
+void addShardFlag(CLI::App& command, std::string& shard, const std::string& help) {
+  command.add_option("--shard", shard, help)->check([](const std::string& text) {
+    return parseShard(text) ? std::string() : "expected I/N, with I from 1 to N: " + text;
+  });
 }
 
 void addBackendFlag(CLI::App& command, gl::Backend& backend) {

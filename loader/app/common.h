@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "gl/context.h"
 #include "pack/options.h"
@@ -52,11 +53,16 @@ struct OutputOptions {
 void addPackFlags(CLI::App& command, PackOptions& options);    ///< all but the path
 void addSceneFlags(CLI::App& command, SceneOptions& options);  ///< all but the path
 void addImageFlags(CLI::App& command, ImageOptions& options);
+void addSizeFlag(CLI::App& command, ImageOptions& options);  ///< of addImageFlags
 void addBackendFlag(CLI::App& command, gl::Backend& backend);
 void addOutputFlags(CLI::App& command, OutputOptions& options);
 /// The positional arguments PACK and WORLD.
 CLI::Option* addPackArgument(CLI::App& command, std::string& path);
 CLI::Option* addWorldArgument(CLI::App& command, std::string& path);
+/// Part I of N, "2/5", 1 to N; nullopt when the text is none.
+using Shard = std::pair<int, int>;
+std::optional<Shard> parseShard(const std::string& text);
+void addShardFlag(CLI::App& command, std::string& shard, const std::string& help);
 /// A NAME=VALUE flag that may be repeated, or followed by several values.
 void addAssignmentFlag(CLI::App& command, const std::string& flag, OptionValues& values,
                        const std::string& help, const std::string& typeName = "NAME=VALUE");

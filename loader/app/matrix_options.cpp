@@ -7,25 +7,11 @@
 #include <optional>
 #include <utility>
 
+#include "app/common.h"
 #include "pack/text.h"
 
 namespace orris {
 namespace {
-
-using Shard = std::pair<int, int>;
-
-constexpr int kMostShards = 4096;
-
-std::optional<Shard> parseShard(const std::string& text) {
-  const std::size_t slash = text.find('/');
-  if (slash == std::string::npos) return std::nullopt;
-  const auto index = parseInteger(text.substr(0, slash));
-  const auto count = parseInteger(text.substr(slash + 1));
-  if (!index || !count || *index < 1 || *index > *count || *count > kMostShards) {
-    return std::nullopt;
-  }
-  return Shard{static_cast<int>(*index), static_cast<int>(*count)};
-}
 
 std::optional<std::chrono::seconds> parseBudget(const std::string& text) {
   constexpr long long kDay = 24 * 60 * 60;
@@ -54,10 +40,7 @@ void addMatrixFlags(CLI::App& command, MatrixOptions& options) {
   command.add_option("--options", options.options, "vary only these options: NAME,...")
       ->delimiter(',')
       ->allow_extra_args(false);
-  command.add_option("--shard", options.shard, "part I of N of the matrix: I/N")
-      ->check([](const std::string& text) {
-        return parseShard(text) ? std::string() : "expected I/N, with I from 1 to N: " + text;
-      });
+  addShardFlag(command, options.shard, "part I of N of the matrix: I/N");
   command.add_option("--budget", options.budget, "end the matrix after this time: 60s, 5m")
       ->check([](const std::string& text) {
         return parseBudget(text) ? std::string() : "expected a time such as 60s or 5m: " + text;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <iostream>
 
 namespace orris {
@@ -24,8 +25,8 @@ Progress::~Progress() {
   if (shown_) std::cerr << "\r\x1b[K" << std::flush;
 }
 
-void Progress::advance() {
-  ++done_;
+void Progress::advanceTo(int done) {
+  done_ = std::min(done, total_);
   const auto now = std::chrono::steady_clock::now();
   if (!enabled_ || now - start_ < kPatience || now - last_ < kInterval) return;
   last_ = now;

@@ -14,7 +14,8 @@ class Progress {
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
-  void advance();
+  void advance() { advanceTo(done_ + 1); }
+  void advanceTo(int done);
 
  private:
   void print();

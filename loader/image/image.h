@@ -37,5 +37,8 @@ std::optional<ImageF> readImage(const std::string& path, Diagnostics& diagnostic
 /// ever left. Same pixels, same bytes (no time stamps). false and a diagnostic on failure.
 bool writeImage(const std::string& path, const Image8& image, Diagnostics& diagnostics);
 bool writeImage(const std::string& path, const ImageF& image, Diagnostics& diagnostics);
+/// With a name for each channel ("R", "first.R"), which .exr files keep.
+bool writeImage(const std::string& path, const ImageF& image,
+                const std::vector<std::string>& channelNames, Diagnostics& diagnostics);
 
 }  // namespace orris

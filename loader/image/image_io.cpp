@@ -123,7 +123,8 @@ bool writeTo(OIIO::ImageOutput& output, const std::string& path, const OIIO::Ima
 }
 
 bool writePixels(const std::string& path, int width, int height, int channels, OIIO::TypeDesc type,
-                 const void* pixels, Diagnostics& diagnostics) {
+                 const void* pixels, const std::vector<std::string>& names,
+                 Diagnostics& diagnostics) {
   const std::string extension = lowerExtension(path);
   auto output = OIIO::ImageOutput::create(extension.empty() ? "" : extension.substr(1));
   if (!output) {
@@ -135,6 +136,10 @@ bool writePixels(const std::string& path, int width, int height, int channels, O
   OIIO::ImageSpec spec(width, height, channels,
                        storedType(extension, type == OIIO::TypeDesc::UINT8));
   spec.attribute("oiio:UnassociatedAlpha", 1);
+  if (!names.empty()) {
+    spec.channelnames = names;
+    spec.alpha_channel = -1;
+  }
   // The OpenEXR writer stamps the present time unless it is given one.
   spec.attribute("DateTime", "1970:01:01 00:00:00");
   if (extension == ".png") spec.erase_attribute("DateTime");
@@ -212,12 +217,18 @@ std::optional<ImageF> readImage(const std::string& path, Diagnostics& diagnostic
 
 bool writeImage(const std::string& path, const Image8& image, Diagnostics& diagnostics) {
   return writePixels(path, image.width, image.height, image.channels, OIIO::TypeDesc::UINT8,
-                     image.pixels.data(), diagnostics);
+                     image.pixels.data(), {}, diagnostics);
 }
 
 bool writeImage(const std::string& path, const ImageF& image, Diagnostics& diagnostics) {
   return writePixels(path, image.width, image.height, image.channels, OIIO::TypeDesc::FLOAT,
-                     image.pixels.data(), diagnostics);
+                     image.pixels.data(), {}, diagnostics);
+}
+
+bool writeImage(const std::string& path, const ImageF& image,
+                const std::vector<std::string>& channelNames, Diagnostics& diagnostics) {
+  return writePixels(path, image.width, image.height, image.channels, OIIO::TypeDesc::FLOAT,
+                     image.pixels.data(), channelNames, diagnostics);
 }
 
 }  // namespace orris

@@ -1,0 +1,81 @@
+#include "trace/pack_lighting.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace orris {
+namespace {
+
+using namespace glm;
+
+float numberOf(const std::map<std::string, std::string>& options, const char* name) {
+  const auto found = options.find(name);
+  return found == options.end() ? 0.0f : std::strtof(found->second.c_str(), nullptr);
+}
+
+}  // namespace
+
+// Options and uniforms are members under the pack's names; its functions follow.
+struct PackLighting::Functions {
+  float SUN_STRENGTH = 0, SKY_STRENGTH = 0, EMISSION_STRENGTH = 0;
+  mat4 gbufferModelViewInverse{1};
+  vec3 sunPosition{0}, shadowLightPosition{0};
+  float rainStrength = 0;
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+#include "reference_pack_functions.inc"
+#pragma GCC diagnostic pop
+};
+
+PackLighting::PackLighting(const LightingInput& input)
+    : functions_(std::make_unique<Functions>()), lightDirection_(input.lightDirection) {
+  functions_->SUN_STRENGTH = numberOf(input.options, "SUN_STRENGTH");
+  functions_->SKY_STRENGTH = numberOf(input.options, "SKY_STRENGTH");
+  functions_->EMISSION_STRENGTH = numberOf(input.options, "EMISSION_STRENGTH");
+  functions_->sunPosition = input.sunDirection;
+  functions_->shadowLightPosition = input.lightDirection;
+  functions_->rainStrength = input.rainStrength;
+  lightIrradiance_ = functions_->light_irradiance();
+  const auto direct = input.options.find("DIRECT_LIGHT");
+  ggx_ = direct != input.options.end() && direct->second == "LAMBERT_GGX";
+}
+
+PackLighting::~PackLighting() = default;
+PackLighting::PackLighting(PackLighting&&) noexcept = default;
+PackLighting& PackLighting::operator=(PackLighting&&) noexcept = default;
+
+vec3 PackLighting::skyRadiance(const vec3& direction) const {
+  return functions_->sky_radiance(direction);
+}
+
+vec3 PackLighting::reflectDirect(const vec3& albedo, const vec3& n, const vec3& v,
+                                 const vec3& l) const {
+  const float cosine = std::max(dot(n, l), 0.0f);
+  return cosine * (ggx_ ? functions_->reflect_ggx(albedo, n, v, l)
+                        : functions_->reflect_phong(albedo, n, v, l));
+}
+
+float PackLighting::emissionScale(int level) const {
+  return functions_->lamp_radiance({vec3(1), Functions::voxel_lamp + level}).x;
+}
+
+LampLight PackLighting::lampLight(int id, int level, const vec3& mean) const {
+  const float brightest = std::max(std::max(mean.r, mean.g), std::max(mean.b, 1e-3f));
+  const vec3 listed = functions_->is_lamp(id) ? functions_->lamp_color(id) : vec3(0);
+  const vec3 color = listed == vec3(0) ? mean / brightest : listed;
+  const vec3 radiance = functions_->lamp_radiance({color, Functions::voxel_lamp + level});
+  if (!functions_->is_small_lamp(id)) return {radiance, 6};
+  const float radius = Functions::small_lamp_radius;
+  return {radiance * Functions::small_lamp_boost, 4 * Functions::pi * radius * radius};
+}
+
+bool PackLighting::isThin(int id) const {
+  return id == Functions::block_plant || id == Functions::block_leaves;
+}
+
+bool PackLighting::isWater(int id) const { return id == Functions::block_water; }
+
+vec3 packToLinear(const vec3& color) { return PackLighting::Functions().to_linear(color); }
+
+}  // namespace orris

@@ -1,0 +1,85 @@
+// Light by unbiased path tracing: what a pixel shows of a scene, one sample at a time.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "trace/random.h"
+#include "trace/trace_scene.h"
+
+namespace orris {
+
+/// The matrices of the frame, and the picture's size in pixels.
+struct TraceCamera {
+  glm::dvec3 position{0};  ///< world blocks
+  glm::mat4 modelViewInverse{1}, projectionInverse{1};
+  int width = 0, height = 0;
+};
+
+struct TraceSettings {
+  std::uint64_t seed = 0;
+  /// Rays in a row from a surface that the camera sees; 0 leaves emission and direct sun, -1 follows
+  /// light without end.
+  int bounces = -1;
+};
+
+/// Rays by purpose.
+struct RayCounts {
+  std::uint64_t camera = 0, path = 0, lamp = 0, sun = 0;
+  std::uint64_t total() const { return camera + path + lamp + sun; }
+  RayCounts& operator+=(const RayCounts& other);
+};
+
+/// A point that reflects light.
+struct TraceSurface {
+  glm::vec3 position{0};  ///< grid space
+  glm::vec3 normal{0};    ///< toward where it is seen from
+  glm::ivec3 cell{0};     ///< where rays from it begin
+  std::uint32_t quad = kNoQuad;
+  glm::vec3 albedo{0};
+  bool thin = false;  ///< lets through what it reflects
+};
+
+/// What a pixel sees, found once: `constant` needs no sampling (sky, emission, direct sun), each layer
+/// adds weight times the mean radiance that its surface receives.
+struct PixelView {
+  struct Layer {
+    TraceSurface surface;
+    glm::vec3 weight{0};
+  };
+  glm::vec3 constant{0};
+  std::vector<Layer> layers;
+};
+
+class PathTracer {
+ public:
+  PathTracer(const TraceScene& scene, const TraceCamera& camera, const TraceSettings& settings)
+      : scene_(scene), camera_(camera), settings_(settings) {}
+
+  /// Pixel (0,0) is top left; its ray goes through the pixel's middle, as the frame's does.
+  PixelView view(int x, int y, RayCounts& counts) const;
+  /// One sample of its radiance.
+  glm::vec3 sample(const PixelView& view, SampleRandom& random, RayCounts& counts) const;
+  /// One sample of the mean radiance over the hemisphere of a surface, weighed by the cosine.
+  glm::vec3 incoming(TraceSurface surface, SampleRandom& random, RayCounts& counts) const;
+
+ private:
+  struct Look;
+  void look(const Look& from, PixelView& view, RayCounts& counts) const;
+  void seeOpaque(const Look& from, const RayHit& hit, const glm::vec3& weight, PixelView& view,
+                 RayCounts& counts) const;
+  float seeTranslucent(const Look& from, const RayHit& hit, const glm::vec3& weight,
+                       PixelView& view, RayCounts& counts) const;
+  glm::vec3 drawnSun(const TraceSurface& surface, const glm::vec3& toViewer,
+                     RayCounts& counts) const;
+  glm::vec3 sunVisibility(const TraceSurface& surface, RayCounts& counts) const;
+  glm::vec3 lampLight(const TraceSurface& surface, SampleRandom& random, RayCounts& counts) const;
+  glm::vec3 metLamp(const RayHit& hit, const glm::vec3& direction, float density) const;
+  TraceSurface surfaceAt(const RayHit& hit, const glm::vec3& direction) const;
+
+  const TraceScene& scene_;
+  TraceCamera camera_;
+  TraceSettings settings_;
+};
+
+}  // namespace orris

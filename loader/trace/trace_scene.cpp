@@ -1,0 +1,190 @@
+#include "trace/trace_scene.h"
+
+#include <algorithm>
+
+#include "trace/scene_quads.h"
+#include "world/block_faces.h"
+
+namespace orris {
+namespace {
+
+constexpr float kFluidHeight = 8.0f / 9;  // of a surface, as drawn
+
+bool isWhole(const BlockFacts& facts) {
+  return facts.boxes.size() == 1 && facts.boxes[0].from == glm::vec3(0) &&
+         facts.boxes[0].to == glm::vec3(16);
+}
+
+bool anyOf(const std::vector<PlacedQuad>& placed, std::size_t first, std::size_t end,
+           bool (*test)(const PlacedQuad&)) {
+  return std::any_of(placed.begin() + std::ptrdiff_t(first), placed.begin() + std::ptrdiff_t(end),
+                     test);
+}
+
+class SceneBuilder {
+ public:
+  explicit SceneBuilder(const TraceSceneInput& input)
+      : input_(input),
+        lighting_(std::make_shared<PackLighting>(input.lighting)),
+        texture_(linearTexture(input.atlas.albedo)),
+        placed_(placeQuads(input.mesh, input.atlas)) {}
+
+  TraceScene build() {
+    describeStates();
+    measure();
+    quads_.emplace_back().tint = glm::vec3(0);  // kHiddenQuad
+    addCells();
+    TraceScene scene;
+    scene.origin = low_;
+    scene.grid = VoxelGrid(size_, offsets_, std::move(cells_), std::move(quads_),
+                           std::move(filters_), std::move(texture_));
+    scene.lamps = LampSet(std::move(lamps_));
+    scene.lighting = lighting_;
+    for (int level = 0; level < 16; ++level)
+      scene.emissionScale.push_back(lighting_->emissionScale(level));
+    return scene;
+  }
+
+ private:
+  /// What all blocks of one palette entry share.
+  struct State {
+    bool seen = false;
+    bool thin = false, water = false, emits = false;
+    std::uint8_t filter = 0;
+    glm::vec3 radiance{0};  ///< of every lit face
+    int topFace = -1;
+  };
+
+  void describeStates();
+  void measure();
+  void addCells();
+  void addCell(glm::ivec3 cell, std::size_t first, std::size_t end);
+  void addLamp(const TraceQuad& quad, glm::ivec3 cell);
+  std::uint8_t filterAt(glm::ivec3 cell) const;
+
+  const TraceSceneInput& input_;
+  std::shared_ptr<PackLighting> lighting_;
+  TraceTexture texture_;
+  std::vector<PlacedQuad> placed_;
+  std::vector<State> states_;
+  glm::ivec3 low_{0}, size_{0};
+  std::vector<std::uint32_t> offsets_;
+  std::vector<TraceCell> cells_;
+  std::vector<TraceQuad> quads_;
+  std::vector<TraceFilter> filters_{{}};
+  std::vector<LampFace> lamps_;
+};
+
+/// Area that all faces of a block show, whether another block hides some or not.
+float drawnArea(const BlockFacts& facts, const BlockAtlas& atlas) {
+  if (facts.fluid || facts.boxes.empty()) return 6;
+  float area = 0;
+  for (const BlockFace& face : makeBlockFaces(facts, atlas).faces) {
+    area += glm::length(face.corners[3] - face.corners[0]) *
+            glm::length(face.corners[1] - face.corners[0]);
+  }
+  return std::max(area, 1e-3f);
+}
+
+// The pack gives a block the colour of its top face; so do lamps and filters here.
+void SceneBuilder::describeStates() {
+  states_.resize(input_.facts.size());
+  for (const PlacedQuad& placed : placed_) {
+    State& state = states_[placed.quad.state];
+    const int up = int(FaceDirection::Up);
+    if (state.seen && (state.topFace == up || placed.face != up)) continue;
+    state.seen = true;
+    state.topFace = placed.face;
+    const BlockFacts& facts = input_.facts[placed.quad.state];
+    const int id = input_.blockIds[placed.quad.state];
+    const glm::vec4 mean = meanTexel(texture_, placed.quad);
+    state.thin = lighting_->isThin(id);
+    state.water = lighting_->isWater(id);
+    if (placed.quad.emission > 0) {
+      const LampLight light = lighting_->lampLight(id, placed.quad.emission, glm::vec3(mean));
+      state.radiance =
+          light.radiance * (light.area / (drawnArea(facts, input_.atlas) * std::max(mean.w, 0.1f)));
+      state.emits = true;
+    } else if (placed.quad.translucent && (facts.fluid || isWhole(facts)) &&
+               filters_.size() < 255) {
+      if (state.filter == 0) {
+        state.filter = std::uint8_t(filters_.size());
+        filters_.emplace_back();
+      }
+      filters_[state.filter] = {glm::max(glm::vec3(mean), 1e-6f), facts.fluid ? kFluidHeight : 1};
+    }
+  }
+}
+
+std::uint8_t SceneBuilder::filterAt(glm::ivec3 cell) const {
+  return states_[input_.blocks.indexAt(cell)].filter;
+}
+
+/// The box of all that is drawn or filters.
+void SceneBuilder::measure() {
+  if (placed_.empty()) return;
+  glm::ivec3 low = placed_[0].cell, high = low;
+  for (const PlacedQuad& placed : placed_) {
+    low = glm::min(low, placed.cell);
+    high = glm::max(high, placed.cell);
+  }
+  low_ = low;
+  size_ = high - low + 1;
+}
+
+void SceneBuilder::addCells() {
+  std::size_t next = 0;
+  for (int y = 0; y < size_.y; ++y) {
+    for (int z = 0; z < size_.z; ++z) {
+      for (int x = 0; x < size_.x; ++x) {
+        const glm::ivec3 cell = low_ + glm::ivec3(x, y, z);
+        const std::size_t first = next;
+        while (next < placed_.size() && placed_[next].cell == cell) ++next;
+        if (next == first && filterAt(cell) == 0) continue;
+        offsets_.push_back(std::uint32_t(x + size_.x * (z + size_.z * y)));
+        addCell(cell, first, next);
+      }
+    }
+  }
+}
+
+void SceneBuilder::addCell(glm::ivec3 cell, std::size_t first, std::size_t end) {
+  TraceCell& made = cells_.emplace_back();
+  made.firstQuad = std::uint32_t(quads_.size());
+  made.quadCount = std::uint8_t(std::min(end - first, std::size_t(255)));
+  made.filter = filterAt(cell);
+  made.cube = first < end && input_.facts[input_.blocks.indexAt(cell)].fullOpaqueCube &&
+              !anyOf(placed_, first, end, [](const PlacedQuad& placed) {
+                return !isUnitSide(placed) || placed.quad.alphaTested || placed.quad.translucent;
+              });
+  for (std::size_t i = first; i < first + made.quadCount; ++i) {
+    TraceQuad quad = placed_[i].quad;
+    const State& state = states_[quad.state];
+    quad.corner -= glm::vec3(low_);
+    quad.thin = state.thin;
+    quad.water = state.water;
+    quad.translucent = quad.translucent && !state.emits;
+    quad.filters = quad.translucent && state.filter == 0;
+    if (made.cube) made.cubeFaces = std::uint8_t(made.cubeFaces | 1 << placed_[i].face);
+    if (state.emits) {
+      quad.lamp = std::uint32_t(lamps_.size());
+      addLamp(quad, cell - low_);
+    }
+    quads_.push_back(quad);
+  }
+}
+
+void SceneBuilder::addLamp(const TraceQuad& quad, glm::ivec3 cell) {
+  LampFace face;
+  face.quad = std::uint32_t(quads_.size());
+  face.cell = cell;
+  face.radiance = states_[quad.state].radiance;
+  face.area = glm::length(quad.edgeU) * glm::length(quad.edgeV);
+  lamps_.push_back(face);
+}
+
+}  // namespace
+
+TraceScene buildTraceScene(const TraceSceneInput& input) { return SceneBuilder(input).build(); }
+
+}  // namespace orris

@@ -1,0 +1,110 @@
+// Rays through a grid of blocks. Each empty cell knows, for the eight octants of directions, how
+// large a cube of empty cells begins there: a ray leaps from cube to cube instead of walking cells.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "trace/ray.h"
+
+namespace orris {
+
+/// A rectangle: corner, edges, unit normal; texture coordinates run along the edges.
+struct TraceQuad {
+  glm::vec3 corner{0}, edgeU{0}, edgeV{0}, normal{0};
+  glm::vec2 uvCorner{0}, uvU{0}, uvV{0};  ///< atlas texels
+  glm::vec3 tint{1};                      ///< linear, times the texture
+  std::uint32_t lamp = kNoQuad;           ///< index of its lamp face
+  std::uint16_t state = 0;                ///< palette index
+  std::uint8_t emission = 0;              ///< light level 0..15
+  bool alphaTested = false;               ///< holes where the texture is
+  bool translucent = false;               ///< blended; rays pass
+  bool filters = false;  ///< translucent and no block of it: tints rays that meet its front
+  bool thin = false;     ///< lit from both sides
+  bool water = false;    ///< mirrors at grazing angles
+};
+
+/// What a cell does to a ray.
+struct TraceCell {
+  std::uint32_t firstQuad = 0;
+  std::uint8_t quadCount = 0;
+  std::uint8_t cubeFaces = 0;  ///< full cube: bit by FaceDirection, quads in that order
+  std::uint8_t filter = 0;     ///< index in `filters`, 0 none
+  bool cube = false;
+};
+
+/// Matter that fills cells up to a height: a block's depth of it lets `color` through.
+struct TraceFilter {
+  glm::vec3 color{1};
+  float height = 1;
+};
+
+/// Texels of the atlas, linear; alpha in w.
+struct TraceTexture {
+  int width = 0, height = 0;
+  std::vector<glm::vec4> texels;
+  const glm::vec4& at(const glm::vec2& texel) const {
+    const int x = glm::clamp(int(texel.x), 0, width - 1),
+              y = glm::clamp(int(texel.y), 0, height - 1);
+    return texels[std::size_t(y) * std::size_t(width) + std::size_t(x)];
+  }
+};
+
+/// Alpha below which a cutout texture has a hole: what the pack's programs and Iris use.
+constexpr float kAlphaTest = 0.1f;
+
+class VoxelGrid {
+ public:
+  VoxelGrid() = default;
+  /// `cells` are those that are not empty, by offset x + size.x * (z + size.z * y).
+  VoxelGrid(glm::ivec3 size, const std::vector<std::uint32_t>& offsets,
+            std::vector<TraceCell> cells, std::vector<TraceQuad> quads,
+            std::vector<TraceFilter> filters, TraceTexture texture);
+
+  /// The first quad that stops the ray. `frontOnly`: backs and filters are passed, as a camera
+  /// sees, and translucent quads stop it.
+  RayHit intersect(const Ray& ray) const { return walk<false>(ray); }
+  RayHit look(const Ray& ray) const { return walk<true>(ray); }
+  /// Moves a ray that starts outside to where it enters the grid; false: it misses.
+  bool enter(Ray& ray) const;
+
+  glm::ivec3 size() const { return size_; }
+  bool contains(glm::ivec3 cell) const;
+  const TraceQuad& quad(std::uint32_t index) const { return quads_[index]; }
+  const std::vector<TraceQuad>& quads() const { return quads_; }
+  const TraceTexture& texture() const { return texture_; }
+  /// Linear colour and alpha of a quad at a place on it.
+  glm::vec4 texel(const TraceQuad& quad, const glm::vec2& at) const {
+    return texture_.at(quad.uvCorner + quad.uvU * at.x + quad.uvV * at.y) * glm::vec4(quad.tint, 1);
+  }
+  /// Is there a way from this cell to the outside, past cells that are no full cubes?
+  bool isOpen(glm::ivec3 cell) const { return !contains(cell) || open_[offset(cell)] != 0; }
+
+ private:
+  struct Steps;
+  template <bool kCamera>
+  RayHit walk(const Ray& ray) const;
+  template <bool kCamera>
+  bool meet(const Ray& ray, const Steps& steps, RayHit& hit) const;
+  template <bool kCamera>
+  void meetQuads(const TraceCell& cell, const Ray& ray, RayHit& hit) const;
+  void measureOpenCubes();
+  void floodFromOutside();
+  std::size_t offset(glm::ivec3 p) const {
+    return std::size_t(p.x) +
+           std::size_t(size_.x) * (std::size_t(p.z) + std::size_t(size_.z) * std::size_t(p.y));
+  }
+
+  glm::ivec3 size_{0};
+  std::vector<std::uint32_t> cellAt_;  ///< index in cells_, 0 empty
+  std::vector<TraceCell> cells_;
+  std::vector<TraceQuad> quads_;
+  std::vector<TraceFilter> filters_;
+  TraceTexture texture_;
+  std::array<std::vector<std::uint8_t>, 8> openCubes_;  ///< by octant: bit axis set = positive
+  std::vector<std::uint8_t> open_;
+};
+
+}  // namespace orris
