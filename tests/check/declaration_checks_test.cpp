@@ -287,6 +287,23 @@ TEST(Types, samplers_and_formats) {
           "which is not compared"));
 }
 
+TEST(Types, custom_images_and_their_samplers_have_the_type_of_their_format) {
+  const auto shader = [](const std::string& image, const std::string& sampler) {
+    return fragmentOf("layout(r32ui) uniform " + image + " cells;\nuniform " + sampler +
+                          " cellSampler;\nvoid main() {\n  imageStore(cells, ivec3(0), uvec4(0));\n"
+                          "  gl_FragColor = vec4(texture(cellSampler, vec3(0)).r);\n}",
+                      "iris.features.required=CUSTOM_IMAGES\n"
+                      "image.cells=cellSampler RED_INTEGER R32UI UNSIGNED_INT false false 4 4 4\n");
+  };
+  EXPECT_THAT(messages(shader("uimage3D", "usampler3D")), IsEmpty());
+  EXPECT_THAT(
+      messages(shader("image3D", "sampler3D")),
+      ElementsAre("sampler-format /composite.fsh:2:31: warning: image3D cannot read cells, whose "
+                  "format is R32UI",
+                  "sampler-format /composite.fsh:3:19: warning: sampler3D cannot read cellSampler, "
+                  "whose format is R32UI"));
+}
+
 TEST(Types, a_custom_texture_may_have_any_type) {
   EXPECT_THAT(messages(fragmentOf("uniform sampler3D colortex6;\n"
                                   "void main() { gl_FragColor = texture(colortex6, vec3(0)); }",
@@ -338,6 +355,9 @@ TEST(TargetLimits, shared_memory_is_counted_as_mesa_counts_it) {
   };
   EXPECT_THAT(messages(compute("shared vec3 data[256][9];\n")),
               ElementsAre("target-limit /composite.csh:3:13: warning: the shared variables take "
+                          "36860 bytes, Mesa offers 32768"));
+  EXPECT_THAT(messages(compute("const int n = 9;\nshared vec3 data[256][n];\n")),
+              ElementsAre("target-limit /composite.csh:4:13: warning: the shared variables take "
                           "36860 bytes, Mesa offers 32768"));
   EXPECT_THAT(messages(compute("shared vec4 data[256][8];\n")), IsEmpty());
   EXPECT_THAT(messages(compute("shared vec3 data[256][9];\n"), "nvidia"), IsEmpty());

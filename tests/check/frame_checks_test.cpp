@@ -87,6 +87,17 @@ TEST(TargetUnwritten, a_read_before_the_only_writer_of_a_cleared_buffer_is_repor
   EXPECT_THAT(messagesOf(checkTargetsWritten, files), IsEmpty());
 }
 
+TEST(TargetUnwritten, an_image_store_fills_a_buffer) {
+  Files files = cleanPack();
+  const std::string store =
+      "#version 430\nlayout(local_size_x = 8) in;\nlayout(rgba8) uniform image2D colorimg5;\n"
+      "void main() { imageStore(colorimg5, ivec2(0), vec4(1.0)); }\n";
+  addProgram(files, "deferred", fragmentStage("0", {"colortex5"}));
+  addProgram(files, "composite", fragmentStage("1,5", {"colortex0"}));
+  files["/prepare.csh"] = store;
+  EXPECT_THAT(messagesOf(checkTargetsWritten, files), IsEmpty());
+}
+
 TEST(TargetUnwritten, a_writer_of_another_branch_program_or_folder_is_enough) {
   const std::string writer =
       "#version 330 compatibility\n#ifdef NEVER\n/* DRAWBUFFERS:05 */\n"
