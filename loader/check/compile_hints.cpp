@@ -17,7 +17,8 @@ namespace orris {
 namespace {
 
 // One missing #include leaves many names unknown: a few tell it all.
-constexpr std::size_t kMostExplained = 4;
+constexpr std::size_t kMostExplained = 8;
+constexpr const char* kMain = "main";
 
 /// The name that `message` calls unknown, "" for other messages.
 std::string unknownName(const std::string& message) {
@@ -77,6 +78,12 @@ class StageHints {
     } else if (found_[index].message.find("Missing entry point") != std::string::npos) {
       explainEntry(index);
     }
+  }
+
+  /// Adds where #include lines seem to be missing that would make known what explain() met.
+  void locateIncludes() {
+    for (const MissingInclude& missing : findMissingIncludes(index_, files_, unknown_))
+      addMissing(missing);
   }
 
  private:
@@ -148,22 +155,27 @@ class StageHints {
                                           definition->file, definition->line);
     Diagnostic& error = found_[index];
     error.hint += (error.hint.empty() ? "" : "; ") + where;
-    const auto missing = findMissingInclude(index_, files_, error, definition->file);
-    if (!missing) return true;
+    unknown_.push_back({name, error.at, error.includedFrom});
+    return true;
+  }
+
+  void addMissing(const MissingInclude& missing) {
+    const UnknownName& name = unknown_[missing.first];
+    const std::string problem =
+        name.name == kMain
+            ? "the stage has no main()"
+            : fmt::format("'{}' is unknown at {}:{}", name.name, name.at.file, name.at.line);
     Diagnostic companion{.severity = Severity::Error,
                          .id = "include-probably-missing",
-                         .at = missing->at,
-                         .message = fmt::format("'{}' is unknown at {}:{}: an #include seems to be "
-                                                "missing here",
-                                                name, error.at.file, error.at.line),
-                         .sourceLine = sourceLine(missing->at),
-                         .hint = fmt::format("#include \"{}\"", missing->target)};
-    if (missing->model.line > 0) {
+                         .at = missing.at,
+                         .message = problem + ": an #include seems to be missing here",
+                         .sourceLine = sourceLine(missing.at),
+                         .hint = fmt::format("#include \"{}\"", missing.target)};
+    if (missing.model.line > 0) {
       companion.notes.push_back(
-          fmt::format("as {}:{} does", missing->model.file, missing->model.line));
+          fmt::format("as {}:{} does", missing.model.file, missing.model.line));
     }
     add(std::move(companion));
-    return true;
   }
 
   // A type or macro that is not there reads as a syntax error: some word of the line is the cause.
@@ -184,6 +196,7 @@ class StageHints {
     const int last = static_cast<int>(lines->second.size());
     found_[index].at.line = std::max(1, includes.empty() ? last : includes.back().line + 1);
     found_[index].hint = "write void main() here, or #include the file that does";
+    if (definedElsewhere(kMain)) unknown_.push_back({kMain, {files_.front(), last + 1, 0}, {}});
   }
 
   void suggestKnown(std::size_t index, const std::string& name) {
@@ -221,6 +234,7 @@ class StageHints {
   const StageText& stage_;
   Diagnostics& found_;
   std::vector<std::string> files_;
+  std::vector<UnknownName> unknown_;
 };
 
 }  // namespace
@@ -236,6 +250,7 @@ void explainUnknownNames(DefinitionIndex& index, const std::vector<const StageTe
       hints.explain(i);
       ++explained;
     }
+    hints.locateIncludes();
   }
 }
 

@@ -12,7 +12,7 @@ namespace orris {
 namespace {
 
 constexpr std::size_t kLargestFile = std::size_t{4} << 20;
-constexpr std::size_t kMostDefinitions = 64;
+constexpr std::size_t kMostDefinitions = 256;
 
 bool isShaderText(std::string_view path) {
   constexpr std::array<std::string_view, 13> kEnds = {".vsh",  ".fsh",  ".gsh",     ".csh", ".tcs",
@@ -43,8 +43,8 @@ std::string_view lastWord(std::string_view text) {
   return text.substr(begin);
 }
 
-/// Is `name`, which stands at `at` in `line`, declared or defined there?
-bool definesAt(std::string_view line, std::size_t at, std::string_view name) {
+/// Is `name`, which stands at `at` in `line`, declared or defined there? `inBlock`: within braces.
+bool definesAt(std::string_view line, std::size_t at, std::string_view name, bool inBlock) {
   if (const auto rest = afterDirective(line, "define")) return leadingWord(trim(*rest)) == name;
   if (trim(line).starts_with('#')) return false;
   const std::string_view before = trim(line.substr(0, at));
@@ -56,20 +56,22 @@ bool definesAt(std::string_view line, std::size_t at, std::string_view name) {
   if (word.empty() || isStatementWord(word) || (word[0] >= '0' && word[0] <= '9')) return false;
   if (after.starts_with('(')) return before.find_first_of("=(,") == std::string_view::npos;
   const bool declares = after.empty() || after.find_first_of("=;[,") == 0;
-  // An indented line without a qualifier is a local variable.
-  const bool global = line[0] != ' ' && line[0] != '\t';
-  return declares && !after.starts_with("==") && (global || isQualifier(leadingWord(before)));
+  return declares && !after.starts_with("==") && (!inBlock || isQualifier(leadingWord(before)));
 }
 
 void findIn(const std::string& file, const FileLines& lines, const std::string& name,
             std::vector<SourceLocation>& found) {
+  int depth = 0;
   for (std::size_t i = 0; i < lines.size() && found.size() < kMostDefinitions; ++i) {
     const std::string& line = lines[i];
+    const bool inBlock = depth > 0;
+    for (const char c : line) depth += c == '{' ? 1 : c == '}' ? -1 : 0;
+    if (line.starts_with('}')) depth = 0;
     for (std::size_t at = line.find(name); at != std::string::npos; at = line.find(name, at + 1)) {
       const std::size_t end = at + name.size();
       const bool whole = (at == 0 || !isWordCharacter(line[at - 1])) &&
                          (end >= line.size() || !isWordCharacter(line[end]));
-      if (!whole || !definesAt(line, at, name)) continue;
+      if (!whole || !definesAt(line, at, name, inBlock)) continue;
       found.push_back({file, static_cast<int>(i) + 1, static_cast<int>(at) + 1});
       break;
     }
@@ -103,7 +105,11 @@ void DefinitionIndex::readAll() {
     const auto text = pack_.source->read(path);
     if (text && text->size() <= kLargestFile) files_[path] = splitLines(*text);
   }
-  for (const auto& [file, lines] : files_) includes_[file] = includeLines(file, lines);
+  for (const auto& [file, lines] : files_) {
+    includes_[file] = includeLines(file, lines);
+    for (const IncludeLine& include : includes_[file])
+      includers_[include.target].push_back({file, include.line, 0});
+  }
 }
 
 const std::map<std::string, FileLines>& DefinitionIndex::files() {
@@ -116,6 +122,13 @@ const std::vector<IncludeLine>& DefinitionIndex::includesOf(const std::string& f
   load();
   const auto found = includes_.find(file);
   return found == includes_.end() ? kNone : found->second;
+}
+
+const std::vector<SourceLocation>& DefinitionIndex::includersOf(const std::string& file) {
+  static const std::vector<SourceLocation> kNone;
+  load();
+  const auto found = includers_.find(file);
+  return found == includers_.end() ? kNone : found->second;
 }
 
 const std::vector<SourceLocation>& DefinitionIndex::definitionsOf(const std::string& name) {

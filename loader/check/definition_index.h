@@ -29,6 +29,8 @@ class DefinitionIndex {
   const std::vector<SourceLocation>& definitionsOf(const std::string& name);
   /// #include lines of a file, by line.
   const std::vector<IncludeLine>& includesOf(const std::string& file);
+  /// The #include lines of all files that name `file`, by file.
+  const std::vector<SourceLocation>& includersOf(const std::string& file);
   /// All shader texts of the pack.
   const std::map<std::string, FileLines>& files();
   /// Does `file` include `target`, itself or through others?
@@ -42,6 +44,7 @@ class DefinitionIndex {
   std::once_flag once_;
   std::map<std::string, FileLines> files_;
   std::map<std::string, std::vector<IncludeLine>> includes_;
+  std::map<std::string, std::vector<SourceLocation>> includers_;
   std::mutex mutex_;
   std::map<std::string, std::vector<SourceLocation>> found_;
 };

@@ -1,176 +1,211 @@
 #include "check/missing_include.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
-#include "pack/text.h"
+#include "check/include_place.h"
+#include "core/pack_path.h"
 
 namespace orris {
 namespace {
 
-using Includes = std::vector<IncludeLine>;
+// Packs are untrusted, and the best candidates come first.
+constexpr std::size_t kMostTargets = 64, kMostFiles = 128, kMostPlaces = 16;
 
-bool includes(const Includes& lines, const std::string& target) {
-  return std::any_of(lines.begin(), lines.end(),
-                     [&](const IncludeLine& line) { return line.target == target; });
+// What speaks for a file and what it should include, beside likeness() to one that does.
+constexpr double kAllNames = 3;    // it makes all names known
+constexpr double kAllPeers = 1;    // all files beside it do the same
+constexpr double kOrphan = 0.8;    // nothing includes the target any more
+constexpr double kSameStem = 0.7;  // world0/final.fsh of program/final.glsl
+constexpr double kInChain = 0.3;   // the use is in the file, or included by it
+constexpr double kGap = 0.5;       // a blank line beside an #include
+
+std::string_view stemOf(std::string_view path) {
+  path = path.substr(path.rfind('/') + 1);
+  return path.substr(0, path.rfind('.'));
 }
 
-/// Files of the same name, in other folders, are versions of one program.
-std::string_view fileName(std::string_view path) { return path.substr(path.rfind('/') + 1); }
-
-// So that a file without any #include left still has models, the nearest in name.
-constexpr double kSomeLikeness = 0.01;
-// An empty line beside an #include is where one was taken out.
-constexpr double kGapBonus = 0.5;
-
-/// How much two files include the same: 0 to 1, more for files of the same name.
-double likeness(const std::string& file, const Includes& a, const std::string& other,
-                const Includes& b) {
-  std::size_t common = 0;
-  for (const IncludeLine& line : a) common += includes(b, line.target) ? 1 : 0;
-  const double all = static_cast<double>(a.size() + b.size() - common);
-  const double bonus = fileName(file) == fileName(other) ? 1 : 0;
-  return (all > 0 ? static_cast<double>(common) / all : 0) + bonus + kSomeLikeness;
+std::string_view suffixOf(std::string_view path) {
+  const std::size_t dot = path.rfind('.');
+  return dot == std::string_view::npos ? "" : path.substr(dot);
 }
 
-bool isBlank(const FileLines& lines, int line) {
-  return line >= 1 && static_cast<std::size_t>(line) <= lines.size() &&
-         trim(lines[static_cast<std::size_t>(line) - 1]).empty();
-}
-
-bool isBesideInclude(const Includes& includes, int line) {
-  return std::any_of(includes.begin(), includes.end(), [line](const IncludeLine& include) {
-    return include.line == line - 1 || include.line == line + 1;
-  });
-}
-
-/// The only blank line between two #include lines, 0 when there is none or more than one.
-int onlyGap(const FileLines& lines, const Includes& includes) {
-  int found = 0;
-  for (std::size_t i = 1; i < includes.size(); ++i) {
-    const int line = includes[i].line - 1;
-    if (includes[i - 1].line != line - 1 || !isBlank(lines, line)) continue;
-    if (found > 0) return 0;
-    found = line;
-  }
-  return found;
-}
-
-/// The line of `lines` that reads like `text`, 0 unless there is exactly one.
-int lineLike(const FileLines& lines, std::string_view text) {
-  int found = 0;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (trim(lines[i]) != text) continue;
-    if (found > 0) return 0;
-    found = static_cast<int>(i) + 1;
-  }
-  return found;
-}
-
-/// Where the line `wanted` of `model` would stand in `lines`: at its distance from the nearest line
-/// above, else below, that both have; 0 when there is none.
-int placeLike(const FileLines& lines, const FileLines& model, int wanted) {
-  constexpr int kFarthest = 8;
-  for (const int step : {-1, 1}) {
-    for (int i = 1; i <= kFarthest; ++i) {
-      const int neighbour = wanted + step * i;
-      if (neighbour < 1 || static_cast<std::size_t>(neighbour) > model.size()) break;
-      const std::string_view text = trim(model[static_cast<std::size_t>(neighbour) - 1]);
-      const int same = text.size() < 3 ? 0 : lineLike(lines, text);
-      if (same > 0) return std::clamp(same - step * i, 1, static_cast<int>(lines.size()));
-    }
-  }
-  return 0;
-}
-
-/// The first blank line behind an #include and before the name is needed, else behind the last one.
-int placeInGap(const FileLines& lines, const Includes& here, int neededAt) {
-  int last = here.empty() ? neededAt - 1 : 0;
-  for (const IncludeLine& include : here) {
-    if (neededAt > 0 && include.line > neededAt) break;
-    if (last > 0 && include.line == last + 2 && isBlank(lines, last + 1)) return last + 1;
-    last = include.line;
-  }
-  return last + 1;
-}
+struct Candidate {
+  std::string file, target;
+  std::set<std::size_t> names;  ///< those that the target makes known
+  double score = 0;
+  int before = 0;
+};
 
 class Search {
  public:
-  Search(DefinitionIndex& index, const std::vector<std::string>& reached, const Diagnostic& error,
-         std::string definer)
-      : index_(index), reached_(reached.begin(), reached.end()), definer_(std::move(definer)) {
-    neededAt_[error.at.file] = error.at.line;
-    for (const SourceLocation& from : error.includedFrom) neededAt_.emplace(from.file, from.line);
+  Search(DefinitionIndex& index, const std::vector<std::string>& reached,
+         const std::vector<UnknownName>& names)
+      : index_(index), names_(names) {
+    for (const std::string& file : reached) {
+      if (!index.files().contains(file) || !order_.try_emplace(file, order_.size()).second)
+        continue;
+      if (files_.size() < kMostFiles) files_.push_back(file);
+    }
   }
 
-  /// The best pair of a file of the stage and one like it that includes the definer.
-  std::optional<MissingInclude> byModel() {
-    double best = 0;
-    std::optional<MissingInclude> result;
-    for (const auto& [model, lines] : index_.files()) {
-      const Includes& there = index_.includesOf(model);
-      for (const IncludeLine& line : there) {
-        if (reached_.contains(line.target) || !leadsToDefiner(line.target)) continue;
-        for (const std::string& file : reached_) {
-          if (file == model || includes(index_.includesOf(file), line.target)) continue;
-          const FileLines& own = index_.files().at(file);
-          const Includes& here = index_.includesOf(file);
-          const int gapLine = onlyGap(own, here);
-          const bool useGap = gapLine > 0 && !isTooLate(file, gapLine);
-          const int at = useGap ? gapLine : placeLike(own, lines, line.line);
-          if (at == 0 || isTooLate(file, at)) continue;
-          const double gap = isBlank(own, at) && isBesideInclude(here, at) ? kGapBonus : 0;
-          const double score = likeness(file, here, model, there) + gap;
-          if (score <= best) continue;
-          best = score;
-          result = {{file, at, 0}, line.target, {model, line.line, 0}};
-        }
-      }
+  std::vector<MissingInclude> run() {
+    findTargets();
+    std::set<std::size_t> open;
+    for (std::size_t i = 0; i < names_.size(); ++i) open.insert(i);
+    std::vector<MissingInclude> result;
+    while (!open.empty()) {
+      const auto best = bestOf(open);
+      if (!best) break;
+      result.push_back(best->first);
+      for (const std::size_t name : best->second) open.erase(name);
     }
     return result;
   }
 
-  MissingInclude byGap(const SourceLocation& user) {
-    const auto found = index_.files().find(user.file);
-    static const FileLines kNone;
-    const FileLines& lines = found == index_.files().end() ? kNone : found->second;
-    return {
-        {user.file, placeInGap(lines, index_.includesOf(user.file), user.line), 0}, definer_, {}};
-  }
-
  private:
-  bool isTooLate(const std::string& file, int line) const {
-    const auto needed = neededAt_.find(file);
-    return needed != neededAt_.end() && line >= needed->second;
+  /// The files that would make each name known: its definers and what leads to them.
+  void findTargets() {
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+      std::vector<std::string> queue;
+      for (const SourceLocation& definition : index_.definitionsOf(names_[i].name))
+        queue.push_back(definition.file);
+      std::set<std::string> seen;
+      while (!queue.empty() && seen.size() < kMostTargets) {
+        const std::string file = queue.back();
+        queue.pop_back();
+        if (order_.contains(file) || !seen.insert(file).second) continue;
+        if (isTarget(file, names_[i].name)) targets_[file].insert(i);
+        for (const SourceLocation& includer : index_.includersOf(file))
+          queue.push_back(includer.file);
+      }
+    }
   }
 
-  bool leadsToDefiner(const std::string& target) {
-    const auto [known, isNew] = leads_.try_emplace(target);
-    if (isNew) known->second = index_.reaches(target, definer_);
+  // Entry files are not included by others, and what holds main is no library.
+  bool isTarget(const std::string& file, const std::string& name) {
+    if (index_.includersOf(file).empty() && file.ends_with("sh")) return false;
+    return name == "main" || !leadsToMain(file);
+  }
+
+  bool leadsToMain(const std::string& file) {
+    const auto [known, isNew] = leadsToMain_.try_emplace(file);
+    if (isNew) {
+      known->second = std::ranges::any_of(
+          index_.definitionsOf("main"),
+          [&](const SourceLocation& main) { return index_.reaches(file, main.file); });
+    }
     return known->second;
   }
 
+  std::optional<std::pair<MissingInclude, std::set<std::size_t>>> bestOf(
+      const std::set<std::size_t>& open) {
+    std::vector<Candidate> candidates;
+    for (const auto& [target, known] : targets_) {
+      std::set<std::size_t> names;
+      std::ranges::set_intersection(known, open, std::inserter(names, names.end()));
+      if (names.empty()) continue;
+      for (const std::string& file : files_) {
+        if (auto candidate = weigh(file, target, names)) candidates.push_back(*candidate);
+      }
+    }
+    std::ranges::stable_sort(candidates, std::ranges::greater(), &Candidate::score);
+    candidates.resize(std::min(candidates.size(), kMostPlaces));
+    return placed(candidates, open.size());
+  }
+
+  std::optional<Candidate> weigh(const std::string& file, const std::string& target,
+                                 const std::set<std::size_t>& names) {
+    Candidate candidate{file, target, names};
+    for (const IncludeLine& line : index_.includesOf(file)) {
+      if (line.target == target) return std::nullopt;
+    }
+    bool inChain = false;
+    for (const std::size_t i : names) {
+      const auto user = order_.find(names_[i].at.file);
+      if (user != order_.end() && order_.at(file) > user->second) return std::nullopt;
+      const int needed = neededAt(names_[i], file);
+      inChain = inChain || needed > 0;
+      if (needed > 0)
+        candidate.before = candidate.before ? std::min(candidate.before, needed) : needed;
+    }
+    const auto& includers = index_.includersOf(target);
+    double likest = 0;
+    for (const SourceLocation& model : includers)
+      likest = std::max(likest, likeness(index_, file, model.file));
+    candidate.score = likest + kAllPeers * shareOfPeers(file, target) +
+                      (includers.empty() ? kOrphan : 0) + (inChain ? kInChain : 0) +
+                      (stemOf(file) == stemOf(target) ? kSameStem : 0);
+    return candidate;
+  }
+
+  /// The line of `file` by which the name must be known, 0 when `file` does not lead to its use.
+  static int neededAt(const UnknownName& name, const std::string& file) {
+    if (name.at.file == file) return name.at.line;
+    for (const SourceLocation& from : name.includedFrom) {
+      if (from.file == file) return from.line;
+    }
+    return 0;
+  }
+
+  /// How many of the files beside `file` include the target: 0 to 1.
+  double shareOfPeers(const std::string& file, const std::string& target) {
+    const std::string_view folder = packPathParent(file), suffix = suffixOf(file);
+    const auto isPeer = [&](const std::string& other) {
+      return other != file && packPathParent(other) == folder && suffixOf(other) == suffix;
+    };
+    const auto [count, isNew] = peers_.try_emplace(file);
+    if (isNew) {
+      for (const auto& [other, lines] : index_.files()) count->second += isPeer(other) ? 1 : 0;
+    }
+    std::set<std::string_view> same;
+    for (const SourceLocation& includer : index_.includersOf(target)) {
+      if (isPeer(includer.file)) same.insert(includer.file);
+    }
+    return count->second < 2 ? 0 : double(same.size()) / double(count->second);
+  }
+
+  std::optional<std::pair<MissingInclude, std::set<std::size_t>>> placed(
+      std::vector<Candidate>& candidates, std::size_t open) {
+    std::optional<std::pair<MissingInclude, std::set<std::size_t>>> best;
+    double most = 0;
+    for (const Candidate& candidate : candidates) {
+      IncludePlace place =
+          placeByModels(index_, candidate.file, candidate.target, candidate.before);
+      if (place.line == 0) {
+        // Without a model only a file on the way to the use tells where.
+        if (candidate.before == 0) continue;
+        place.line = placeBehindIncludes(index_, candidate.file, candidate.before);
+      }
+      const double score = candidate.score + (place.gap ? kGap : 0) +
+                           kAllNames * double(candidate.names.size()) / double(open);
+      if (score <= most) continue;
+      most = score;
+      best = {{{candidate.file, place.line, 0},
+               candidate.target,
+               place.model,
+               *candidate.names.begin()},
+              candidate.names};
+    }
+    return best;
+  }
+
   DefinitionIndex& index_;
-  std::set<std::string> reached_;
-  std::string definer_;
-  std::map<std::string, int> neededAt_;  ///< line by which each file must have it
-  std::map<std::string, bool> leads_;
+  const std::vector<UnknownName>& names_;
+  std::vector<std::string> files_;
+  std::map<std::string, std::size_t> order_;  ///< of the first text of each file
+  std::map<std::string, std::set<std::size_t>> targets_;
+  std::map<std::string, bool> leadsToMain_;
+  std::map<std::string, std::size_t> peers_;
 };
 
 }  // namespace
 
-std::optional<MissingInclude> findMissingInclude(DefinitionIndex& index,
-                                                 const std::vector<std::string>& reached,
-                                                 const Diagnostic& error,
-                                                 const std::string& definer) {
-  std::vector<std::string> known;
-  for (const std::string& file : reached) {
-    if (index.files().contains(file)) known.push_back(file);
-  }
-  if (known.empty()) return std::nullopt;
-  Search search(index, known, error, definer);
-  if (auto found = search.byModel()) return found;
-  return search.byGap(error.at);
+std::vector<MissingInclude> findMissingIncludes(DefinitionIndex& index,
+                                                const std::vector<std::string>& reached,
+                                                const std::vector<UnknownName>& names) {
+  return Search(index, reached, names).run();
 }
 
 }  // namespace orris

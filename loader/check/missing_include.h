@@ -1,4 +1,4 @@
-// Where an #include most likely belongs that a stage lacks.
+// Where #include lines most likely belong that a stage lacks.
 #pragma once
 
 #include <optional>
@@ -9,19 +9,25 @@
 
 namespace orris {
 
-struct MissingInclude {
-  SourceLocation at;     ///< where the line should stand
-  std::string target;    ///< what it should include
-  SourceLocation model;  ///< a similar file that does, line 0 when there is none
+/// A use of what only files define that the stage does not include.
+struct UnknownName {
+  std::string name;
+  SourceLocation at;
+  std::vector<SourceLocation> includedFrom;  ///< the #include lines that lead there
 };
 
-/// `reached` are the files of the stage, `error` the use of what only `definer` defines: the line
-/// must stand before it and before the #includes that lead to it. A file with nearly the same
-/// #include lines shows the place; without one it is the first gap among those of the user, or the
-/// end of them.
-std::optional<MissingInclude> findMissingInclude(DefinitionIndex& index,
-                                                 const std::vector<std::string>& reached,
-                                                 const Diagnostic& error,
-                                                 const std::string& definer);
+struct MissingInclude {
+  SourceLocation at;      ///< where the line should stand
+  std::string target;     ///< what it should include
+  SourceLocation model;   ///< a similar file that does, line 0 when there is none
+  std::size_t first = 0;  ///< the first of the names that it makes known
+};
+
+/// As few #include lines as make all names known. Each goes into the file whose likes (files of its
+/// folder, files with nearly the same #include lines, files of the same name) include the target,
+/// before the name is used. `reached` are the files of the stage in the order of their text.
+std::vector<MissingInclude> findMissingIncludes(DefinitionIndex& index,
+                                                const std::vector<std::string>& reached,
+                                                const std::vector<UnknownName>& names);
 
 }  // namespace orris

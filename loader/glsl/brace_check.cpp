@@ -4,9 +4,9 @@
 #include <map>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "glsl/nesting.h"
 #include "glsl/text_tokens.h"
 
 namespace orris {
@@ -23,6 +23,8 @@ struct LaidOut {
   bool firstOfLine = false;
   int indent = 0;     ///< of its line
   int statement = 0;  ///< indent of the line where its statement starts
+  int file = 0;       ///< number of its file
+  int row = 0;        ///< of the text
 };
 
 class Layout {
@@ -51,30 +53,25 @@ class Layout {
   LaidOut place(const Token& token) {
     const SourceLocation at = text_.locate(token.origin.line, token.origin.column);
     const bool written = text_.macroIndexAt(token.origin.line, token.origin.column) < 0;
-    if (at.file.empty() || !written) return {&token, false, indent_};
+    if (at.file.empty() || !written) return {&token, false, indent_, 0, number_, token.origin.line};
     const bool first = at.file != file_ || at.line != line_;
     if (first) indent_ = indentOf(at);
     file_ = at.file;
     line_ = at.line;
-    return {&token, first, indent_};
+    number_ = numbers_.try_emplace(file_, int(numbers_.size())).first->second;
+    return {&token, first, indent_, 0, number_, token.origin.line};
   }
 
   int indentOf(const SourceLocation& at) const {
-    constexpr int kTab = 4;
     const std::string line = lines_ ? lines_(at.file, at.line) : "";
-    if (line.empty()) return at.column - 1;
-    int width = 0;
-    for (const char c : line) {
-      if (c != ' ' && c != '\t') break;
-      width = c == '\t' ? (width / kTab + 1) * kTab : width + 1;
-    }
-    return width;
+    return line.empty() ? at.column - 1 : indentWidth(line);
   }
 
   const MappedText& text_;
   const SourceLines& lines_;
+  std::map<std::string, int> numbers_;
   std::string file_;
-  int line_ = 0, indent_ = 0, statement_ = 0;
+  int line_ = 0, indent_ = 0, statement_ = 0, number_ = 0;
 };
 
 using Part = std::span<const LaidOut>;
@@ -110,71 +107,145 @@ std::vector<Part> splitByFunction(Part tokens) {
   return parts;
 }
 
-// Braces that a stack pairs, -1 for the missing one.
-using Pairs = std::vector<std::pair<int, int>>;
-
-Pairs pairBraces(Part part) {
-  Pairs pairs;
-  std::vector<int> open;
-  for (int i = 0; i < int(part.size()); ++i) {
-    if (is(part[size_t(i)], "{")) open.push_back(i);
-    if (!is(part[size_t(i)], "}")) continue;
-    pairs.emplace_back(open.empty() ? -1 : open.back(), i);
-    if (!open.empty()) open.pop_back();
+std::vector<NestingMark> marksOf(Part part) {
+  std::vector<NestingMark> marks;
+  for (const LaidOut& entry : part) {
+    const NestingMark mark{.indent = entry.statement, .group = entry.file, .line = entry.row};
+    if (is(entry, "{")) marks.push_back(mark);
+    if (!is(entry, "}")) continue;
+    marks.push_back(mark);
+    marks.back().kind = NestingMark::Kind::Close;
+    marks.back().indent = entry.firstOfLine ? entry.indent : -1;
   }
-  for (const int i : open) pairs.emplace_back(i, -1);
-  return pairs;
+  return marks;
 }
 
-MissingBrace missingClose(Part part, const Pairs& pairs) {
-  const auto isDeeper = [part](const std::pair<int, int>& pair) {
-    if (pair.first < 0 || pair.second < 0) return pair.first >= 0;
-    const LaidOut& close = part[size_t(pair.second)];
-    return close.firstOfLine && part[size_t(pair.first)].statement > close.indent;
-  };
-  const auto open = size_t(std::ranges::find_if(pairs, isDeeper)->first);
-  const int limit = part[open].statement;
-  // A line that stands further left than the first one inside is outside.
-  int inside = -1;
-  for (std::size_t i = open + 1; i < part.size(); ++i) {
-    if (!part[i].firstOfLine) continue;
-    if (inside < 0 && part[i].indent > limit) inside = part[i].indent;
-    if (part[i].indent <= limit || part[i].indent < inside) {
-      return {'}', *part[i - 1].token, *part[open].token};
-    }
+/// A place in the nesting, and the token it is behind.
+struct Candidates {
+  std::vector<NestingPlace> places;
+  std::vector<std::size_t> after;
+
+  void add(const NestingPlace& place, std::size_t token) {
+    places.push_back(place);
+    after.push_back(token);
   }
-  return {'}', *part.back().token, *part[open].token};
+};
+
+// What speaks for a place beside the pairs.
+constexpr int kBeforeElse = -6, kBehindHead = -6, kHeadInLine = -2, kNoHint = 2;
+
+/// Ends of lines where a block may end: the text goes back to the left, or goes on with an "else"
+/// that stands below the head of the block.
+Candidates placesToClose(Part part) {
+  Candidates found;
+  std::size_t braces = 0;
+  std::map<int, int> indents;          // of the last line of each file
+  std::vector<const LaidOut*> blocks;  // that are open
+  bool opened = false;                 // in the last line
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    const LaidOut& entry = part[i];
+    if (entry.firstOfLine && i > 0) {
+      const bool orElse = is(entry, "else") && !blocks.empty() &&
+                          blocks.back()->file == entry.file &&
+                          blocks.back()->statement == entry.indent;
+      const auto last = indents.find(entry.file);
+      if (opened || orElse || last == indents.end() || entry.indent < last->second) {
+        found.add({braces, entry.indent, entry.file, entry.row, orElse ? kBeforeElse : 0}, i - 1);
+      }
+    }
+    if (entry.firstOfLine) {
+      indents[entry.file] = entry.indent;
+      opened = false;
+    }
+    opened = opened || is(entry, "{");
+    braces += is(entry, "{") || is(entry, "}") ? 1 : 0;
+    if (is(entry, "{")) blocks.push_back(&entry);
+    if (is(entry, "}") && !blocks.empty()) blocks.pop_back();
+  }
+  found.add({.before = braces, .line = part.back().row}, part.size() - 1);
+  return found;
 }
 
-MissingBrace missingOpen(Part part, const Pairs& pairs) {
-  const auto isDeeper = [part](const std::pair<int, int>& pair) {
-    if (pair.first < 0 || pair.second < 0) return pair.second >= 0;
-    const LaidOut& close = part[size_t(pair.second)];
-    return close.firstOfLine && part[size_t(pair.first)].statement < close.indent;
-  };
-  const auto close = size_t(std::ranges::find_if(pairs, isDeeper)->second);
-  // The line before the indented ones is where the block starts.
-  std::size_t last = close;
-  for (std::size_t i = close; i-- > 0;) {
-    if (part[i].indent <= part[close].indent) {
-      last = i;
-      break;
+/// Ends of heads, "if (...)", "else" and "void main()", that no brace follows.
+Candidates placesToOpen(Part part) {
+  Candidates found;
+  std::size_t braces = 0;
+  int parentheses = 0;
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    const LaidOut& entry = part[i];
+    if (is(entry, "{") || is(entry, "}")) {
+      ++braces;
+      parentheses = 0;
     }
+    parentheses += is(entry, "(") ? 1 : is(entry, ")") ? -1 : 0;
+    const bool ends = i + 1 == part.size();
+    const bool head = (is(entry, ")") && parentheses <= 0) || is(entry, "else");
+    const bool names = !ends && part[i + 1].token->kind == TokenKind::Identifier;
+    const bool newLine = ends || part[i + 1].firstOfLine;
+    const bool goesOn = names && !(is(entry, "else") && is(part[i + 1], "if"));
+    const bool inner = !ends && is(part[i + 1], "}");
+    if (!(head && (goesOn || inner)) && !(newLine && !ends && part[i + 1].indent > entry.indent))
+      continue;
+    found.add({braces, entry.statement, entry.file, entry.row,
+               head ? (newLine ? kBehindHead : kHeadInLine) : kNoHint},
+              i);
   }
-  return {'{', *part[last].token, *part[close].token};
+  if (found.places.empty()) found.add({.line = part.front().row}, 0);
+  return found;
+}
+
+/// The token of each brace.
+std::vector<std::size_t> bracesOf(Part part) {
+  std::vector<std::size_t> braces;
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    if (is(part[i], "{") || is(part[i], "}")) braces.push_back(i);
+  }
+  return braces;
+}
+
+std::optional<MissingBrace> missingIn(Part part, NestingMark::Kind kind) {
+  const bool close = kind == NestingMark::Kind::Close;
+  const Candidates candidates = close ? placesToClose(part) : placesToOpen(part);
+  const auto found = findMissingMark(marksOf(part), candidates.places, kind);
+  if (!found) return std::nullopt;
+  const LaidOut& partner = part[bracesOf(part)[found->partner]];
+  return MissingBrace{close ? '}' : '{', *part[candidates.after[found->place]].token,
+                      *partner.token, partner.statement};
 }
 
 }  // namespace
+
+int indentWidth(std::string_view line) {
+  constexpr int kTab = 4;
+  int width = 0;
+  for (const char c : line) {
+    if (c != ' ' && c != '\t') break;
+    width = c == '\t' ? (width / kTab + 1) * kTab : width + 1;
+  }
+  return width;
+}
+
+SourceLocation placeOfBrace(const MappedText& text, const MissingBrace& missing,
+                            const SourceLines& lines) {
+  SourceLocation at = placeAfter(text, missing.after);
+  if (missing.brace == '{' || !lines) return at;
+  for (;;) {
+    const std::string line = lines(at.file, at.line + 1);
+    const bool inside = line.find('#') == line.find_first_not_of(" \t") &&
+                        indentWidth(line) > missing.indent && !line.empty();
+    if (!inside) return at;
+    at = {at.file, at.line + 1, int(line.size()) + 1};
+  }
+}
 
 std::optional<MissingBrace> findMissingBrace(const MappedText& text, const SourceLines& lines) {
   const std::vector<Token> tokens = tokensOf(text);
   const std::vector<LaidOut> layout = Layout(text, lines).read(tokens);
   for (const Part part : splitByFunction(layout)) {
-    const Pairs pairs = pairBraces(part);
     int balance = 0;
-    for (const auto& [open, close] : pairs) balance += close < 0 ? 1 : open < 0 ? -1 : 0;
-    if (balance > 0) return missingClose(part, pairs);
-    if (balance < 0) return missingOpen(part, pairs);
+    for (const LaidOut& entry : part) balance += is(entry, "{") ? 1 : is(entry, "}") ? -1 : 0;
+    if (balance == 0) continue;
+    return missingIn(part, balance > 0 ? NestingMark::Kind::Close : NestingMark::Kind::Open);
   }
   return std::nullopt;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 
 #include "glsl/source_map.h"
 #include "glsl/token.h"
@@ -11,9 +12,17 @@ namespace orris {
 
 struct MissingBrace {
   char brace = '}';
-  Token after;    ///< the last token before the place where it is missing
-  Token partner;  ///< the brace that has no other
+  Token after;     ///< the last token before the place where it is missing
+  Token partner;   ///< the brace that has no other
+  int indent = 0;  ///< of the statement with the partner
 };
+
+/// Columns of white space before the text; tabs reach to multiples of four.
+int indentWidth(std::string_view line);
+
+/// Where the author should write it: behind the directives that stand inside the block.
+SourceLocation placeOfBrace(const MappedText& text, const MissingBrace& missing,
+                            const SourceLines& lines);
 
 /// Judged by functions, which cannot stand in one another, and then by the author's indentation.
 /// nullopt when all braces have partners.

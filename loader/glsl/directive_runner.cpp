@@ -87,7 +87,8 @@ const DirectiveRunner::Directive* DirectiveRunner::find(std::string_view name) {
 
 DirectiveRunner::DirectiveRunner(const FlatSource& source, const MacroDefinitions& environment,
                                  TokenStream& stream, Diagnostics& diagnostics, NameWatch* watch)
-    : reader_(source),
+    : source_(source),
+      reader_(source),
       sites_(source.sites),
       stream_(stream),
       diagnostics_(diagnostics),
@@ -251,6 +252,27 @@ void DirectiveRunner::reportUnbalanced(const Origin& at, std::string problem) {
   report(Severity::Warning, "conditional-unbalanced", at, std::move(problem), kTolerated);
 }
 
+bool DirectiveRunner::reportInFiles() {
+  if (unbalanced_) return !unbalanced_->empty();
+  unbalanced_ = findUnbalancedConditionals(source_);
+  for (const UnbalancedConditional& found : *unbalanced_) {
+    switch (found.kind) {
+      case UnbalancedConditional::Kind::Unclosed:
+        reportUnbalanced(found.at, fmt::format("#{} is not closed: expected #endif before the end",
+                                               found.directive));
+        break;
+      case UnbalancedConditional::Kind::Stray:
+        reportUnbalanced(found.at, "#endif without #if");
+        break;
+      case UnbalancedConditional::Kind::Misspelt:
+        report(Severity::Warning, "directive-unknown", found.at,
+               fmt::format("unknown preprocessor directive '#{}'", found.directive),
+               fmt::format("did you mean #{}?", found.meant));
+    }
+  }
+  return !unbalanced_->empty();
+}
+
 void DirectiveRunner::onIf(const std::vector<Token>& tokens) {
   const bool condition = conditionals_.active() && isTrue(tokens);
   conditionals_.open(tokens.front().origin, tokens.front().text, condition);
@@ -277,7 +299,7 @@ void DirectiveRunner::onElse(const std::vector<Token>& tokens) {
 
 void DirectiveRunner::onEndif(const std::vector<Token>& tokens) {
   const std::string problem = conditionals_.close(tokens.front().origin);
-  if (problem.empty()) return;
+  if (problem.empty() || reportInFiles()) return;
   reportUnbalanced(conditionals_.strayClose(tokens.front().origin), problem);
 }
 
@@ -340,6 +362,7 @@ void DirectiveRunner::onIgnored(const std::vector<Token>&) {}
 
 void DirectiveRunner::finish() {
   for (const Conditionals::Open& open : conditionals_.unclosed()) {
+    if (reportInFiles()) continue;
     reportUnbalanced(
         open.at, fmt::format("#{} is not closed: expected #endif before the end", open.directive));
   }

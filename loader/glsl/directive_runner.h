@@ -2,10 +2,12 @@
 // of active branches.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "glsl/conditional_balance.h"
 #include "glsl/conditionals.h"
 #include "glsl/line_reader.h"
 #include "glsl/macro_expander.h"
@@ -55,6 +57,12 @@ class DirectiveRunner : public TokenSource {
   void onError(const std::vector<Token>& tokens);
   void onIgnored(const std::vector<Token>& tokens);
 
+  /// Reports the files whose own conditionals do not pair, once; false when there is none, so that
+  /// it is the order of the includes that matters.
+  bool reportInFiles();
+
+  const FlatSource& source_;
+  std::optional<std::vector<UnbalancedConditional>> unbalanced_;
   LineReader reader_;
   const std::vector<IncludeSite>& sites_;
   TokenStream& stream_;

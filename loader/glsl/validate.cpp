@@ -83,7 +83,7 @@ bool reportMissingBrace(const std::vector<LogEntry>& entries, const StageText& s
       stage.text.locate(missing->partner.origin.line, missing->partner.origin.column);
   Diagnostic d;
   d.id = "brace-unbalanced";
-  d.at = placeAfter(stage.text, missing->after);
+  d.at = placeOfBrace(stage.text, *missing, lines);
   d.message = fmt::format("expected '{}' after '{}': nothing {} the '{}' at {}:{}", missing->brace,
                           missing->after.text, missing->brace == '}' ? "closes" : "opens",
                           missing->partner.text, partner.file, partner.line);

@@ -12,6 +12,7 @@ using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 using Lines = std::vector<std::string>;
 
 const std::string kVersion = "#version 330 compatibility\n";
@@ -81,6 +82,36 @@ TEST(CompileHints, a_missing_include_without_a_model_goes_into_the_gap) {
       compile(files),
       Contains("/composite.fsh:3: error: 'SHADE' is unknown at /composite.fsh:5: an #include "
                "seems to be missing here | #include \"/a.glsl\""));
+}
+
+TEST(CompileHints, of_two_places_the_one_that_the_files_beside_it_have) {
+  const std::string use = "void main() { gl_FragColor = shade(1.0) + tint(); }\n";
+  Files files{{"/lib/all.glsl",
+               "vec4 shade(float x) { return vec4(x); }\n"
+               "vec4 tint() { return vec4(1.0); }\n"},
+              {"/lib/one.glsl", "#include \"/lib/all.glsl\"\n"},
+              {"/lib/two.glsl", "\nconst float TWO = 2.0;\n"},
+              {"/composite.fsh", kVersion + "// 1\n\n\n#include \"/lib/two.glsl\"\n" + use}};
+  for (const char* name : {"/composite1", "/composite2", "/composite3"}) {
+    files[std::string(name) + ".vsh"] = kVertexStage;
+    files[std::string(name) + ".fsh"] = kVersion + "#include \"/lib/all.glsl\"\n" + use;
+  }
+  const Lines lines = compile(files);
+  EXPECT_THAT(lines, Contains("/composite.fsh:4: error: 'shade' is unknown at /composite.fsh:6: an "
+                              "#include seems to be missing here | #include \"/lib/all.glsl\""));
+  // One line makes both names known.
+  EXPECT_THAT(lines, Not(Contains(HasSubstr("'tint' is unknown"))));
+}
+
+TEST(CompileHints, a_stub_without_main_lacks_what_those_of_its_name_include) {
+  const std::string stub = kVersion + "#define X\n#include \"/program/composite.glsl\"\n";
+  const Lines lines =
+      compile({{"/program/composite.glsl", "void main() { gl_FragColor = vec4(1.0); }\n"},
+               {"/composite.fsh", kVersion + "#define X\n\n"},
+               {"/world1/composite.fsh", stub},
+               {"/world1/composite.vsh", kVertexStage}});
+  EXPECT_THAT(lines, Contains("/composite.fsh:3: error: the stage has no main(): an #include seems "
+                              "to be missing here | #include \"/program/composite.glsl\""));
 }
 
 TEST(CompileHints, a_stub_without_its_program_is_located) {

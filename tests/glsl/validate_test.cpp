@@ -147,6 +147,39 @@ TEST(validate, a_missing_opening_brace_is_found_by_indentation) {
             "                               ^\n");
 }
 
+TEST(validate, a_brace_is_missing_before_an_else_that_stands_below_its_if) {
+  EXPECT_EQ(fragmentMessages("float f(float x) {\n"
+                             "  if (x > 0.0) {\n"
+                             "    x = 1.0;\n"
+                             "  else {\n"
+                             "    if (x > 1.0) x = 2.0;\n"
+                             "    else x = 3.0;\n"
+                             "  }\n"
+                             "  return x;\n"
+                             "}\n" +
+                             kLater),
+            "/a.fsh:4:13: error: expected '}' after ';': nothing closes the '{' at /a.fsh:3\n"
+            "      x = 1.0;\n"
+            "              ^\n");
+}
+
+TEST(validate, blocks_that_are_indented_oddly_are_no_missing_brace) {
+  EXPECT_EQ(fragmentMessages("float f(float x) {\n"
+                             "    if (x > 0.0) {\n"
+                             "    x = 1.0;\n"
+                             "  }\n"
+                             "  if (x > 1.0)\n"
+                             "    x = 2.0;\n"
+                             "    x += 1.0;\n"
+                             "  }\n"
+                             "  return x;\n"
+                             "}\n" +
+                             kLater),
+            "/a.fsh:6:15: error: expected '{' after ')': nothing opens the '}' at /a.fsh:9\n"
+            "    if (x > 1.0)\n"
+            "                ^\n");
+}
+
 TEST(validate, the_end_of_a_function_without_brace_is_before_the_next_function) {
   EXPECT_EQ(fragmentMessages("float f(float x) {\n  return x;\n\n" + kLater),
             "/a.fsh:3:12: error: expected '}' after ';': nothing closes the '{' at /a.fsh:2\n"

@@ -94,7 +94,7 @@ def equivalence(view, fault, root):
     """Why nothing could be found, or "": only texts that reach the driver prove it."""
     if fault.kind in properties_faults.KINDS or fault.kind in directive_faults.IN_COMMENTS:
         return ""
-    with tempfile.TemporaryDirectory(prefix="orris-mutation-") as folder:
+    with tempfile.TemporaryDirectory(prefix="orris-mutation-", ignore_cleanup_errors=True) as folder:
         view.orris.validate(root, fault.options, patched=folder)
         texts = Reach(folder).texts
     before = view.reach_with(fault.options).texts if fault.options else view.reach.texts
@@ -265,7 +265,7 @@ def main():
     with ThreadPoolExecutor(arguments.jobs) as pool:
         views = list(pool.map(lambda item: PackView(*item, orris), sources.items()))
         jobs = choose(views, arguments.kind or list(KINDS), arguments.faults, arguments.seed)
-        with tempfile.TemporaryDirectory(prefix="orris-mutation-") as folder:
+        with tempfile.TemporaryDirectory(prefix="orris-mutation-", ignore_cleanup_errors=True) as folder:
             copies = Copies(folder, arguments.budget)
             results = [result for result in pool.map(copies.judge, jobs) if result]
     report(results)

@@ -6,6 +6,7 @@ import shutil
 import subprocess
 import tempfile
 from bisect import bisect_left
+from collections import Counter
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -190,14 +191,14 @@ class PackView:
 
     def __init__(self, name, source, orris):
         self.name, self.orris = name, orris
-        self.folder = tempfile.TemporaryDirectory(prefix="orris-mutation-")
+        self.folder = tempfile.TemporaryDirectory(prefix="orris-mutation-", ignore_cleanup_errors=True)
         self.root = Path(self.folder.name) / "pack"
         copy_pack(source, self.root)
         self.reach = self.reach_with(())
         self.baselines = {}
 
     def reach_with(self, settings):
-        with tempfile.TemporaryDirectory(prefix="orris-mutation-") as folder:
+        with tempfile.TemporaryDirectory(prefix="orris-mutation-", ignore_cleanup_errors=True) as folder:
             self.orris.validate(self.root, settings, patched=folder)
             return Reach(folder)
 
@@ -272,8 +273,11 @@ class PackView:
         return self.baselines[key]
 
     def folder_of(self, file):
-        """A program folder that the file reaches, None when none does or there is but one."""
-        folders = {program.rpartition("/")[0] for program in self.reach.programs.get(file, ())}
-        whole = {program.rpartition("/")[0] for rows in self.reach.programs.values()
-                 for program in rows}
-        return min(folders) if folders and "" not in whole and len(whole) > 1 else None
+        """The smallest program folder that the file reaches, or of all; None when there is but one."""
+        def folder(program):
+            return program.rpartition("/")[0]
+        sizes = Counter(map(folder, set().union(*self.reach.programs.values())))
+        reached = set(map(folder, self.reach.programs.get(file, ()))) or set(sizes)
+        if "" in sizes or len(sizes) < 2:
+            return None
+        return min(reached, key=lambda name: (sizes[name], name))

@@ -1,0 +1,32 @@
+// At which line of a file an #include most likely belongs that it lacks.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "check/definition_index.h"
+#include "core/diagnostic.h"
+
+namespace orris {
+
+/// How much two files include the same: 0 to 1, more for files of the same name in other folders.
+double likeness(DefinitionIndex& index, const std::string& file, const std::string& other);
+
+struct IncludePlace {
+  int line = 0;
+  SourceLocation
+      model;         ///< the likest file that includes the target, line 0 when none shows a place
+  bool gap = false;  ///< a blank line beside an #include
+};
+
+/// Where `file` should include `target`: at the one gap among its #include lines, else where the
+/// files that include it have it, each with its likeness as its vote; line 0 when neither tells.
+/// The line stands before `before`, if that is not 0.
+IncludePlace placeByModels(DefinitionIndex& index, const std::string& file,
+                           const std::string& target, int before);
+
+/// Where a line was taken out, else the first blank line behind an #include and before `before`, else
+/// the line behind the last one.
+int placeBehindIncludes(DefinitionIndex& index, const std::string& file, int before);
+
+}  // namespace orris

@@ -1,0 +1,40 @@
+// Which mark of a nesting (braces, #if blocks) is missing: told by how well the layout fits the pairs
+// that remain when it is put back at one place or another.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+
+namespace orris {
+
+struct NestingMark {
+  enum class Kind { Open, Middle, Close };
+  Kind kind = Kind::Open;
+  int indent = -1;     ///< -1: the layout says nothing
+  int depth = 0;       ///< of another nesting around it; a pair is at one depth
+  int group = 0;       ///< the text it stands in; layouts of two texts are not compared
+  int line = 0;        ///< within all texts
+  bool whole = false;  ///< an include guard: its partner is the last mark
+};
+
+/// A place where the missing mark may be put.
+struct NestingPlace {
+  std::size_t before = 0;  ///< index of the mark it is put before
+  int indent = -1;
+  int group = 0;
+  int line = 0;
+  int cost = 0;  ///< what speaks against it, or for it when negative
+};
+
+struct MissingMark {
+  std::size_t place = 0;    ///< index of the place
+  std::size_t partner = 0;  ///< index of the mark that has no other
+};
+
+/// The place whose pairs fit best, and of these the one with the shortest. `kind` is Open or Close.
+std::optional<MissingMark> findMissingMark(std::span<const NestingMark> marks,
+                                           std::span<const NestingPlace> places,
+                                           NestingMark::Kind kind);
+
+}  // namespace orris
