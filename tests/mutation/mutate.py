@@ -10,7 +10,6 @@ import json
 import queue
 import random
 import sys
-import tempfile
 import time
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
@@ -20,7 +19,8 @@ from pathlib import Path
 import directive_faults
 import glsl_faults
 import properties_faults
-from pack_view import Orris, PackView, Reach, copy_pack, find_packs, read_lines
+from pack_view import (Orris, PackView, Reach, copy_pack, find_packs, read_lines,
+                       temporary_folder)
 
 KINDS = {**glsl_faults.KINDS, **directive_faults.KINDS, **properties_faults.KINDS}
 VERDICTS = ("found", "missed", "equivalent", "no answer")
@@ -94,7 +94,7 @@ def equivalence(view, fault, root):
     """Why nothing could be found, or "": only texts that reach the driver prove it."""
     if fault.kind in properties_faults.KINDS or fault.kind in directive_faults.IN_COMMENTS:
         return ""
-    with tempfile.TemporaryDirectory(prefix="orris-mutation-", ignore_cleanup_errors=True) as folder:
+    with temporary_folder() as folder:
         view.orris.validate(root, fault.options, patched=folder)
         texts = Reach(folder).texts
     before = view.reach_with(fault.options).texts if fault.options else view.reach.texts
@@ -154,14 +154,14 @@ def choose(views, kinds, count, seed):
             random.Random(f"{seed} {view.name} {kind}").shuffle(found)
             if found:
                 places[kind, view.name] = found
-    chosen, by_name = [], {view.name: view for view in views}
+    chosen, by_name, turns = [], {view.name: view for view in views}, Counter()
     while len(chosen) < count and places:
         for kind in kinds:
             rows = [entry for entry in places if entry[0] == kind]
             if rows and len(chosen) < count:
-                # The pack with most turns left gives the next one of this kind.
-                turn = min(rows, key=lambda entry: sum(1 for v, f in chosen if f.kind == kind
-                                                       and v.name == entry[1]))
+                # The pack with fewest of this kind, then of all kinds, gives the next one.
+                turn = min(rows, key=lambda entry: (turns[entry], turns[entry[1]]))
+                turns.update((turn, turn[1]))
                 chosen.append((by_name[turn[1]], places[turn].pop()))
                 if not places[turn]:
                     del places[turn]
@@ -265,7 +265,7 @@ def main():
     with ThreadPoolExecutor(arguments.jobs) as pool:
         views = list(pool.map(lambda item: PackView(*item, orris), sources.items()))
         jobs = choose(views, arguments.kind or list(KINDS), arguments.faults, arguments.seed)
-        with tempfile.TemporaryDirectory(prefix="orris-mutation-", ignore_cleanup_errors=True) as folder:
+        with temporary_folder() as folder:
             copies = Copies(folder, arguments.budget)
             results = [result for result in pool.map(copies.judge, jobs) if result]
     report(results)

@@ -62,6 +62,11 @@ class Orris:
             return None
 
 
+def temporary_folder():
+    """What a killed child of `orris` still writes must not stop the run."""
+    return tempfile.TemporaryDirectory(prefix="orris-mutation-", ignore_cleanup_errors=True)
+
+
 def find_packs(folder):
     """Name -> folder that holds `shaders`, of each pack in `folder` or one level below."""
     found = {}
@@ -191,14 +196,14 @@ class PackView:
 
     def __init__(self, name, source, orris):
         self.name, self.orris = name, orris
-        self.folder = tempfile.TemporaryDirectory(prefix="orris-mutation-", ignore_cleanup_errors=True)
+        self.folder = temporary_folder()
         self.root = Path(self.folder.name) / "pack"
         copy_pack(source, self.root)
         self.reach = self.reach_with(())
         self.baselines = {}
 
     def reach_with(self, settings):
-        with tempfile.TemporaryDirectory(prefix="orris-mutation-", ignore_cleanup_errors=True) as folder:
+        with temporary_folder() as folder:
             self.orris.validate(self.root, settings, patched=folder)
             return Reach(folder)
 
