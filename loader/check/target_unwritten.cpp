@@ -23,13 +23,8 @@ class UnwrittenCheck {
 
   void run() {
     for (const FramePass& pass : frame_.passes) {
-      const std::vector<BufferUse> uses = pass.uses;
-      for (const BufferUse& use : uses)
+      for (const BufferUse& use : pass.uses)
         if (use.isTarget() && !use.buffer.image) checkRead(pass, use);
-      for (const BufferUse& use : uses)
-        if (use.isTarget() && use.buffer.image && !pass.setup)
-          fill(use.inShadowMap(), use.buffer.index,
-               pass.readsAlt(use.inShadowMap(), use.buffer.index), pass.name);
       for (const int index : pass.writes)
         fill(pass.isShadowGroup(), index, pass.writesAlt(index), pass.name);
     }
@@ -67,6 +62,7 @@ class UnwrittenCheck {
     const int index = read.use.buffer.index;
     const BufferMentions& m = frame_.mentions();
     if (m.pasted || hasImplicitWriter(shadow, index)) return;
+    // Whoever stores to it as an image may fill it at any time.
     if ((shadow ? m.shadowImages : m.colorImages).contains(index)) return;
     if (!m.drawnAnywhere.contains(index)) {
       read.why = "but no program of the pack draws to it";
