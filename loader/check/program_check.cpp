@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <set>
+#include <tuple>
 
 #include "check/compile_hints.h"
 #include "check/diagnostic_codec.h"
@@ -131,16 +132,21 @@ void checkWithGlslang(const ShaderPack& pack, int jobs, Verdicts& verdicts,
 }
 
 Diagnostics ruleNotes(const ShaderPack& pack) {
-  Diagnostics notes;
+  struct Uses {
+    int times = 0, programs = 0;
+    std::string first;  ///< the first of the programs
+    SourceLocation at;
+  };
+  std::map<std::tuple<std::string, std::string, int>, Uses> byPlace;
   const auto add = [&](const ProgramSource& program, const std::string& name,
                        const std::vector<AppliedRule>& rules) {
     for (const AppliedRule& rule : rules) {
-      Diagnostic& note = notes.emplace_back();
-      note.severity = Severity::Note;
-      note.id = "rule-applied";
-      note.at = rule.first;
-      note.message = fmt::format("{}: rule {} applied {} time{}", unitName(program, name),
-                                 rule.rule, rule.count, rule.count == 1 ? "" : "s");
+      Uses& uses = byPlace[{rule.first.file, rule.rule, rule.first.line}];
+      if (uses.programs++ == 0) {
+        uses.first = unitName(program, name);
+        uses.at = rule.first;
+      }
+      uses.times += rule.count;
     }
   };
   for (const auto* programs : {&pack.programs, &pack.modPrograms}) {
@@ -149,6 +155,18 @@ Diagnostics ruleNotes(const ShaderPack& pack) {
         add(program, compute.name, compute.rules);
       add(program, program.name, program.rules);
     }
+  }
+  Diagnostics notes;
+  for (const auto& [place, uses] : byPlace) {
+    Diagnostic& note = notes.emplace_back();
+    note.severity = Severity::Note;
+    note.id = "rule-applied";
+    note.at = uses.at;
+    note.message = fmt::format("rule {} applied {} time{} in {}", std::get<1>(place), uses.times,
+                               uses.times == 1 ? "" : "s", uses.first);
+    if (uses.programs > 1)
+      note.message +=
+          fmt::format(" and {} more program{}", uses.programs - 1, uses.programs == 2 ? "" : "s");
   }
   return notes;
 }

@@ -45,7 +45,7 @@ void checkWithGlslang(const ShaderPack& pack, int jobs, Verdicts& verdicts,
 Diagnostic lostJob(const JobOutcome& outcome, std::string_view tool, const std::string& name,
                    const std::string& file);
 
-/// One note for each rewrite rule that fired in a program.
+/// One note for each place at which a rewrite rule fired first, whatever the number of programs.
 Diagnostics ruleNotes(const ShaderPack& pack);
 
 }  // namespace orris
