@@ -105,7 +105,7 @@ nlohmann::json describe(const TraceFilm& film, const TraceProgress& done, const 
 int runTrace(const TraceOptions& options, Report& report, nlohmann::json& result) {
   int status = kClean;
   if (!checkOutput(options.picture, report, status)) return status;
-  const auto view = openTraceView(options.pack, options.scene, options.image, report, status);
+  const auto view = openReferenceScene(options.pack, options.scene, options.image, report, status);
   if (!view) return status;
   const TraceSettings settings{options.scene.seed, options.bounces};
   const std::uint64_t key = traceKey(view->scene, view->camera, settings);

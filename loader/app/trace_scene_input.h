@@ -5,18 +5,14 @@
 
 #include "app/common.h"
 #include "app/report.h"
-#include "trace/path_tracer.h"
+#include "frame/reference_scene.h"
 
 namespace orris {
 
-struct TraceView {
-  TraceScene scene;
-  TraceCamera camera;
-};
-
 /// The world as the reference pack's frame shows it, with the pack's options as `pack` sets them.
 /// nullopt: reported, `status` is set.
-std::optional<TraceView> openTraceView(const PackOptions& pack, const SceneOptions& scene,
-                                       const ImageOptions& image, Report& report, int& status);
+std::optional<ReferenceScene> openReferenceScene(const PackOptions& pack, const SceneOptions& scene,
+                                                 const ImageOptions& image, Report& report,
+                                                 int& status);
 
 }  // namespace orris

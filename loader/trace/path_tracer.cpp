@@ -11,16 +11,21 @@ constexpr float kPi = 3.14159265f;
 constexpr int kSureBounces = 2;
 constexpr int kMaxBounces = 4096;
 
-Ray rayFrom(const TraceSurface& surface, const glm::vec3& direction) {
-  return {surface.position, withoutZeros(direction), surface.cell, -1, surface.quad};
+/// Sine and cosine of a turn of -1/2 to 1/2, to 1e-6: Taylor's series of a quarter, doubled twice.
+glm::vec2 cosineSine(float turn) {
+  const float x = turn * (kPi / 2), xx = x * x;
+  const float s = x * (1 + xx * (-1.0f / 6 + xx * (1.0f / 120 + xx * (-1.0f / 5040))));
+  const float c = 1 + xx * (-0.5f + xx * (1.0f / 24 + xx * (-1.0f / 720 + xx * (1.0f / 40320))));
+  const float s2 = 2 * s * c, c2 = 1 - 2 * s * s;
+  return {1 - 2 * s2 * s2, 2 * s2 * c2};
 }
 
 /// Density cos/pi about n: a point of the unit sphere resting on the plane.
 glm::vec3 cosineDirection(const glm::vec3& n, glm::vec2 u) {
-  const float z = 1 - 2 * u.x, r = std::sqrt(std::max(0.0f, 1 - z * z)), phi = 2 * kPi * u.y;
-  const glm::vec3 sum = n + glm::vec3(r * std::cos(phi), r * std::sin(phi), z);
+  const float z = 1 - 2 * u.x, r = std::sqrt(std::max(0.0f, 1 - z * z));
+  const glm::vec3 sum = n + glm::vec3(r * cosineSine(u.y - 0.5f), z);
   const float length = glm::dot(sum, sum);
-  return length > 1e-12f ? sum / std::sqrt(length) : n;
+  return length > 1e-12f ? sum * (1 / std::sqrt(length)) : n;
 }
 
 float brightest(const glm::vec3& color) { return std::max(color.r, std::max(color.g, color.b)); }
@@ -48,9 +53,36 @@ RayCounts& RayCounts::operator+=(const RayCounts& other) {
   return *this;
 }
 
-TraceSurface PathTracer::surfaceAt(const RayHit& hit, const glm::vec3& direction) const {
+/// A ray from a surface, and what it is worth if it arrives.
+struct PathTracer::Query {
+  bool wanted = false;
+  Ray ray;
+  glm::vec3 value{0};            ///< light, before what filters take
+  std::uint32_t target = kNoQuad;  ///< must be met; kNoQuad: the sky
+  RayHit hit;
+
+  void send(const TraceSurface& from, const glm::vec3& direction, std::uint64_t& count,
+            RayCounts& counts) {
+    wanted = true;
+    ray.origin = from.position;
+    ray.direction = withoutZeros(direction);
+    ray.cell = from.cell;
+    ray.ignore = from.quad;
+    hit.quad = kNoQuad;
+    hit.distance = std::numeric_limits<float>::infinity();
+    hit.back = hit.cube = false;
+    hit.filter = glm::vec3(1);
+    ++count;
+    if (counts.record != nullptr) counts.record->push_back(ray);
+  }
+  glm::vec3 arrived() const {
+    return wanted && hit.quad == target ? value * hit.filter : glm::vec3(0);
+  }
+};
+
+void PathTracer::setSurface(const RayHit& hit, const glm::vec3& direction,
+                            TraceSurface& surface) const {
   const TraceQuad& quad = scene_.grid.quad(hit.quad);
-  TraceSurface surface;
   surface.position = quad.corner + quad.edgeU * hit.at.x + quad.edgeV * hit.at.y;
   const bool away = glm::dot(quad.normal, direction) > 0;
   surface.normal = away ? -quad.normal : quad.normal;
@@ -58,80 +90,103 @@ TraceSurface PathTracer::surfaceAt(const RayHit& hit, const glm::vec3& direction
   surface.quad = hit.quad;
   surface.albedo = glm::vec3(scene_.grid.texel(quad, hit.at));
   surface.thin = quad.thin;
-  return surface;
 }
 
 glm::vec3 PathTracer::sunVisibility(const TraceSurface& surface, RayCounts& counts) const {
   if (!scene_.grid.isOpen(surface.cell)) return glm::vec3(0);
-  ++counts.sun;
-  const Ray ray = rayFrom(surface, scene_.lighting->lightDirection());
-  const RayHit hit = scene_.grid.intersect(ray);
-  return hit.quad == kNoQuad ? hit.filter : glm::vec3(0);
+  Query query;
+  query.send(surface, scene_.lighting->lightDirection(), counts.sun, counts);
+  query.value = glm::vec3(1);
+  scene_.grid.intersect(query.ray, query.hit);
+  return query.arrived();
 }
 
-glm::vec3 PathTracer::lampLight(const TraceSurface& surface, SampleRandom& random,
-                                RayCounts& counts) const {
-  const LampFace& lamp = scene_.lamps.draw(random.one());
-  const TraceQuad& quad = scene_.grid.quad(lamp.quad);
+/// Asks for the direct sun on a matt surface.
+void PathTracer::askSun(const TraceSurface& surface, Query& query, RayCounts& counts) const {
+  const glm::vec3 toSun = scene_.lighting->lightDirection();
+  const float slope = glm::dot(surface.normal, toSun);
+  const bool sees = scene_.lighting->lightIrradiance().r > 0 && (slope > 0 || surface.thin) &&
+                    scene_.grid.isOpen(surface.cell);
+  query.wanted = false;
+  if (!sees) return;
+  const glm::vec3 reflected = slope > 0 ? surface.albedo : passedBy(surface);
+  query.value = reflected * scene_.lighting->lightIrradiance() * (std::abs(slope) / kPi);
+  query.send(surface, toSun, counts.sun, counts);
+}
+
+/// Asks for the light of one lamp, drawn at random, as mean radiance.
+void PathTracer::askLamp(const TraceSurface& surface, SampleRandom& random, Query& query,
+                         RayCounts& counts) const {
+  query.wanted = false;
+  if (scene_.lamps.empty()) return;
+  const LampDraw drawn = scene_.lamps.draw(surface.cell, random.one());
+  if (drawn.face == nullptr) return;
+  const LampFace& lamp = *drawn.face;
   const glm::vec2 at = random.pair();
-  const glm::vec3 point = quad.corner + quad.edgeU * at.x + quad.edgeV * at.y;
-  const glm::vec3 to = point - surface.position;
+  const glm::vec3 to = lamp.corner + lamp.edgeU * at.x + lamp.edgeV * at.y - surface.position;
   const float squared = glm::dot(to, to);
-  if (!(squared > 1e-10f)) return glm::vec3(0);
-  const glm::vec3 direction = to / std::sqrt(squared);
+  if (!(squared > 1e-10f)) return;
+  const glm::vec3 direction = to * (1 / std::sqrt(squared));
   const float cosine = glm::dot(surface.normal, direction);
-  const float lampCosine = -glm::dot(quad.normal, direction);
-  if (cosine <= 0 || lampCosine <= 1e-6f) return glm::vec3(0);
-  ++counts.lamp;
-  const RayHit hit = scene_.grid.intersect(rayFrom(surface, direction));
-  if (hit.quad != lamp.quad) return glm::vec3(0);
-  // Balance heuristic: this density against that of the cosine ray.
-  const float density = lamp.probability / lamp.area * squared / lampCosine;
+  const float lampCosine = -glm::dot(lamp.normal, direction);
+  if (cosine <= 0 || lampCosine <= 1e-6f) return;
+  // Balance heuristic: other / density of the estimate, density / (density + other) of its weight.
+  const float density = drawn.probability / lamp.area * squared / lampCosine;
   const float other = cosine / kPi;
-  return lamp.radiance * hit.filter * (other / (density + other));
+  query.value = lamp.radiance * (other / (density + other));
+  query.target = lamp.quad;
+  query.send(surface, direction, counts.lamp, counts);
 }
 
-/// The light of a lamp that a ray of the given density met.
-glm::vec3 PathTracer::metLamp(const RayHit& hit, const glm::vec3& direction, float density) const {
+/// The light of a lamp that a cosine ray met.
+glm::vec3 PathTracer::metLamp(const RayHit& hit, const TraceSurface& from,
+                              const glm::vec3& direction) const {
   const TraceQuad& quad = scene_.grid.quad(hit.quad);
   if (quad.lamp == kNoQuad || hit.back) return glm::vec3(0);
   const LampFace& lamp = scene_.lamps.face(quad.lamp);
   const float lampCosine = std::max(-glm::dot(quad.normal, direction), 1e-6f);
-  const float other = lamp.probability / lamp.area * hit.distance * hit.distance / lampCosine;
-  return lamp.radiance * (density / (density + other));
+  const float density = std::max(glm::dot(from.normal, direction), 0.0f) / kPi;
+  const float probability = scene_.lamps.probability(from.cell, quad.lamp);
+  const float other = probability / lamp.area * hit.distance * hit.distance / lampCosine;
+  return density > 0 ? lamp.radiance * (density / (density + other)) : glm::vec3(0);
 }
 
 glm::vec3 PathTracer::incoming(TraceSurface surface, SampleRandom& random,
                                RayCounts& counts) const {
-  const glm::vec3 sun = scene_.lighting->lightIrradiance();
-  const glm::vec3 toSun = scene_.lighting->lightDirection();
-  const bool hasSun = brightest(sun) > 0;
+  const VoxelGrid& grid = scene_.grid;
   const int limit = settings_.bounces < 0 ? kMaxBounces : settings_.bounces;
-  glm::vec3 throughput(1), radiance(0);
-  for (int bounce = 0; bounce < limit; ++bounce) {
-    if (!scene_.lamps.empty()) radiance += throughput * lampLight(surface, random, counts);
+  glm::vec3 throughput(1), sunThroughput(0), radiance(0);
+  Query path, lamp, sun;
+  bool survives = true;
+  for (int bounce = 0;; ++bounce) {
+    if (bounce > 0) askSun(surface, sun, counts);
+    if (bounce >= limit || !survives) break;
+    askLamp(surface, random, lamp, counts);
     const glm::vec3 direction = cosineDirection(surface.normal, random.pair());
-    ++counts.path;
-    const RayHit hit = scene_.grid.intersect(rayFrom(surface, direction));
-    throughput *= hit.filter;
-    if (hit.quad == kNoQuad) return radiance + throughput * scene_.lighting->skyRadiance(direction);
-    const float cosine = std::max(glm::dot(surface.normal, direction), 1e-6f);
-    radiance += throughput * metLamp(hit, direction, cosine / kPi);
+    path.send(surface, direction, counts.path, counts);
+    Query& beside = lamp.wanted ? lamp : sun;
+    if (beside.wanted)
+      grid.intersect(path.ray, path.hit, beside.ray, beside.hit);
+    else
+      grid.intersect(path.ray, path.hit);
+    if (lamp.wanted && sun.wanted) grid.intersect(sun.ray, sun.hit);
+    radiance += sunThroughput * sun.arrived() + throughput * lamp.arrived();
+    throughput *= path.hit.filter;
+    if (path.hit.quad == kNoQuad)
+      return radiance + throughput * scene_.lighting->skyRadiance(direction);
+    radiance += throughput * metLamp(path.hit, surface, direction);
 
-    surface = surfaceAt(hit, direction);
-    const float slope = glm::dot(surface.normal, toSun);
-    if (hasSun && (slope > 0 || surface.thin)) {
-      const glm::vec3 reflected = slope > 0 ? surface.albedo : passedBy(surface);
-      radiance +=
-          throughput * reflected * (std::abs(slope) / kPi) * sun * sunVisibility(surface, counts);
-    }
+    setSurface(path.hit, direction, surface);
+    sunThroughput = throughput;
     throughput *= chooseSide(surface, random);
     if (bounce < kSureBounces) continue;
     const float survival = std::min(brightest(throughput), 1.0f);
-    if (!(random.one() < survival)) break;
+    survives = random.one() < survival;
     throughput /= survival;
   }
-  return radiance;
+  if (!sun.wanted) return radiance;
+  grid.intersect(sun.ray, sun.hit);
+  return radiance + sunThroughput * sun.arrived();
 }
 
 glm::vec3 PathTracer::sample(const PixelView& view, SampleRandom& random, RayCounts& counts) const {

@@ -23,9 +23,10 @@ struct TraceSettings {
   int bounces = -1;
 };
 
-/// Rays by purpose.
+/// Rays by purpose, for one thread.
 struct RayCounts {
   std::uint64_t camera = 0, path = 0, lamp = 0, sun = 0;
+  std::vector<Ray>* record = nullptr;  ///< takes every ray but the camera's, for measurements
   std::uint64_t total() const { return camera + path + lamp + sun; }
   RayCounts& operator+=(const RayCounts& other);
 };
@@ -65,6 +66,7 @@ class PathTracer {
 
  private:
   struct Look;
+  struct Query;
   void look(const Look& from, PixelView& view, RayCounts& counts) const;
   void seeOpaque(const Look& from, const RayHit& hit, const glm::vec3& weight, PixelView& view,
                  RayCounts& counts) const;
@@ -73,9 +75,12 @@ class PathTracer {
   glm::vec3 drawnSun(const TraceSurface& surface, const glm::vec3& toViewer,
                      RayCounts& counts) const;
   glm::vec3 sunVisibility(const TraceSurface& surface, RayCounts& counts) const;
-  glm::vec3 lampLight(const TraceSurface& surface, SampleRandom& random, RayCounts& counts) const;
-  glm::vec3 metLamp(const RayHit& hit, const glm::vec3& direction, float density) const;
-  TraceSurface surfaceAt(const RayHit& hit, const glm::vec3& direction) const;
+  void askSun(const TraceSurface& surface, Query& query, RayCounts& counts) const;
+  void askLamp(const TraceSurface& surface, SampleRandom& random, Query& query,
+               RayCounts& counts) const;
+  glm::vec3 metLamp(const RayHit& hit, const TraceSurface& from,
+                    const glm::vec3& direction) const;
+  void setSurface(const RayHit& hit, const glm::vec3& direction, TraceSurface& surface) const;
 
   const TraceScene& scene_;
   TraceCamera camera_;

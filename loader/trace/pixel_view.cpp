@@ -35,7 +35,8 @@ glm::vec3 PathTracer::drawnSun(const TraceSurface& surface, const glm::vec3& toV
 
 void PathTracer::seeOpaque(const Look& from, const RayHit& hit, const glm::vec3& weight,
                            PixelView& view, RayCounts& counts) const {
-  const TraceSurface surface = surfaceAt(hit, from.ray.direction);
+  TraceSurface surface;
+  setSurface(hit, from.ray.direction, surface);
   const std::uint8_t level = scene_.grid.quad(hit.quad).emission;
   view.constant += weight * (surface.albedo * scene_.emissionScale[level] +
                              drawnSun(surface, -from.ray.direction, counts));
@@ -47,7 +48,8 @@ float PathTracer::seeTranslucent(const Look& from, const RayHit& hit, const glm:
                                  PixelView& view, RayCounts& counts) const {
   const TraceQuad& quad = scene_.grid.quad(hit.quad);
   const glm::vec3 toViewer = -from.ray.direction;
-  TraceSurface surface = surfaceAt(hit, from.ray.direction);
+  TraceSurface surface;
+  setSurface(hit, from.ray.direction, surface);
   surface.thin = false;
   const float grazing = 1 - glm::clamp(glm::dot(surface.normal, toViewer), 0.0f, 1.0f);
   const float mirror =

@@ -38,7 +38,7 @@ class SceneBuilder {
     scene.origin = low_;
     scene.grid = VoxelGrid(size_, offsets_, std::move(cells_), std::move(quads_),
                            std::move(filters_), std::move(texture_));
-    scene.lamps = LampSet(std::move(lamps_));
+    scene.lamps = LampSet(std::move(lamps_), size_);
     scene.lighting = lighting_;
     for (int level = 0; level < 16; ++level)
       scene.emissionScale.push_back(lighting_->emissionScale(level));
@@ -59,7 +59,7 @@ class SceneBuilder {
   void measure();
   void addCells();
   void addCell(glm::ivec3 cell, std::size_t first, std::size_t end);
-  void addLamp(const TraceQuad& quad, glm::ivec3 cell);
+  void addLamp(const TraceQuad& quad);
   std::uint8_t filterAt(glm::ivec3 cell) const;
 
   const TraceSceneInput& input_;
@@ -111,7 +111,8 @@ void SceneBuilder::describeStates() {
         state.filter = std::uint8_t(filters_.size());
         filters_.emplace_back();
       }
-      filters_[state.filter] = {glm::max(glm::vec3(mean), 1e-6f), facts.fluid ? kFluidHeight : 1};
+      const glm::vec3 color = glm::max(glm::vec3(mean), 1e-6f);
+      filters_[state.filter] = {color, facts.fluid ? kFluidHeight : 1, glm::log(color)};
     }
   }
 }
@@ -165,19 +166,22 @@ void SceneBuilder::addCell(glm::ivec3 cell, std::size_t first, std::size_t end) 
     quad.water = state.water;
     quad.translucent = quad.translucent && !state.emits;
     quad.filters = quad.translucent && state.filter == 0;
-    if (made.cube) made.cubeFaces = std::uint8_t(made.cubeFaces | 1 << placed_[i].face);
+    if (isUnitSide(placed_[i])) made.faces = std::uint8_t(made.faces | 1 << placed_[i].face);
     if (state.emits) {
       quad.lamp = std::uint32_t(lamps_.size());
-      addLamp(quad, cell - low_);
+      addLamp(quad);
     }
     quads_.push_back(quad);
   }
 }
 
-void SceneBuilder::addLamp(const TraceQuad& quad, glm::ivec3 cell) {
+void SceneBuilder::addLamp(const TraceQuad& quad) {
   LampFace face;
   face.quad = std::uint32_t(quads_.size());
-  face.cell = cell;
+  face.corner = quad.corner;
+  face.edgeU = quad.edgeU;
+  face.edgeV = quad.edgeV;
+  face.normal = quad.normal;
   face.radiance = states_[quad.state].radiance;
   face.area = glm::length(quad.edgeU) * glm::length(quad.edgeV);
   lamps_.push_back(face);

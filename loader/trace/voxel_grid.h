@@ -1,5 +1,5 @@
 // Rays through a grid of blocks. Each empty cell knows, for the eight octants of directions, how
-// large a cube of empty cells begins there: a ray leaps from cube to cube instead of walking cells.
+// large a box of empty cells begins there: a ray leaps from box to box instead of walking cells.
 #pragma once
 
 #include <array>
@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "trace/open_boxes.h"
 #include "trace/ray.h"
 
 namespace orris {
@@ -26,19 +27,46 @@ struct TraceQuad {
   bool water = false;    ///< mirrors at grazing angles
 };
 
+/// What of a quad a ray is tested with.
+struct QuadPlane {
+  glm::vec3 normal{0};
+  float offset = 0;  ///< of points on it along the normal
+  glm::vec3 alongU{0};
+  float startU = 0;  ///< dot(point, alongU) - startU is 0..1 on the quad
+  glm::vec3 alongV{0};
+  float startV = 0;
+};
+
+/// Number of faces of a set that come before each; the last entry counts all.
+struct FaceRanks {
+  std::uint8_t rank[64][7];
+};
+constexpr FaceRanks makeFaceRanks() {
+  FaceRanks ranks{};
+  for (int mask = 0; mask < 64; ++mask) {
+    for (int face = 0; face < 6; ++face)
+      ranks.rank[mask][face + 1] = std::uint8_t(ranks.rank[mask][face] + (mask >> face & 1));
+  }
+  return ranks;
+}
+inline constexpr FaceRanks kFaceRanks = makeFaceRanks();
+
 /// What a cell does to a ray.
 struct TraceCell {
   std::uint32_t firstQuad = 0;
   std::uint8_t quadCount = 0;
-  std::uint8_t cubeFaces = 0;  ///< full cube: bit by FaceDirection, quads in that order
+  std::uint8_t faces = 0;   ///< full sides: bit by FaceDirection; quads are sorted by it
   std::uint8_t filter = 0;     ///< index in `filters`, 0 none
-  bool cube = false;
+  bool cube = false;    ///< full and opaque
+  bool hollow = false;  ///< full sides with holes, nothing else
+  bool stops = false;   ///< some quad matters to light
 };
 
 /// Matter that fills cells up to a height: a block's depth of it lets `color` through.
 struct TraceFilter {
   glm::vec3 color{1};
   float height = 1;
+  glm::vec3 logarithm{0};  ///< of color
 };
 
 /// Texels of the atlas, linear; alpha in w.
@@ -63,10 +91,14 @@ class VoxelGrid {
             std::vector<TraceCell> cells, std::vector<TraceQuad> quads,
             std::vector<TraceFilter> filters, TraceTexture texture);
 
-  /// The first quad that stops the ray. `frontOnly`: backs and filters are passed, as a camera
-  /// sees, and translucent quads stop it.
-  RayHit intersect(const Ray& ray) const { return walk<false>(ray); }
-  RayHit look(const Ray& ray) const { return walk<true>(ray); }
+  /// The first quad that stops light; translucent ones do not.
+  RayHit intersect(const Ray& ray) const;
+  /// The same into a fresh hit.
+  void intersect(const Ray& ray, RayHit& hit) const;
+  /// Two rays in about the time of one and a half.
+  void intersect(const Ray& first, RayHit& firstHit, const Ray& second, RayHit& secondHit) const;
+  /// The first that a camera sees: fronts only, translucent ones too.
+  RayHit look(const Ray& ray) const;
   /// Moves a ray that starts outside to where it enters the grid; false: it misses.
   bool enter(Ray& ray) const;
 
@@ -83,14 +115,8 @@ class VoxelGrid {
   bool isOpen(glm::ivec3 cell) const { return !contains(cell) || open_[offset(cell)] != 0; }
 
  private:
-  struct Steps;
   template <bool kCamera>
-  RayHit walk(const Ray& ray) const;
-  template <bool kCamera>
-  bool meet(const Ray& ray, const Steps& steps, RayHit& hit) const;
-  template <bool kCamera>
-  void meetQuads(const TraceCell& cell, const Ray& ray, RayHit& hit) const;
-  void measureOpenCubes();
+  class Walk;
   void floodFromOutside();
   std::size_t offset(glm::ivec3 p) const {
     return std::size_t(p.x) +
@@ -101,9 +127,10 @@ class VoxelGrid {
   std::vector<std::uint32_t> cellAt_;  ///< index in cells_, 0 empty
   std::vector<TraceCell> cells_;
   std::vector<TraceQuad> quads_;
+  std::vector<QuadPlane> planes_;  ///< of quads_
   std::vector<TraceFilter> filters_;
   TraceTexture texture_;
-  std::array<std::vector<std::uint8_t>, 8> openCubes_;  ///< by octant: bit axis set = positive
+  OpenBoxes boxes_;
   std::vector<std::uint8_t> open_;
 };
 
