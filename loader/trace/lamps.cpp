@@ -105,8 +105,9 @@ void LampSet::makeAliases(const Brick& brick) {
 
 const LampSet::Brick& LampSet::brickOf(glm::ivec3 cell) const {
   const glm::ivec3 b = glm::clamp(cell / edge_, glm::ivec3(0), bricksAlong_ - 1);
-  return bricks_[std::size_t(b.x) + std::size_t(bricksAlong_.x) *
-                                        (std::size_t(b.z) + std::size_t(bricksAlong_.z) * std::size_t(b.y))];
+  return bricks_[std::size_t(b.x) +
+                 std::size_t(bricksAlong_.x) *
+                     (std::size_t(b.z) + std::size_t(bricksAlong_.z) * std::size_t(b.y))];
 }
 
 float LampSet::probability(glm::ivec3 cell, std::uint32_t face) const {

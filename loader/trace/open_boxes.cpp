@@ -18,8 +18,9 @@ std::size_t offsetIn(glm::ivec3 size, glm::ivec3 p) {
 class Counts {
  public:
   Counts(glm::ivec3 size, const std::vector<std::uint32_t>& cells)
-      : size_(size), corners_(size + 1), sums_(std::size_t(corners_.x) * std::size_t(corners_.y) *
-                                               std::size_t(corners_.z)) {
+      : size_(size),
+        corners_(size + 1),
+        sums_(std::size_t(corners_.x) * std::size_t(corners_.y) * std::size_t(corners_.z)) {
     for (int y = 0; y < size.y; ++y)
       for (int z = 0; z < size.z; ++z) {
         std::uint32_t row = 0;
@@ -68,8 +69,8 @@ void findCubes(glm::ivec3 size, const std::vector<std::uint32_t>& cells, glm::iv
         int smallest = kLongestBox - 1;
         for (int n = 1; n < 8; ++n) {
           const glm::ivec3 q = p + step * glm::ivec3(n & 1, n >> 1 & 1, n >> 2);
-          const bool inside = q.x >= 0 && q.y >= 0 && q.z >= 0 && q.x < size.x && q.y < size.y &&
-                              q.z < size.z;
+          const bool inside =
+              q.x >= 0 && q.y >= 0 && q.z >= 0 && q.x < size.x && q.y < size.y && q.z < size.z;
           if (inside) smallest = std::min(smallest, boxX(boxes[offsetIn(size, q)]));
         }
         boxes[offsetIn(size, p)] = std::uint16_t(packBox(smallest + 1, smallest + 1, smallest + 1));

@@ -57,7 +57,7 @@ RayCounts& RayCounts::operator+=(const RayCounts& other) {
 struct PathTracer::Query {
   bool wanted = false;
   Ray ray;
-  glm::vec3 value{0};            ///< light, before what filters take
+  glm::vec3 value{0};              ///< light, before what filters take
   std::uint32_t target = kNoQuad;  ///< must be met; kNoQuad: the sky
   RayHit hit;
 

@@ -78,8 +78,7 @@ class PathTracer {
   void askSun(const TraceSurface& surface, Query& query, RayCounts& counts) const;
   void askLamp(const TraceSurface& surface, SampleRandom& random, Query& query,
                RayCounts& counts) const;
-  glm::vec3 metLamp(const RayHit& hit, const TraceSurface& from,
-                    const glm::vec3& direction) const;
+  glm::vec3 metLamp(const RayHit& hit, const TraceSurface& from, const glm::vec3& direction) const;
   void setSurface(const RayHit& hit, const glm::vec3& direction, TraceSurface& surface) const;
 
   const TraceScene& scene_;

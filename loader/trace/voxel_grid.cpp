@@ -43,9 +43,8 @@ VoxelGrid::VoxelGrid(glm::ivec3 size, const std::vector<std::uint32_t>& offsets,
     cell.hollow = isHollow(cell, quads_);
     // Most translucent quads stop no ray and tint none: the matter behind them does.
     const auto first = quads_.begin() + cell.firstQuad, end = first + cell.quadCount;
-    cell.stops = std::any_of(first, end, [](const TraceQuad& quad) {
-      return !quad.translucent || quad.filters;
-    });
+    cell.stops = std::any_of(
+        first, end, [](const TraceQuad& quad) { return !quad.translucent || quad.filters; });
   }
   for (const TraceQuad& quad : quads_) planes_.push_back(planeOf(quad));
   boxes_ = measureOpenBoxes(size_, cellAt_);

@@ -56,10 +56,10 @@ struct TraceCell {
   std::uint32_t firstQuad = 0;
   std::uint8_t quadCount = 0;
   std::uint8_t faces = 0;   ///< full sides: bit by FaceDirection; quads are sorted by it
-  std::uint8_t filter = 0;     ///< index in `filters`, 0 none
-  bool cube = false;    ///< full and opaque
-  bool hollow = false;  ///< full sides with holes, nothing else
-  bool stops = false;   ///< some quad matters to light
+  std::uint8_t filter = 0;  ///< index in `filters`, 0 none
+  bool cube = false;        ///< full and opaque
+  bool hollow = false;      ///< full sides with holes, nothing else
+  bool stops = false;       ///< some quad matters to light
 };
 
 /// Matter that fills cells up to a height: a block's depth of it lets `color` through.

@@ -182,7 +182,8 @@ void VoxelGrid::Walk<kCamera>::meetQuads(const TraceCell& cell) {
     if (!(at.x >= 0 && at.x <= 1 && at.y >= 0 && at.y <= 1)) continue;
     const TraceQuad& quad = grid_.quads_[i];
     if (!kCamera && quad.translucent) {
-      if (quad.filters && slope < 0) depth_ += glm::log(glm::max(glm::vec3(grid_.texel(quad, at)), 1e-6f));
+      if (quad.filters && slope < 0)
+        depth_ += glm::log(glm::max(glm::vec3(grid_.texel(quad, at)), 1e-6f));
       continue;
     }
     if (quad.alphaTested && grid_.texel(quad, at).a < kAlphaTest) continue;

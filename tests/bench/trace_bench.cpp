@@ -73,12 +73,9 @@ void measure(const std::string& path) {
     for (const Ray& ray : rays) met += grid.intersect(ray).quad != kNoQuad;
   });
   const auto count = double(rays.size());
-  nlohmann::json result = {{"world", path},
-                           {"rays", rays.size()},
-                           {"hits", met},
-                           {"tracer", count / traced},
-                           {"grid", count / bare},
-                           {"tracerOverGrid", bare / traced}};
+  nlohmann::json result = {{"world", path},        {"rays", rays.size()},
+                           {"hits", met},          {"tracer", count / traced},
+                           {"grid", count / bare}, {"tracerOverGrid", bare / traced}};
   const EmbreeTimes embree = measureEmbree(grid, rays, kRounds);
   if (embree.present) {
     result["embree"] = count / embree.seconds;

@@ -36,7 +36,8 @@ RTCGeometry makeQuads(RTCDevice device, Scene& scene) {
     const glm::vec3 corners[4] = {q.corner, q.corner + q.edgeU, q.corner + q.edgeU + q.edgeV,
                                   q.corner + q.edgeV};
     for (std::size_t c = 0; c < 4; ++c) {
-      for (int axis = 0; axis < 3; ++axis) points[(4 * i + c) * 3 + std::size_t(axis)] = corners[c][axis];
+      for (int axis = 0; axis < 3; ++axis)
+        points[(4 * i + c) * 3 + std::size_t(axis)] = corners[c][axis];
       indices[4 * i + c] = unsigned(4 * i + c);
     }
   }
@@ -54,8 +55,18 @@ std::uint64_t shootAll(RTCScene scene, const std::vector<Ray>& rays) {
   rtcInitIntersectContext(&context);
   for (const Ray& ray : rays) {
     RTCRayHit query;
-    query.ray = {ray.origin.x, ray.origin.y, ray.origin.z, 1e-4f, ray.direction.x, ray.direction.y,
-                 ray.direction.z, 0, INFINITY, ~0u, 0, 0};
+    query.ray = {ray.origin.x,
+                 ray.origin.y,
+                 ray.origin.z,
+                 1e-4f,
+                 ray.direction.x,
+                 ray.direction.y,
+                 ray.direction.z,
+                 0,
+                 INFINITY,
+                 ~0u,
+                 0,
+                 0};
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(scene, &context, &query);

@@ -81,8 +81,8 @@ inline TraceScene sceneOf(const Cubes& cubes, const LightingInput& lighting = {}
     cells.push_back(made);
   }
   TraceScene scene;
-  scene.grid = VoxelGrid(size, offsets, std::move(cells), std::move(quads), {{}},
-                         {1, 1, {glm::vec4(1)}});
+  scene.grid =
+      VoxelGrid(size, offsets, std::move(cells), std::move(quads), {{}}, {1, 1, {glm::vec4(1)}});
   scene.lamps = LampSet(std::move(lamps), size);
   scene.lighting = std::make_shared<PackLighting>(lighting);
   scene.emissionScale.assign(16, 0);

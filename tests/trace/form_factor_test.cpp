@@ -18,7 +18,8 @@ constexpr double kPi = 3.14159265358979;
 double facing(double x, double y) {
   const double xx = 1 + x * x, yy = 1 + y * y;
   return 2 / (kPi * x * y) *
-         (std::log(std::sqrt(xx * yy / (xx + yy - 1))) + x * std::sqrt(yy) * std::atan(x / std::sqrt(yy)) +
+         (std::log(std::sqrt(xx * yy / (xx + yy - 1))) +
+          x * std::sqrt(yy) * std::atan(x / std::sqrt(yy)) +
           y * std::sqrt(xx) * std::atan(y / std::sqrt(xx)) - x * std::atan(x) - y * std::atan(y));
 }
 
@@ -28,8 +29,8 @@ double adjoining(double w, double h) {
   const double a = (1 + ww) * (1 + hh) / (1 + sum);
   const double b = std::pow(ww * (1 + sum) / ((1 + ww) * sum), ww);
   const double c = std::pow(hh * (1 + sum) / ((1 + hh) * sum), hh);
-  return (w * std::atan(1 / w) + h * std::atan(1 / h) - std::sqrt(sum) * std::atan(1 / std::sqrt(sum)) +
-          std::log(a * b * c) / 4) /
+  return (w * std::atan(1 / w) + h * std::atan(1 / h) -
+          std::sqrt(sum) * std::atan(1 / std::sqrt(sum)) + std::log(a * b * c) / 4) /
          (kPi * w);
 }
 
@@ -103,7 +104,8 @@ double lampFactor(double x, double z, double h, double x0, double x1, double z0,
 TraceScene lampRoom() {
   Cubes cubes = test::roomOf(kRoom, {});
   for (auto& [cell, cube] : cubes) {
-    const bool lamp = cell.y == kRoom.y + 1 && cell.x >= 6 && cell.x < 10 && cell.z >= 5 && cell.z < 9;
+    const bool lamp =
+        cell.y == kRoom.y + 1 && cell.x >= 6 && cell.x < 10 && cell.z >= 5 && cell.z < 9;
     if (lamp) cube.radiance = glm::vec3(16);
     if (cell.y == 0) cube.albedo = glm::vec3(0.5f);
   }

@@ -48,8 +48,7 @@ TEST(WhiteFurnace, hides_a_white_block) {
   for (const int face : {0, 2, 3, 5}) {  // the others touch a block
     const Estimate result = test::estimate(kSamples / 4, [&](std::uint32_t i) {
       SampleRandom random(2, std::uint32_t(face), i);
-      const TraceSurface surface =
-          test::surfaceOn({4, 3, 3}, FaceDirection(face), random.pair());
+      const TraceSurface surface = test::surfaceOn({4, 3, 3}, FaceDirection(face), random.pair());
       return double(tracer.incoming(surface, random, counts).g);
     });
     EXPECT_NEAR(result.mean, 1, 4 * result.error + 1e-6) << "face " << face;
