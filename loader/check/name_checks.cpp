@@ -141,9 +141,14 @@ class StageNames {
          {}});
   }
 
+  /// Does the author? The host adds what is used without being declared.
   bool declares(std::string_view name) const {
+    const MappedText& text = stage_.stage->text;
     return std::any_of(stage_.globals.begin(), stage_.globals.end(),
-                       [&](const StageGlobal& global) { return global.name == name; });
+                       [&](const StageGlobal& global) {
+                         return global.name == name &&
+                                !text.locate(global.place.line, global.place.column).file.empty();
+                       });
   }
 
   void reportUnknown(const StageGlobal& global, NameKind kind, std::vector<std::string> own) {

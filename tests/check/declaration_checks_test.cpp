@@ -222,6 +222,16 @@ TEST(Names, an_unused_declaration_one_slip_from_a_known_name_is_a_warning) {
                           "'colotrex5'"));
 }
 
+TEST(Names, a_misspelt_attribute_is_found_although_the_host_declares_the_right_one) {
+  Files files = fragmentOf("void main() { gl_FragColor = vec4(1); }");
+  files["/composite.vsh"] = kVersion +
+                            "in vec3 vaNromal;\n"
+                            "void main() { gl_Position = vec4(vaNormal, 1.0); }\n";
+  EXPECT_THAT(messages(files),
+              ElementsAre("attribute-unknown /composite.vsh:2:9: warning: no attribute is called "
+                          "'vaNromal'"));
+}
+
 TEST(Names, a_global_that_nothing_uses_does_not_use_its_initialiser) {
   EXPECT_THAT(messages(fragmentOf("uniform float foo;\nfloat bar = foo * 2.0;\n"
                                   "void main() { gl_FragColor = vec4(1); }")),

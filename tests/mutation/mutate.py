@@ -92,14 +92,16 @@ def keeps_all_but_declarations(before, after):
 
 def equivalence(view, fault, root):
     """Why nothing could be found, or "": only texts that reach the driver prove it."""
-    if fault.kind in properties_faults.KINDS or fault.kind in directive_faults.IN_COMMENTS:
+    nowhere = properties_faults.names_nothing(view, fault)
+    in_texts = fault.kind not in (*properties_faults.KINDS, *directive_faults.IN_COMMENTS)
+    if not nowhere and not in_texts:
         return ""
     with temporary_folder() as folder:
         view.orris.validate(root, fault.options, patched=folder)
         texts = Reach(folder).texts
     before = view.reach_with(fault.options).texts if fault.options else view.reach.texts
     if texts == before:
-        return "no text that reaches the driver changes"
+        return nowhere or "no text that reaches the driver changes"
     # Such a text was compiled and linked without a complaint.
     if fault.kind == "include-removed" and texts.keys() == before.keys() and all(
             keeps_all_but_declarations(before[name], texts[name]) for name in texts):

@@ -90,6 +90,15 @@ def dimension_folder(view):
                    (begin + len("dimension."), end), "wrold9")
 
 
+def names_nothing(view, fault):
+    """Why the line led nowhere before it was changed, or ""."""
+    if fault.kind != "dimension-folder":
+        return ""
+    folder = re.match(r"\s*dimension\.([\w-]+)", read_lines(view.path(fault.file))[fault.line - 1])
+    exists = view.path("/" + folder.group(1)).is_dir()
+    return "" if exists else "the pack has no such folder without the fault either"
+
+
 def language(kind, pattern):
     compiled = re.compile(pattern)
 
