@@ -30,7 +30,7 @@ struct Rule {
 
 // In this order: names are settled before the rules that read declarations, and the version is set
 // last because the others ask for the pack's.
-constexpr std::array<Rule, 14> kRules = {{
+constexpr std::array<Rule, 15> kRules = {{
     {ruleExtensions, false},
     {ruleAttributeVarying, false},
     {ruleTextureFunctions, false},
@@ -41,6 +41,7 @@ constexpr std::array<Rule, 14> kRules = {{
     {ruleGlobalConst, true},
     {ruleMixBool, true},
     {ruleZeroInit, true},
+    {ruleEntityId, false},
     {ruleOutColor, true},
     {ruleFragData, true},
     {ruleHostNames, true},

@@ -50,6 +50,7 @@ struct HostName {
 /// - unused-functions: functions named nowhere else are dropped
 /// - global-const: `const` is dropped from globals whose initialiser is not constant
 /// - mix-bool: mix(vecN, vecN, bool) -> orris_mix with its overloads
+/// - entity-id: uint(... mc_Entity ...) -> uint(max(... mc_Entity ..., 0.0)) in vertex stages
 /// - zero-init: variables declared without a value, small arrays and structs included, are zero
 /// - out-color: an output outColorN without layout gets location N
 /// - frag-data: gl_FragData and gl_FragColor beside outputs of the pack's own -> orris_FragDataN

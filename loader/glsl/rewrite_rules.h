@@ -70,6 +70,7 @@ void ruleUnusedFunctions(RewriteContext& context);
 void ruleGlobalConst(RewriteContext& context);
 void ruleMixBool(RewriteContext& context);
 void ruleZeroInit(RewriteContext& context);
+void ruleEntityId(RewriteContext& context);
 void ruleOutColor(RewriteContext& context);
 void ruleFragData(RewriteContext& context);
 void ruleHostNames(RewriteContext& context);

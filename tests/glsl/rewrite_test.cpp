@@ -250,6 +250,22 @@ TEST(mix_bool, a_mix_of_the_pack_is_left_alone) {
             "");
 }
 
+TEST(entity_id, of_no_block_is_zero_as_an_unsigned_number) {
+  const auto id = [](const std::string& expression) {
+    const std::string head = "in vec4 mc_Entity;\nuint f() { return ";
+    const std::string text = rewritten(head + expression + "; }\nuint g = f();\n", Stage::Vertex);
+    return text.substr(head.size(), text.find("; }") - head.size());
+  };
+  EXPECT_EQ(id("uint(mc_Entity.x)"), "uint(max(mc_Entity.x, 0.0))");
+  EXPECT_EQ(id("uint((mc_Entity.x - 1000.0) + 0.25) + 1u"),
+            "uint(max((mc_Entity.x - 1000.0) + 0.25, 0.0)) + 1u");
+  EXPECT_EQ(id("uint(h(mc_Entity.x) + h(mc_Entity.y))"),
+            "uint(max(h(mc_Entity.x) + h(mc_Entity.y), 0.0))");
+  EXPECT_EQ(id("uint(x) + int(mc_Entity.x)"), "uint(x) + int(mc_Entity.x)");
+  EXPECT_EQ(id("h(uint(x), mc_Entity.x)"), "h(uint(x), mc_Entity.x)");
+  EXPECT_EQ(fired("uint f() { return uint(mc_Entity.x); }\nuint g = f();\n", Stage::Fragment), "");
+}
+
 // Iris: CompatibilityTransformer.
 TEST(frag_data, becomes_outputs_beside_outputs_of_the_pack) {
   EXPECT_EQ(
