@@ -36,6 +36,8 @@ void FrameRenderer::drawSky(const Step& step, const GpuProgram& program, const F
   scene.bindShapes();
   bindVertices(program.program);
   if (step.geometry == Geometry::Sky) {
+    setConstantColor(program.program, glm::vec4(state.environment.fogColor, 1));
+    scene.drawQuads(scene.horizon, program.patches);
     setConstantColor(program.program, glm::vec4(state.environment.skyColor, 1));
     scene.drawQuads(scene.skyDisc, program.patches);
   } else if (step.geometry == Geometry::Stars) {

@@ -59,6 +59,7 @@ void GpuScene::buildShapes() {
   ShapeList shapes;
   shapes.quad({{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}}, kUnitUv);
   fullscreen = shapes.since(0);
+  horizon = addHorizon(shapes);
   skyDisc = addSkyDisc(shapes);
   stars = addStars(shapes);
   sun = addCelestialQuad(shapes, 100, 30, 0);

@@ -88,7 +88,7 @@ class GpuScene {
   /// Draws quads of the bound buffer; `patches` for tessellation.
   void drawQuads(const QuadRange& range, bool patches) const;
 
-  QuadRange fullscreen, skyDisc, stars, sun, moon;
+  QuadRange fullscreen, horizon, skyDisc, stars, sun, moon;
 
  private:
   void buildShapes();

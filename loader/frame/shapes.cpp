@@ -38,6 +38,29 @@ QuadRange ShapeList::since(size_t start) const {
   return {static_cast<unsigned>(start), static_cast<unsigned>((vertices.size() - start) / 4)};
 }
 
+QuadRange addHorizon(ShapeList& shapes) {
+  constexpr int kSides = 8, kRadius = 256, kPlane = 384, kTile = 64;
+  constexpr float kHeight = 16;
+  const std::array<glm::vec2, 4> uv{};
+  const size_t start = shapes.vertices.size();
+  const auto rim = [](int i, float y) {
+    const float a = (static_cast<float>(i) + 0.5f) * 2 * 3.14159265f / kSides;
+    return glm::vec3(kRadius * std::cos(a), y, kRadius * std::sin(a));
+  };
+  for (int i = 0; i < kSides; ++i)
+    shapes.quad({{rim(i, -kHeight), rim(i + 1, -kHeight), rim(i + 1, kHeight), rim(i, kHeight)}},
+                uv);
+  for (int i = -kPlane; i <= kPlane; i += kTile)
+    for (int j = -kPlane; j <= kPlane; j += kTile) {
+      const auto x = static_cast<float>(i), z = static_cast<float>(j);
+      const float x2 = x + kTile, z2 = z + kTile;
+      shapes.quad({{{x2, kHeight, z}, {x2, kHeight, z2}, {x, kHeight, z2}, {x, kHeight, z}}}, uv);
+      shapes.quad({{{x2, -kHeight, z}, {x, -kHeight, z}, {x, -kHeight, z2}, {x2, -kHeight, z2}}},
+                  uv);
+    }
+  return shapes.since(start);
+}
+
 QuadRange addSkyDisc(ShapeList& shapes) {
   const size_t start = shapes.vertices.size();
   const std::array<glm::vec2, 4> center = {

@@ -30,6 +30,9 @@ inline constexpr std::array<glm::vec2, 4> kUnitUv = {{{0, 0}, {1, 0}, {1, 1}, {0
 std::uint32_t mixBits(std::uint32_t x);
 
 /// Shapes around the eye, as the game makes them.
+/// Iris: HorizonRenderer. A prism around the eye between two planes, where the game without shaders
+/// shows the clear colour: gbuffers_skybasic runs in every direction.
+QuadRange addHorizon(ShapeList& shapes);
 QuadRange addSkyDisc(ShapeList& shapes);
 QuadRange addStars(ShapeList& shapes);
 /// A square of half width `size` at height `y`, whose texture starts at `u0`.

@@ -9,6 +9,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::FloatNear;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 class FrameRendererGL : public RenderTest {};
 
@@ -25,6 +26,34 @@ TEST_F(FrameRendererGL, colortex0_is_cleared_to_the_fog_colour) {
   draw();
   EXPECT_THAT(pixel("colortex0", 5, 5), ElementsAre(FloatNear(0.25f, .01f), FloatNear(0.5f, .01f),
                                                     FloatNear(0.75f, .01f), 1));
+}
+
+// Iris: HorizonRenderer.
+TEST_F(FrameRendererGL, the_sky_program_runs_in_every_direction) {
+  files_["/gbuffers_skybasic.vsh"] =
+      "#version 330 compatibility\nout vec4 tint;\n"
+      "void main() { gl_Position = ftransform(); tint = gl_Color; }\n";
+  files_["/gbuffers_skybasic.fsh"] =
+      "#version 330 compatibility\nin vec4 tint;\nuniform int renderStage;\n"
+      "void main() { gl_FragData[0] = vec4(tint.rg, float(renderStage), 1.0); }\n";
+  addProgram("final", kPass);
+  files_["/shaders.properties"] = "stars=false\nsun=false\nmoon=false\n";
+  World world = floorWorld();
+  world.blocks = BlockWorld({0, 0, 0}, {1, 1, 1});
+  world.environment.fogColor = {0.25f, 0.5f, 0.75f};
+  world.environment.skyColor = {0.75f, 0.25f, 0.5f};
+  const auto fog = ElementsAre(FloatNear(0.25f, .01f), FloatNear(0.5f, .01f), 1, 1);
+  for (const float pitch : {90.0f, 45.0f, 0.0f}) {
+    world.cameras[0].pitch = pitch;
+    ASSERT_TRUE(start(world)) << messages();
+    draw();
+    EXPECT_THAT(pixel("colortex0", 5, 16), fog) << pitch;
+  }
+  world.cameras[0].pitch = -45;
+  ASSERT_TRUE(start(world)) << messages();
+  draw();
+  EXPECT_THAT(pixel("colortex0", 5, 16),
+              ElementsAre(FloatNear(0.75f, .01f), FloatNear(0.25f, .01f), 1, 1));
 }
 
 TEST_F(FrameRendererGL, programs_read_what_the_last_one_wrote) {
@@ -284,6 +313,17 @@ TEST_F(FrameRendererGL, errors_name_the_line_and_the_last_good_pack_keeps_runnin
   EXPECT_THAT(messages(), HasSubstr("missing"));
   draw();
   EXPECT_THAT(pixel("colortex0", 4, 4), ElementsAre(0, 1, 0, 1));
+}
+
+TEST_F(FrameRendererGL, an_extension_that_the_driver_lacks_is_a_limit_of_the_driver) {
+  addProgram("composite",
+             "#extension GL_NONE_such : enable\nvoid main() {\n  gl_FragColor = noSuch(uv);\n}\n");
+  addProgram("final", kPass);
+  ASSERT_TRUE(start(floorWorld())) << messages();
+  EXPECT_THAT(messages(), HasSubstr("/composite.fsh:3:1: warning: extension `GL_NONE_such' "
+                                    "unsupported in fragment shader"));
+  EXPECT_THAT(messages(), HasSubstr("this driver cannot run the program; it is left out"));
+  EXPECT_THAT(messages(), Not(HasSubstr("noSuch")));
 }
 
 TEST_F(FrameRendererGL, a_reload_builds_only_the_programs_that_changed) {
