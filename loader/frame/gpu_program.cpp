@@ -99,18 +99,39 @@ bool exceedsLimit(const std::string& linkLog) {
          linkLog.find("Too many ") != std::string::npos;
 }
 
+void markAsLimit(Diagnostic& diagnostic) {
+  diagnostic.severity = Severity::Warning;
+  diagnostic.id = "target-limit";
+  diagnostic.notes.push_back("this driver cannot run the program; it is left out");
+}
+
 void reportLink(const std::string& log, const StageText& stage, const SourceLines& lines,
                 Diagnostics& diagnostics) {
   Diagnostics found;
   mapDriverLog(log, Severity::Error, stage, lines, found);
   for (Diagnostic& diagnostic : found) {
-    if (exceedsLimit(log)) {
-      diagnostic.severity = Severity::Warning;
-      diagnostic.id = "target-limit";
-      diagnostic.notes.push_back("this driver cannot run the program; it is left out");
-    }
+    if (exceedsLimit(log)) markAsLimit(diagnostic);
     diagnostics.push_back(std::move(diagnostic));
   }
+}
+
+// Mesa words it so: "extension `GL_KHR_shader_subgroup_basic' unsupported in compute shader".
+bool lacksExtension(const Diagnostic& diagnostic) {
+  return diagnostic.message.starts_with("extension `") &&
+         diagnostic.message.find("' unsupported in ") != std::string::npos;
+}
+
+/// What a stage does with an extension that the driver lacks is not told besides: whether that is
+/// right, glslang says.
+void reportCompile(const std::string& log, const StageText& stage, const SourceLines& lines,
+                   Diagnostics& diagnostics) {
+  Diagnostics found;
+  mapDriverLog(log, Severity::Error, stage, lines, found);
+  if (std::any_of(found.begin(), found.end(), lacksExtension)) {
+    std::erase_if(found, [](const Diagnostic& d) { return !lacksExtension(d); });
+    for (Diagnostic& diagnostic : found) markAsLimit(diagnostic);
+  }
+  diagnostics.insert(diagnostics.end(), found.begin(), found.end());
 }
 
 }  // namespace
@@ -132,7 +153,7 @@ GpuProgram buildGpuProgram(const std::string& label, const std::vector<const Sta
   if (result.program.linked) return result;
   for (size_t i = 0; i < stages.size(); ++i)
     if (result.program.stageFailed[i])
-      mapDriverLog(result.program.stageLogs[i], Severity::Error, *stages[i], lines, diagnostics);
+      reportCompile(result.program.stageLogs[i], *stages[i], lines, diagnostics);
   const bool compiled = std::none_of(result.program.stageFailed.begin(),
                                      result.program.stageFailed.end(), [](bool f) { return f; });
   if (compiled && !stages.empty())
