@@ -1,5 +1,8 @@
 #include "app/draw_check.h"
 
+#include <fmt/format.h>
+
+#include "check/driver_check.h"
 #include "frame/render_session.h"
 #include "world/world.h"
 
@@ -25,8 +28,6 @@ World smallWorld(const std::string& dimension) {
   return world;
 }
 
-}  // namespace
-
 void drawOneFrame(gl::Context& context, const std::shared_ptr<const FileSource>& files,
                   const LoadRequest& load, Diagnostics& diagnostics) {
   World world = smallWorld(load.dimension);
@@ -41,6 +42,33 @@ void drawOneFrame(gl::Context& context, const std::shared_ptr<const FileSource>&
     Diagnostic& diagnostic = diagnostics.emplace_back();
     diagnostic.id = "gl-error";
     diagnostic.message = "drawing one frame: " + message;
+  }
+}
+
+/// A slow driver, most often one without a graphics card, says nothing about the pack.
+void explainTimeout(const std::string& dimension, Diagnostic& diagnostic) {
+  diagnostic.id = "draw-timeout";
+  diagnostic.severity = Severity::Warning;
+  diagnostic.message =
+      fmt::format("one frame of {} takes this driver longer than {} s", dimension, kDrawSeconds);
+  diagnostic.hint = "a limit of this driver, not a mistake of the pack";
+}
+
+/// A remark at a line comes from loading, which validate has told already, in other words at times.
+bool isOfLoading(const Diagnostic& diagnostic) {
+  return diagnostic.severity != Severity::Error && diagnostic.at.line > 0;
+}
+
+}  // namespace
+
+void checkDrawing(gl::Backend backend, const std::shared_ptr<const FileSource>& files,
+                  const LoadRequest& load, Diagnostics& diagnostics) {
+  Diagnostics drawn = runWithContext(
+      backend, "one frame",
+      [&](gl::Context& context, Diagnostics& found) { drawOneFrame(context, files, load, found); });
+  for (Diagnostic& diagnostic : drawn) {
+    if (diagnostic.id == "compiler-timeout") explainTimeout(load.dimension, diagnostic);
+    if (!isOfLoading(diagnostic)) diagnostics.push_back(std::move(diagnostic));
   }
 }
 

@@ -10,9 +10,9 @@
 
 namespace orris {
 
-/// Draws one small frame of a built-in scene with solid, cutout, translucent and glowing blocks; GL
-/// errors become diagnostics.
-void drawOneFrame(gl::Context& context, const std::shared_ptr<const FileSource>& files,
+/// Draws one small frame of a built-in scene with solid, cutout, translucent and glowing blocks, in
+/// a process of its own; GL errors become diagnostics. What loading tells is left out.
+void checkDrawing(gl::Backend backend, const std::shared_ptr<const FileSource>& files,
                   const LoadRequest& load, Diagnostics& diagnostics);
 
 }  // namespace orris

@@ -31,8 +31,13 @@ bool isShown(Severity severity, const OutputOptions& output) {
 void Report::add(Diagnostics& diagnostics) {
   for (Diagnostic& diagnostic : diagnostics) {
     const auto [place, isNew] = seen_.emplace(keyOf(diagnostic), all_.size());
-    if (isNew) entryFiles_.emplace_back();
+    if (isNew) {
+      entryFiles_.emplace_back();
+      contexts_.emplace_back();
+    }
     entryFiles_[place->second].insert(entryFileOf(diagnostic));
+    std::vector<std::string>& contexts = contexts_[place->second];
+    if (contexts.empty() || contexts.back() != context_) contexts.push_back(context_);
     if (!isNew) continue;
     if (mode_ == Mode::Print && isShown(diagnostic.severity, output_)) {
       std::cerr << formatDiagnostic(diagnostic) << std::endl;
@@ -40,6 +45,15 @@ void Report::add(Diagnostics& diagnostics) {
     all_.push_back(std::move(diagnostic));
   }
   diagnostics.clear();
+}
+
+void Report::noteContexts(std::size_t count) {
+  for (std::size_t i = 0; i < all_.size(); ++i) {
+    const std::vector<std::string>& contexts = contexts_[i];
+    if (all_[i].severity == Severity::Note || contexts.front().empty()) continue;
+    // A program that several profiles share is compiled for the first of them only.
+    if (contexts.size() < count) all_[i].notes.push_back("first met with " + contexts.front());
+  }
 }
 
 void Report::error(const std::string& id, const std::string& message, const std::string& hint,

@@ -25,6 +25,11 @@ class Report {
 
   const OutputOptions& output() const { return output_; }
   void add(Diagnostics& diagnostics);
+  /// Under which of several settings ("profile LOW") problems are met that are added from now on;
+  /// "": under all.
+  void setContext(std::string context) { context_ = std::move(context); }
+  /// Notes at each problem the first of the contexts it was met under, if not under all `count`.
+  void noteContexts(std::size_t count);
   /// kProblems when an error was added, else kClean.
   ExitStatus status() const { return hasErrors(all_) ? kProblems : kClean; }
   const Diagnostics& all() const { return all_; }
@@ -38,8 +43,10 @@ class Report {
   OutputOptions output_;
   Mode mode_;
   Diagnostics all_;
+  std::string context_;
   std::vector<std::set<std::string>> entryFiles_;
-  std::map<std::string, std::size_t> seen_;  ///< index in all_
+  std::vector<std::vector<std::string>> contexts_;  ///< of each problem, in order, each once
+  std::map<std::string, std::size_t> seen_;         ///< index in all_
 };
 
 /// Whether the flags ask to print a problem of this severity.

@@ -61,7 +61,6 @@ std::optional<ShaderPack> checkOne(const ShaderPack& outline, const LoadRequest&
   diagnostics = ruleNotes(*pack);
   checkPrograms(*pack, checker, diagnostics);
   checkFrame(*pack, checker.target, diagnostics);
-  dropRepeatedLinkErrors(diagnostics);
   verdict.dimensions.insert(pack->folder);
   verdict.profiles.insert(request.profile);
   for (const ProgramUnit& unit : programUnits(*pack)) {
@@ -71,12 +70,9 @@ std::optional<ShaderPack> checkOne(const ShaderPack& outline, const LoadRequest&
     if (!checker.passed(unit.hash)) programs.failed.insert(unit.name);
   }
   if (checker.gpu && !hasErrors(diagnostics)) {
-    const Diagnostics drawn =
-        runWithContext(checker.backend, "one frame", [&](gl::Context& context, Diagnostics& found) {
-          drawOneFrame(context, outline.source, request, found);
-        });
-    diagnostics.insert(diagnostics.end(), drawn.begin(), drawn.end());
+    checkDrawing(checker.backend, outline.source, request, diagnostics);
   }
+  dropRepeatedLinkErrors(diagnostics);
   report.add(diagnostics);
   return pack;
 }
@@ -163,9 +159,11 @@ PackVerdict validatePack(const std::string& path, const ValidateOptions& options
   request->buildSources = true;
   request->buildModPrograms = true;
   request->uniformTypes = uniformTypes();
-  for (const std::string& profile :
-       chosen(options.profiles, namesOf(outline->properties.profiles))) {
+  const std::vector<std::string> profiles =
+      chosen(options.profiles, namesOf(outline->properties.profiles));
+  for (const std::string& profile : profiles) {
     if (!profile.empty()) request->profile = profile;
+    if (profiles.size() > 1) report.setContext("profile " + profile);
     std::vector<ShaderPack> folders;
     for (const std::string& dimension : chosen(options.dimensions, outline->dimensions)) {
       request->dimension = dimension;
@@ -182,6 +180,8 @@ PackVerdict validatePack(const std::string& path, const ValidateOptions& options
     }
     checkMatrix(folders, *request, options, checker, verdict, report);
   }
+  report.setContext("");
+  report.noteContexts(profiles.size());
   return verdict;
 }
 

@@ -98,7 +98,7 @@ Diagnostics runWithContext(gl::Backend backend, const std::string& what,
     return encodeDiagnostics(found);
   };
   runIsolated(
-      {.count = 1, .work = job, .time = std::chrono::seconds(120), .memoryBytes = kNoMemoryLimit},
+      {.count = 1, .work = job, .time = std::chrono::seconds(kDrawSeconds), .memoryBytes = kNoMemoryLimit},
       [&](std::size_t, const JobOutcome& outcome) {
         result = outcome.kind == JobOutcome::Kind::Done
                      ? decodeDiagnostics(outcome.result)

@@ -17,6 +17,8 @@ std::optional<gl::DriverInfo> askDriver(gl::Backend backend, Diagnostics& diagno
 void checkWithDriver(const ShaderPack& pack, gl::Backend backend, Verdicts& verdicts,
                      Diagnostics& diagnostics);
 
+inline constexpr int kDrawSeconds = 300;  ///< of processor time for runWithContext()
+
 /// Runs `work` with a context in a process of its own and returns what it reported; `what` is for
 /// the message if it does not end well.
 Diagnostics runWithContext(gl::Backend backend, const std::string& what,

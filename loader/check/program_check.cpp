@@ -22,6 +22,20 @@ std::uint64_t hashOf(const std::vector<const StageText*>& stages) {
   return hash;
 }
 
+// Its programs become part of a shader of the mod's own, which this host does not have.
+constexpr std::string_view kPatchingMod = "Voxy";
+
+/// A name that resembles none of the pack's may be the mod's.
+void excuseNamesOfTheMod(Diagnostics& diagnostics) {
+  for (Diagnostic& diagnostic : diagnostics) {
+    if (!diagnostic.hint.empty() ||
+        diagnostic.message.find("undeclared identifier") == std::string::npos)
+      continue;
+    diagnostic.severity = Severity::Note;
+    diagnostic.notes.push_back("the mod may declare it");
+  }
+}
+
 std::string unitName(const ProgramSource& program, const std::string& name) {
   return program.folder == "/" ? "/" + name : program.folder + "/" + name;
 }
@@ -127,6 +141,7 @@ void checkWithGlslang(const ShaderPack& pack, int jobs, Verdicts& verdicts,
   for (size_t i = 0; i < units.size(); ++i) {
     verdicts[units[i].hash] = !hasErrors(found[i]) && !units[i].incomplete;
     if (!units[i].mod.empty()) markAsOfMod(units[i].mod, found[i]);
+    if (units[i].mod == kPatchingMod) excuseNamesOfTheMod(found[i]);
     diagnostics.insert(diagnostics.end(), found[i].begin(), found[i].end());
   }
 }

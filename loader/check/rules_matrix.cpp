@@ -10,6 +10,7 @@ std::span<const Rule> matrixRules() {
       {"compiler-crash", Severity::Error, "a program kills the compiler or the GL driver"},
       {"compiler-timeout", Severity::Error,
        "the compiler or the GL driver does not finish with a program"},
+      {"draw-timeout", Severity::Warning, "the GL driver does not finish one frame in time"},
   };
   return kRules;
 }

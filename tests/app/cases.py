@@ -129,6 +129,11 @@ PACKS = [
          r"^/shaders\.properties:2:19: error: SRC_ALPA is no blend factor"],
         stderr=[r"(?s)/block\.properties:2:9: warning: .*/composite\.fsh:3:1: warning: .*"
                 r"/final\.fsh:2:9: warning: .*/shaders\.properties:1:10: warning: "]),
+    Case("error_of_one_profile", ["validate pack --profiles all"], 1, pack({
+        "final.fsh": FINAL.replace("void", "#define MODE 1 // [0 1 2]\n#if MODE == 2\nbroken\n"
+                                           "#endif\nvoid"),
+        "shaders.properties": "profile.LOW = MODE=1\nprofile.HIGH = MODE=2\n"}),
+        [r"^/final\.fsh:[67]"], [r"note: first met with profile HIGH"]),
     Case("unknown_option", [f"{command} --set NO_SUCH_OPTION=1"
                             for command in (RENDER, "validate pack", "options pack")],
          2, PACK, ["NO_SUCH_OPTION"]),

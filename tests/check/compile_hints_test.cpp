@@ -55,6 +55,27 @@ TEST(CompileHints, a_misspelt_declaration_is_reported_too) {
                        "is used without being declared"));
 }
 
+TEST(CompileHints, a_name_that_no_file_resembles_may_be_the_mods_that_takes_the_program) {
+  const auto compileVoxy = [](const std::string& body) {
+    Diagnostics diagnostics;
+    const auto pack = loadShaderPack(
+        memorySource({{"/composite.fsh", kVersion + "void main() { gl_FragColor = vec4(1.0); }"},
+                      {"/voxy.json", "{ \"uniforms\": [], \"samplers\": [] }"},
+                      {"/voxy_opaque.glsl",
+                       "layout(location = 0) out vec4 color;\nvec4 tinting;\n"
+                       "void voxy_emitFragment(VoxyFragmentParameters p) {\n" +
+                           body + "\n}\n"}}),
+        {.environment = standardMacros({}), .buildModPrograms = true}, diagnostics);
+    Verdicts verdicts;
+    checkWithGlslang(*pack, 1, verdicts, diagnostics);
+    return linesOf(diagnostics);
+  };
+  EXPECT_THAT(compileVoxy("color = vec4(quadData);"),
+              ElementsAre("/voxy_opaque.glsl:4:14: note: 'quadData' : undeclared identifier"));
+  EXPECT_THAT(compileVoxy("color = tintign;"),
+              Contains(HasSubstr("warning: 'tintign' : undeclared identifier | did you mean")));
+}
+
 TEST(CompileHints, a_missing_include_is_placed_as_a_similar_file_has_it) {
   const std::string top = kVersion + "// top\n", rest = "// rest\n#include \"/b.glsl\"\n";
   const std::string body = "void main() { gl_FragColor = shade(1.0); }\n";
