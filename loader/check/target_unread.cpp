@@ -31,8 +31,8 @@ class UnreadCheck {
   void checkBuffer(const FramePass& pass, int index) {
     const bool shadow = pass.isShadowGroup();
     // colortex0 is what every sampler name that nobody binds reads, and what a frame without a final
-    // program shows.
-    if ((!shadow && index == 0) || pass.kind == Kind::Present) return;
+    // program shows; a shadow program that needs no colour draws to shadowcolor0 all the same.
+    if (index == 0 || pass.kind == Kind::Present) return;
     if (!used_.insert({shadow, index}).second) return;
     const BufferMentions& m = frame_.mentions();
     const bool mentioned = m.pasted || (shadow ? m.shadowColor : m.color).contains(index) ||
