@@ -80,15 +80,15 @@ struct PathTracer::Query {
   }
 };
 
-void PathTracer::setSurface(const RayHit& hit, const glm::vec3& direction,
-                            TraceSurface& surface) const {
+void PathTracer::setSurface(const RayHit& hit, const glm::vec3& direction, TraceSurface& surface,
+                            int level) const {
   const TraceQuad& quad = scene_.grid.quad(hit.quad);
   surface.position = quad.corner + quad.edgeU * hit.at.x + quad.edgeV * hit.at.y;
   const bool away = glm::dot(quad.normal, direction) > 0;
   surface.normal = away ? -quad.normal : quad.normal;
   surface.cell = hit.cube ? hit.cell + glm::ivec3(quad.normal) : hit.cell;
   surface.quad = hit.quad;
-  surface.albedo = glm::vec3(scene_.grid.texel(quad, hit.at));
+  surface.albedo = glm::vec3(scene_.grid.texel(quad, hit.at, level));
   surface.thin = quad.thin;
 }
 

@@ -79,7 +79,9 @@ class PathTracer {
   void askLamp(const TraceSurface& surface, SampleRandom& random, Query& query,
                RayCounts& counts) const;
   glm::vec3 metLamp(const RayHit& hit, const TraceSurface& from, const glm::vec3& direction) const;
-  void setSurface(const RayHit& hit, const glm::vec3& direction, TraceSurface& surface) const;
+  void setSurface(const RayHit& hit, const glm::vec3& direction, TraceSurface& surface,
+                  int level = 0) const;
+  glm::vec3 pixelRay(int x, int y) const;
 
   const TraceScene& scene_;
   TraceCamera camera_;

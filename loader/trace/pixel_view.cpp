@@ -18,6 +18,7 @@ struct PathTracer::Look {
   Ray ray;
   glm::vec3 weight{1};
   bool mirrored = false;
+  const PixelFootprint* footprint = nullptr;
 };
 
 /// Direct sun as the frame shades it, with the reflection that DIRECT_LIGHT names.
@@ -36,7 +37,7 @@ glm::vec3 PathTracer::drawnSun(const TraceSurface& surface, const glm::vec3& toV
 void PathTracer::seeOpaque(const Look& from, const RayHit& hit, const glm::vec3& weight,
                            PixelView& view, RayCounts& counts) const {
   TraceSurface surface;
-  setSurface(hit, from.ray.direction, surface);
+  setSurface(hit, from.ray.direction, surface, scene_.grid.textureLevel(hit.quad, from.footprint));
   const std::uint8_t level = scene_.grid.quad(hit.quad).emission;
   view.constant += weight * (surface.albedo * scene_.emissionScale[level] +
                              drawnSun(surface, -from.ray.direction, counts));
@@ -49,12 +50,13 @@ float PathTracer::seeTranslucent(const Look& from, const RayHit& hit, const glm:
   const TraceQuad& quad = scene_.grid.quad(hit.quad);
   const glm::vec3 toViewer = -from.ray.direction;
   TraceSurface surface;
-  setSurface(hit, from.ray.direction, surface);
+  const int level = scene_.grid.textureLevel(hit.quad, from.footprint);
+  setSurface(hit, from.ray.direction, surface, level);
   surface.thin = false;
   const float grazing = 1 - glm::clamp(glm::dot(surface.normal, toViewer), 0.0f, 1.0f);
   const float mirror =
       quad.water ? kWaterReflectance + (1 - kWaterReflectance) * std::pow(grazing, 5.0f) : 0;
-  const float alpha = glm::mix(scene_.grid.texel(quad, hit.at).a, 1.0f, mirror);
+  const float alpha = glm::mix(scene_.grid.texel(quad, hit.at, level).a, 1.0f, mirror);
   const glm::vec3 matt = weight * (alpha * (1 - mirror));
   view.constant += matt * drawnSun(surface, toViewer, counts);
   view.layers.push_back({surface, matt});
@@ -74,7 +76,7 @@ void PathTracer::look(const Look& from, PixelView& view, RayCounts& counts) cons
   Look now = from;
   for (int i = 0; i < kMaxLayers; ++i) {
     ++counts.camera;
-    const RayHit hit = scene_.grid.look(now.ray);
+    const RayHit hit = scene_.grid.look(now.ray, now.footprint);
     if (hit.quad == kNoQuad) {
       view.constant += now.weight * scene_.lighting->skyRadiance(now.ray.direction);
       return;
@@ -89,18 +91,27 @@ void PathTracer::look(const Look& from, PixelView& view, RayCounts& counts) cons
   }
 }
 
-PixelView PathTracer::view(int x, int y, RayCounts& counts) const {
+glm::vec3 PathTracer::pixelRay(int x, int y) const {
   const glm::vec2 pixel((float(x) + 0.5f) / float(camera_.width),
                         (float(y) + 0.5f) / float(camera_.height));
   const glm::vec4 clip =
       camera_.projectionInverse * glm::vec4(pixel.x * 2 - 1, 1 - pixel.y * 2, 1, 1);
-  const glm::vec3 direction =
-      glm::normalize(glm::mat3(camera_.modelViewInverse) * (glm::vec3(clip) / clip.w));
+  return glm::normalize(glm::mat3(camera_.modelViewInverse) * (glm::vec3(clip) / clip.w));
+}
+
+PixelView PathTracer::view(int x, int y, RayCounts& counts) const {
+  const glm::vec3 direction = pixelRay(x, y);
   PixelView view;
   Look from;
   from.ray.origin = glm::vec3(camera_.position - glm::dvec3(scene_.origin));
   from.ray.direction = withoutZeros(direction);
   from.ray.cell = glm::ivec3(glm::floor(from.ray.origin));
+  // Squares of four begin in the lower left corner of the picture.
+  const int left = x & ~1, below = camera_.height - 1 - ((camera_.height - 1 - y) & ~1);
+  const PixelFootprint footprint{
+      from.ray.origin,
+      {pixelRay(left, below), pixelRay(left + 1, below), pixelRay(left, below - 1)}};
+  from.footprint = &footprint;
   if (!scene_.grid.contains(from.ray.cell) && !scene_.grid.enter(from.ray)) {
     view.constant = scene_.lighting->skyRadiance(direction);
     return view;

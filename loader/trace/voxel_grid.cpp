@@ -108,4 +108,23 @@ bool VoxelGrid::enter(Ray& ray) const {
   return true;
 }
 
+// GL leaves the measure free between the largest component and the sum; Mesa takes the former.
+int VoxelGrid::textureLevel(std::uint32_t quad, const PixelFootprint* footprint) const {
+  if (footprint == nullptr) return 0;
+  const QuadPlane& plane = planes_[quad];
+  std::array<glm::vec2, 3> texels;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const glm::vec3& ray = footprint->rays[i];
+    const float t =
+        (plane.offset - glm::dot(plane.normal, footprint->origin)) / glm::dot(plane.normal, ray);
+    const glm::vec3 point = footprint->origin + ray * t;
+    texels[i] = quads_[quad].uvU * (glm::dot(point, plane.alongU) - plane.startU) +
+                quads_[quad].uvV * (glm::dot(point, plane.alongV) - plane.startV);
+  }
+  const glm::vec2 across = glm::abs(texels[1] - texels[0]), down = glm::abs(texels[2] - texels[0]);
+  const float largest = std::max(std::max(across.x, across.y), std::max(down.x, down.y));
+  if (!(largest > 1)) return 0;
+  return std::min(int(std::lround(std::log2(std::min(largest, 1e6f)))), TraceTexture::kLevels - 1);
+}
+
 }  // namespace orris

@@ -69,15 +69,24 @@ struct TraceFilter {
   glm::vec3 logarithm{0};  ///< of color
 };
 
-/// Texels of the atlas, linear; alpha in w.
+/// Texels of the atlas, linear; alpha in w. Level 0 is the full size, each further one half of it.
 struct TraceTexture {
+  static constexpr int kLevels = 5;
   int width = 0, height = 0;
-  std::vector<glm::vec4> texels;
-  const glm::vec4& at(const glm::vec2& texel) const {
-    const int x = glm::clamp(int(texel.x), 0, width - 1),
-              y = glm::clamp(int(texel.y), 0, height - 1);
-    return texels[std::size_t(y) * std::size_t(width) + std::size_t(x)];
+  std::array<std::vector<glm::vec4>, kLevels> levels;
+  const glm::vec4& at(const glm::vec2& texel, int level = 0) const {
+    const int w = width >> level, h = height >> level;
+    const int x = glm::clamp(int(texel.x) >> level, 0, w - 1);
+    const int y = glm::clamp(int(texel.y) >> level, 0, h - 1);
+    return levels[std::size_t(level)][std::size_t(y) * std::size_t(w) + std::size_t(x)];
   }
+};
+
+/// The pixel behind a camera's ray, by the rays of the first, the right and the lower pixel of its
+/// square of four, from which a rasteriser takes the level of the texture.
+struct PixelFootprint {
+  glm::vec3 origin{0};
+  std::array<glm::vec3, 3> rays{};
 };
 
 /// Alpha below which a cutout texture has a hole: what the pack's programs and Iris use.
@@ -98,7 +107,7 @@ class VoxelGrid {
   /// Two rays in about the time of one and a half.
   void intersect(const Ray& first, RayHit& firstHit, const Ray& second, RayHit& secondHit) const;
   /// The first that a camera sees: fronts only, translucent ones too.
-  RayHit look(const Ray& ray) const;
+  RayHit look(const Ray& ray, const PixelFootprint* footprint) const;
   /// Moves a ray that starts outside to where it enters the grid; false: it misses.
   bool enter(Ray& ray) const;
 
@@ -108,9 +117,12 @@ class VoxelGrid {
   const std::vector<TraceQuad>& quads() const { return quads_; }
   const TraceTexture& texture() const { return texture_; }
   /// Linear colour and alpha of a quad at a place on it.
-  glm::vec4 texel(const TraceQuad& quad, const glm::vec2& at) const {
-    return texture_.at(quad.uvCorner + quad.uvU * at.x + quad.uvV * at.y) * glm::vec4(quad.tint, 1);
+  glm::vec4 texel(const TraceQuad& quad, const glm::vec2& at, int level = 0) const {
+    return texture_.at(quad.uvCorner + quad.uvU * at.x + quad.uvV * at.y, level) *
+           glm::vec4(quad.tint, 1);
   }
+  /// The level in which a rasteriser would read the quad's texture; 0 without a footprint.
+  int textureLevel(std::uint32_t quad, const PixelFootprint* footprint) const;
   /// Is there a way from this cell to the outside, past cells that are no full cubes?
   bool isOpen(glm::ivec3 cell) const { return !contains(cell) || open_[offset(cell)] != 0; }
 

@@ -20,8 +20,14 @@ constexpr float kNearest = 1e-5f;
 template <bool kCamera>
 class VoxelGrid::Walk {
  public:
-  Walk(const VoxelGrid& grid, const Ray& ray, RayHit& hit)
-      : grid_(grid), ray_(ray), hit_(hit), inverse_(1.0f / ray.direction), axis_(ray.enteredBy) {
+  Walk(const VoxelGrid& grid, const Ray& ray, RayHit& hit,
+       const PixelFootprint* footprint = nullptr)
+      : grid_(grid),
+        ray_(ray),
+        hit_(hit),
+        footprint_(footprint),
+        inverse_(1.0f / ray.direction),
+        axis_(ray.enteredBy) {
     for (int axis = 0; axis < 3; ++axis) {
       up_[axis] = ray.direction[axis] > 0;
       step_[axis] = 2 * up_[axis] - 1;
@@ -82,12 +88,17 @@ class VoxelGrid::Walk {
   void meetSheets(const TraceCell& cell);
   void meetQuads(const TraceCell& cell);
   void passFilter(const TraceFilter& filter, float leave);
+  bool isHole(std::uint32_t quad, const glm::vec2& at) const {
+    const int level = kCamera ? grid_.textureLevel(quad, footprint_) : 0;
+    return grid_.texel(grid_.quads_[quad], at, level).a < kAlphaTest;
+  }
   /// When and through which axis the ray leaves the cell.
   std::pair<float, int> leaving() const;
 
   const VoxelGrid& grid_;
   const Ray& ray_;
   RayHit& hit_;
+  const PixelFootprint* footprint_;
   glm::vec3 inverse_;
   glm::vec3 depth_{0};  ///< logarithm of what filters let through
   const std::uint16_t* boxes_;
@@ -152,7 +163,7 @@ bool VoxelGrid::Walk<kCamera>::meetSide(const TraceCell& cell, int face, float t
   const glm::vec2 at = glm::clamp(glm::vec2(glm::dot(point, plane.alongU) - plane.startU,
                                             glm::dot(point, plane.alongV) - plane.startV),
                                   0.0f, 1.0f);
-  if (grid_.texel(grid_.quads_[index], at).a < kAlphaTest) return false;
+  if (isHole(index, at)) return false;
   hit_.quad = index;
   hit_.distance = t;
   hit_.at = at;
@@ -186,7 +197,7 @@ void VoxelGrid::Walk<kCamera>::meetQuads(const TraceCell& cell) {
         depth_ += glm::log(glm::max(glm::vec3(grid_.texel(quad, at)), 1e-6f));
       continue;
     }
-    if (quad.alphaTested && grid_.texel(quad, at).a < kAlphaTest) continue;
+    if (quad.alphaTested && isHole(i, at)) continue;
     hit_.quad = i;
     hit_.distance = t;
     hit_.at = at;
@@ -215,9 +226,9 @@ void VoxelGrid::intersect(const Ray& ray, RayHit& hit) const {
   walk.finish();
 }
 
-RayHit VoxelGrid::look(const Ray& ray) const {
+RayHit VoxelGrid::look(const Ray& ray, const PixelFootprint* footprint) const {
   RayHit hit;
-  Walk<true> walk(*this, ray, hit);
+  Walk<true> walk(*this, ray, hit, footprint);
   bool going = walk.isInside();
   while (going) going = walk.advance();
   return hit;

@@ -287,4 +287,34 @@ COMPARISONS = [
          [r"diff\.png"]),
 ]
 
-CASES = USAGE + PACKS + WORLDS + OUTPUTS + COMPARISONS
+TRACE = f"trace {CORNELL} -o out.exr --size 16x9 --samples 2"
+TRACES = [
+    Case("trace_picture", [TRACE, f"{TRACE} --seconds 60 --noise 0.001 --jobs 3 --resume"], 0,
+         stdout=[r"^2 samples a pixel, noise [0-9.]+ % rms of the mean$"],
+         creates=["out.exr", "out.exr.trace"]),
+    Case("trace_json", [f"{TRACE} --json --bounces 0", f"{TRACE} --json --shard 2/3"], 0,
+         stdout=['"relative": ', '"stoppedBy": "samples"', '"lampFaces": 32'],
+         creates=["out.exr", "out.exr.trace"]),
+    Case("trace_noise_ends", [f"trace {CORNELL} -o out.exr --size 16x9 --noise 0.9 --json",
+                              f"trace {CORNELL} -o out.exr --size 8x8 --noise 0.9 --json"], 0,
+         stdout=['"stoppedBy": "noise"'], creates=["out.exr", "out.exr.trace"]),
+    Case("trace_wrong_limits", [f"{TRACE} {flags}" for flags in (
+        "--samples 1", "--samples x", "--seconds 0", "--noise -1", "--bounces -1", "--jobs 0",
+        "--shard 3/2", "--shard 0/2", "--shard 2", "--merge a.trace --resume",
+        "--merge a.trace --shard 1/2", "--size 0x4", "--frames 2")], 2,
+         errors=["orris trace: error: "]),
+    Case("trace_wants_exr", [TRACE.replace("out.exr", "out.png")], 2,
+         errors=[r"^out\.png: error: only \.exr holds linear light and both halves$"]),
+    Case("trace_unwritable", [TRACE.replace("out.exr", "none/out.exr")], 2,
+         errors=[r"none/out\.exr: error: cannot be written"]),
+    Case("trace_unknown_names", [f"{TRACE} --camera nowhere", f"{TRACE} --set GI_METHODS=NONE",
+                                 f"{TRACE} --profile BEST"], 2,
+         errors=["nowhere|GI_METHODS|BEST"]),
+    Case("trace_no_checkpoint", [f"{TRACE} --merge a.trace", f"{TRACE} --merge a.trace a.trace"], 2,
+         errors=[r"^a\.trace: error: cannot be read as a checkpoint of trace$"]),
+    Case("trace_foreign_checkpoint", [f"{TRACE} --resume"], 2,
+         {"out.exr.trace": "no film " * 100},
+         [r"^out\.exr\.trace: error: is not a checkpoint of trace$"]),
+]
+
+CASES = USAGE + PACKS + WORLDS + OUTPUTS + COMPARISONS + TRACES

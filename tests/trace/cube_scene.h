@@ -46,6 +46,12 @@ inline TraceQuad sideOf(glm::ivec3 cell, int face, const Cube& cube) {
   return quad;
 }
 
+inline TraceTexture whiteTexture() {
+  TraceTexture texture{16, 16, {}};
+  for (auto& level : texture.levels) level.assign(256, glm::vec4(1));
+  return texture;
+}
+
 /// Sides that face no other cube; sky and sun as `lighting` says (without options: none).
 inline TraceScene sceneOf(const Cubes& cubes, const LightingInput& lighting = {}) {
   glm::ivec3 size(0);
@@ -81,8 +87,7 @@ inline TraceScene sceneOf(const Cubes& cubes, const LightingInput& lighting = {}
     cells.push_back(made);
   }
   TraceScene scene;
-  scene.grid =
-      VoxelGrid(size, offsets, std::move(cells), std::move(quads), {{}}, {1, 1, {glm::vec4(1)}});
+  scene.grid = VoxelGrid(size, offsets, std::move(cells), std::move(quads), {{}}, whiteTexture());
   scene.lamps = LampSet(std::move(lamps), size);
   scene.lighting = std::make_shared<PackLighting>(lighting);
   scene.emissionScale.assign(16, 0);

@@ -106,7 +106,9 @@ TEST(Sky, lights_a_plain_by_the_mean_over_the_hemisphere) {
 
 // Light loses nothing on its way: the same point, from wherever it is seen along one line.
 TEST(Radiance, is_constant_along_a_ray) {
-  const TraceScene scene = pillarScene(sunAt({0.5f, 0.7f, 0.31f}));
+  LightingInput lighting = sunAt({0.5f, 0.7f, 0.31f});
+  lighting.options["SKY_STRENGTH"] = "2";
+  const TraceScene scene = pillarScene(lighting);
   const glm::dvec3 point(5.3, 1, 6.7), direction = glm::normalize(glm::dvec3(-0.3, -0.8, 0.52));
   std::vector<double> seen;
   for (const double distance : {1.0, 3.0, 8.0, 40.0, 300.0}) {
