@@ -33,12 +33,10 @@ class Counts {
   }
   /// From `corner` on: `length` cells along each axis, toward `step`.
   bool isOpen(glm::ivec3 corner, glm::ivec3 length, glm::ivec3 step) const {
-    glm::ivec3 low, high;
-    for (int axis = 0; axis < 3; ++axis) {
-      const int end = corner[axis] + step[axis] * (length[axis] - 1);
-      low[axis] = std::max(std::min(corner[axis], end), 0);
-      high[axis] = std::min(std::max(corner[axis], end) + 1, size_[axis]);
-    }
+    const glm::ivec3 end = corner + step * (length - 1);
+    const glm::ivec3 low = glm::min(corner, end), high = glm::max(corner, end) + 1;
+    if (low.x < 0 || low.y < 0 || low.z < 0) return false;
+    if (high.x > size_.x || high.y > size_.y || high.z > size_.z) return false;
     const auto slice = [&](int y) {
       return at({high.x, y, high.z}) - at({low.x, y, high.z}) - at({high.x, y, low.z}) +
              at({low.x, y, low.z});
@@ -71,7 +69,7 @@ void findCubes(glm::ivec3 size, const std::vector<std::uint32_t>& cells, glm::iv
           const glm::ivec3 q = p + step * glm::ivec3(n & 1, n >> 1 & 1, n >> 2);
           const bool inside =
               q.x >= 0 && q.y >= 0 && q.z >= 0 && q.x < size.x && q.y < size.y && q.z < size.z;
-          if (inside) smallest = std::min(smallest, boxX(boxes[offsetIn(size, q)]));
+          smallest = std::min(smallest, inside ? boxX(boxes[offsetIn(size, q)]) : 0);
         }
         boxes[offsetIn(size, p)] = std::uint16_t(packBox(smallest + 1, smallest + 1, smallest + 1));
       }

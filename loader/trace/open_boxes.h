@@ -18,7 +18,8 @@ constexpr int boxX(unsigned box) { return int(box & 31); }
 constexpr int boxY(unsigned box) { return int(box >> 5 & 31); }
 constexpr int boxZ(unsigned box) { return int(box >> 10); }
 
-/// `cells` by offset x + size.x * (z + size.z * y), 0 for empty. Outside everything is empty.
+/// `cells` by offset x + size.x * (z + size.z * y), 0 for empty. Boxes stay inside, so that no
+/// place in them has a negative coordinate.
 OpenBoxes measureOpenBoxes(glm::ivec3 size, const std::vector<std::uint32_t>& cells);
 
 }  // namespace orris
