@@ -72,6 +72,7 @@ HostDescription hostOf(const TargetLimits& target) {
   host.glVendor = target.glVendor;
   host.glRenderer = target.glRenderer;
   host.system = target.system;
+  host.iris = target.iris;
   host.glVersion = target.glVersion;
   // The numbers of GLSL follow those of GL; a driver may accept more than it advertises.
   host.glslVersion = target.glVersion;

@@ -184,13 +184,21 @@ void addNumbered(const char* prefix, const std::array<std::string_view, Count>& 
   }
 }
 
+void addIrisMacros(const HostDescription& host, MacroDefinitions& macros) {
+  const MacroDefinitions own{{"IRIS_VERSION", std::to_string(host.irisVersion)},
+                             {"IS_IRIS", ""},
+                             {"MAX_COLOR_BUFFERS", std::to_string(kColorTargets)},
+                             {"IRIS_HAS_TRANSLUCENCY_SORTING", ""},
+                             {"IRIS_TAG_SUPPORT", "2"}};
+  macros.insert(macros.end(), own.begin(), own.end());
+  addNumbered("DH_BLOCK_", kDistantBlocks, macros);
+}
+
 }  // namespace
 
 MacroDefinitions standardMacros(const HostDescription& host) {
   MacroDefinitions macros{
       {"MC_VERSION", std::to_string(host.minecraftVersion)},
-      {"IRIS_VERSION", std::to_string(host.irisVersion)},
-      {"IS_IRIS", ""},
       {"MC_GL_VERSION", std::to_string(host.glVersion)},
       {"MC_GLSL_VERSION", std::to_string(host.glslVersion)},
       {host.system.empty() ? kSystem : host.system, ""},
@@ -201,10 +209,8 @@ MacroDefinitions standardMacros(const HostDescription& host) {
       {"MC_RENDER_QUALITY", "1.0"},
       {"MC_SHADOW_QUALITY", "1.0"},
       {"MC_HAND_DEPTH", "0.125"},
-      {"MC_MIPMAP_LEVEL", "4"},  // the game's default
-      {"MAX_COLOR_BUFFERS", std::to_string(kColorTargets)},
-      {"IRIS_HAS_TRANSLUCENCY_SORTING", ""},
-      {"IRIS_TAG_SUPPORT", "2"}};
+      {"MC_MIPMAP_LEVEL", "4"}};  // the game's default
+  if (host.iris) addIrisMacros(host, macros);
   for (const std::string& extension : host.glExtensions) macros.emplace_back("MC_" + extension, "");
   if (host.labPbr) {
     macros.emplace_back("MC_TEXTURE_FORMAT_LAB_PBR", "");
@@ -213,7 +219,6 @@ MacroDefinitions standardMacros(const HostDescription& host) {
   addNumbered("MC_RENDER_STAGE_", kRenderStages, macros);
   addNumbered("PPT_", kPrecipitations, macros);
   addNumbered("CAT_", kCategories, macros);
-  addNumbered("DH_BLOCK_", kDistantBlocks, macros);
   for (const Biome& biome : kBiomes) {
     macros.emplace_back("BIOME_" + upperCase(biome.name), std::to_string(biomeId(biome.name)));
   }

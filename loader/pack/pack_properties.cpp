@@ -1,5 +1,7 @@
 #include "pack/pack_properties.h"
 
+#include <algorithm>
+
 #include "glsl/name_watch.h"
 #include "pack/features.h"
 #include "pack/legacy_ids.h"
@@ -7,6 +9,12 @@
 
 namespace orris {
 namespace {
+
+/// Does the host have feature flags? Those are Iris's.
+bool isIris(const MacroDefinitions& environment) {
+  return std::any_of(environment.begin(), environment.end(),
+                     [](const auto& macro) { return macro.first == "IS_IRIS"; });
+}
 
 /// Environment, features and options as *.properties files see them: no macro is empty there.
 MacroDefinitions propertyMacros(const PackFiles& files, const OptionValues& values,
@@ -17,8 +25,10 @@ MacroDefinitions propertyMacros(const PackFiles& files, const OptionValues& valu
     if (!option.isBoolean || value == "true")
       macros.emplace_back(name, option.isBoolean ? "1" : value);
   }
-  for (const MacroDefinitions& more : {environment, propertyFeatureMacros()}) {
-    for (const auto& [name, body] : more) macros.emplace_back(name, body.empty() ? "1" : body);
+  const MacroDefinitions features =
+      isIris(environment) ? propertyFeatureMacros() : MacroDefinitions();
+  for (const MacroDefinitions* more : {&environment, &features}) {
+    for (const auto& [name, body] : *more) macros.emplace_back(name, body.empty() ? "1" : body);
   }
   return macros;
 }
@@ -58,7 +68,10 @@ PackProperties readPackProperties(const PackFiles& files, const OptionValues& va
   }
   out.refused = hasErrors(out.diagnostics);
   out.shaderMacros = environment;
-  for (auto& macro : shaderFeatureMacros(out.shader)) out.shaderMacros.push_back(std::move(macro));
+  if (isIris(environment)) {
+    for (auto& macro : shaderFeatureMacros(out.shader))
+      out.shaderMacros.push_back(std::move(macro));
+  }
   readIds(files, macros, watch, out);
   out.options = watch.used();
   out.macros = macros;

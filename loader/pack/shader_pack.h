@@ -112,6 +112,7 @@ struct HostDescription {
   int glVersion = 450, glslVersion = 450;
   int minecraftVersion = 12101, irisVersion = 10800;
   bool labPbr = false;  ///< the specular maps follow labPBR
+  bool iris = true;     ///< false: OptiFine, which has none of the macros of Iris and its mods
 };
 MacroDefinitions standardMacros(const HostDescription& host);
 

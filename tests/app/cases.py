@@ -237,6 +237,17 @@ OUTPUTS = [
 #endif
 void main() { gl_FragColor = vec4(1.0); }
 """}), ["#error seen"]),
+    Case("optifine_has_no_macro_of_iris", ["validate pack --target optifine"], 1,
+         pack({"composite.fsh": VERSION + """#if !defined IS_IRIS && !defined IRIS_VERSION \\
+    && !defined IRIS_FEATURE_CUSTOM_IMAGES
+#error seen
+#endif
+void main() { gl_FragColor = vec4(1.0); }
+""", "shaders.properties": """iris.features.optional = CUSTOM_IMAGES
+#ifndef IRIS_FEATURE_CUSTOM_IMAGES
+screen = MISSING
+#endif
+"""}), ["#error seen", "no option MISSING"]),
     Case("unknown_target", ["validate pack --target amiga"], 2, PACK, ["--target: amiga not in"]),
     Case("render_flags_before_the_pack", [f"render {SMALL} --frames 1 --set TONE=2 pack {CORNELL}"],
          0, pack({"composite.fsh": COMPOSITE}), creates=["out.png"]),
