@@ -41,7 +41,7 @@ void addMatrixFlags(CLI::App& command, MatrixOptions& options) {
       ->delimiter(',')
       ->allow_extra_args(false);
   addShardFlag(command, options.shard, "part I of N of the matrix: I/N");
-  command.add_option("--budget", options.budget, "end the matrix after this time: 60s, 5m")
+  command.add_option("--budget", options.budget, "end after this time: 60s, 5m")
       ->check([](const std::string& text) {
         return parseBudget(text) ? std::string() : "expected a time such as 60s or 5m: " + text;
       });
@@ -51,9 +51,12 @@ MatrixRequest matrixRequest(const MatrixOptions& options, int jobs) {
   MatrixRequest request{.kind = *parseMatrixKind(options.kind), .options = options.options};
   const auto shard = options.shard.empty() ? shardOfEnvironment() : parseShard(options.shard);
   if (shard) std::tie(request.shard, request.shards) = *shard;
-  if (const auto budget = parseBudget(options.budget)) request.budget = *budget;
   request.jobs = jobs;
   return request;
+}
+
+std::optional<std::chrono::seconds> matrixTime(const MatrixOptions& options) {
+  return parseBudget(options.budget);
 }
 
 }  // namespace orris

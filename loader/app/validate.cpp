@@ -21,8 +21,10 @@ int runExplain(const ValidateOptions& options) {
 int runValidate(const ValidateOptions& options) {
   ReportOutput output(options.report, options.output);
   if (!output.open()) return kUsage;
-  Checker checker{
-      .jobs = options.jobs, .target = *findTarget(options.target), .backend = options.backend};
+  Checker checker{.jobs = options.jobs,
+                  .target = *findTarget(options.target),
+                  .backend = options.backend,
+                  .budget = MatrixBudget(matrixTime(options.matrix), options.paths.size())};
   if (options.draw && !findDriver(options, checker)) return kHostFailed;
   for (const std::string& path : options.paths) {
     // A report of its own for each pack: equal messages of two packs are two problems.

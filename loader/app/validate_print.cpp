@@ -11,10 +11,10 @@ std::string toText(const MatrixSummary& matrix) {
   std::string text = fmt::format("  matrix {}", matrix.kind);
   if (!matrix.profile.empty()) text += fmt::format(", profile {}", matrix.profile);
   if (matrix.shards > 1) text += fmt::format(", shard {}/{}", matrix.shard, matrix.shards);
-  text += matrix.tried == matrix.configurations
+  text += matrix.all && matrix.tried == matrix.configurations
               ? fmt::format(": {} configurations", matrix.configurations)
-              : fmt::format(": {} of {} configurations within the budget", matrix.tried,
-                            matrix.configurations);
+              : fmt::format(": tried {} of {}{} configurations within the budget", matrix.tried,
+                            matrix.all ? "" : "at least ", matrix.configurations);
   return text + fmt::format(", {} program variants, {} distinct programs compiled, {:.1f} s\n",
                             matrix.variants, matrix.compiled, matrix.seconds);
 }
@@ -25,6 +25,7 @@ nlohmann::json toJson(const MatrixSummary& matrix) {
           {"shard", matrix.shard},
           {"shards", matrix.shards},
           {"configurations", matrix.configurations},
+          {"allCounted", matrix.all},
           {"tried", matrix.tried},
           {"programVariants", matrix.variants},
           {"distinctPrograms", matrix.compiled},

@@ -78,10 +78,11 @@ std::optional<ShaderPack> checkOne(const ShaderPack& outline, const LoadRequest&
 }
 
 void checkMatrix(const std::vector<ShaderPack>& folders, const LoadRequest& request,
-                 const ValidateOptions& options, const Checker& checker, PackVerdict& verdict,
+                 const ValidateOptions& options, Checker& checker, PackVerdict& verdict,
                  Report& report) {
-  const MatrixRequest matrix = matrixRequest(options.matrix, options.jobs);
+  MatrixRequest matrix = matrixRequest(options.matrix, options.jobs);
   if (matrix.kind == MatrixKind::None || folders.empty()) return;
+  matrix.until = checker.budget.beginMatrix();
   std::optional<Progress> progress;
   MatrixResult result = runMatrix({.folders = folders,
                                    .environment = request.environment,
@@ -103,6 +104,7 @@ void checkMatrix(const std::vector<ShaderPack>& folders, const LoadRequest& requ
                               .tried = result.tried,
                               .variants = result.variants,
                               .compiled = result.compiled,
+                              .all = result.all,
                               .seconds = result.seconds});
 }
 
@@ -161,7 +163,9 @@ PackVerdict validatePack(const std::string& path, const ValidateOptions& options
   request->uniformTypes = uniformTypes();
   const std::vector<std::string> profiles =
       chosen(options.profiles, namesOf(outline->properties.profiles));
+  checker.budget.beginPack(profiles.size());
   for (const std::string& profile : profiles) {
+    checker.budget.beginChecks();
     if (!profile.empty()) request->profile = profile;
     if (profiles.size() > 1) report.setContext("profile " + profile);
     std::vector<ShaderPack> folders;

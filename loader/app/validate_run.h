@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 
+#include "app/matrix_budget.h"
 #include "app/report.h"
 #include "app/validate_options.h"
 #include "check/driver_check.h"
@@ -38,6 +39,7 @@ struct Checker {
   int jobs = 1;
   const TargetLimits& target;
   gl::Backend backend = gl::Backend::Auto;
+  MatrixBudget budget;
   std::optional<gl::DriverInfo> gpu;
   Verdicts glslang, driver;
 

@@ -61,12 +61,12 @@ std::vector<OptionValues> eachConfiguration(std::vector<MatrixAxis> axes, const 
 }
 
 std::vector<OptionValues> pairwiseConfigurations(const std::vector<MatrixAxis>& axes,
-                                                 const OptionSet& options,
-                                                 const OptionValues& base) {
+                                                 const OptionSet& options, const OptionValues& base,
+                                                 const std::function<bool()>& stop) {
   std::vector<int> levels;
   for (const MatrixAxis& axis : axes) levels.push_back(static_cast<int>(axis.values.size()));
   std::vector<OptionValues> result;
-  for (const std::vector<int>& row : pairwiseRows(levels)) {
+  for (const std::vector<int>& row : pairwiseRows(levels, stop)) {
     OptionValues values = base;
     for (std::size_t i = 0; i < axes.size(); ++i) {
       values = withValue(std::move(values), options, axes[i].option,
@@ -75,6 +75,36 @@ std::vector<OptionValues> pairwiseConfigurations(const std::vector<MatrixAxis>& 
     if (values != base) result.push_back(std::move(values));
   }
   return result;
+}
+
+bool areNumbers(const std::vector<std::string>& values) {
+  return std::all_of(values.begin(), values.end(),
+                     [](const std::string& value) { return parseFloat(value).has_value(); });
+}
+
+std::vector<std::string> thinned(const MatrixAxis& axis) {
+  std::map<bool, std::map<float, std::string>> byKind;
+  for (const std::string& value : axis.values) {
+    byKind[parseInteger(value).has_value()].emplace(*parseFloat(value), value);
+  }
+  const std::string& current = axis.values.front();
+  std::vector<std::string> kept{current};
+  const auto keep = [&kept](const std::string& value) {
+    if (std::find(kept.begin(), kept.end(), value) == kept.end()) kept.push_back(value);
+  };
+  for (const auto& [integer, values] : byKind) {
+    keep(values.begin()->second);
+    keep(values.rbegin()->second);
+    if (!axis.inConditions) continue;
+    const auto at = values.lower_bound(*parseFloat(current));
+    if (at != values.begin()) keep(std::prev(at)->second);
+    const auto above = values.upper_bound(*parseFloat(current));
+    if (above != values.end()) keep(above->second);
+    for (const float threshold : {0.0F, 1.0F}) {
+      if (const auto known = values.find(threshold); known != values.end()) keep(known->second);
+    }
+  }
+  return kept;
 }
 
 }  // namespace
@@ -111,33 +141,18 @@ std::vector<MatrixAxis> matrixAxes(std::span<const ShaderPack> folders,
 }
 
 void thinNumbers(std::vector<MatrixAxis>& axes) {
+  constexpr std::size_t kFew = 3;
   for (MatrixAxis& axis : axes) {
-    constexpr std::size_t kFew = 3;
-    if (axis.inConditions || axis.values.size() <= kFew) continue;
-    // Numbers written alike, "0.5" or "12", by their value.
-    std::map<bool, std::map<float, std::string>> byKind;
-    bool numbers = true;
-    for (const std::string& value : axis.values) {
-      const auto number = parseFloat(value);
-      if (!number) numbers = false;
-      if (number) byKind[parseInteger(value).has_value()].emplace(*number, value);
-    }
-    if (!numbers) continue;
-    std::vector<std::string> kept{axis.values.front()};
-    for (const auto& [integer, values] : byKind) {
-      for (const std::string& value : {values.begin()->second, values.rbegin()->second}) {
-        if (std::find(kept.begin(), kept.end(), value) == kept.end()) kept.push_back(value);
-      }
-    }
-    axis.values = std::move(kept);
+    if (axis.values.size() > kFew && areNumbers(axis.values)) axis.values = thinned(axis);
   }
 }
 
 std::vector<OptionValues> matrixConfigurations(MatrixKind kind, const std::vector<MatrixAxis>& axes,
-                                               const OptionSet& options, const OptionValues& base) {
+                                               const OptionSet& options, const OptionValues& base,
+                                               const std::function<bool()>& stop) {
   if (kind == MatrixKind::None || axes.empty()) return {};
   return kind == MatrixKind::Each ? eachConfiguration(axes, options, base)
-                                  : pairwiseConfigurations(axes, options, base);
+                                  : pairwiseConfigurations(axes, options, base, stop);
 }
 
 }  // namespace orris

@@ -1,6 +1,7 @@
 // Which option values an option matrix tries.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -27,13 +28,15 @@ struct MatrixAxis {
 std::vector<MatrixAxis> matrixAxes(std::span<const ShaderPack> folders,
                                    const std::vector<std::string>& only);
 
-/// For a covering array: of values that no condition asks for and that are numbers of one kind, the
-/// one in force, the smallest and the largest stand for all.
+/// For a covering array, where long lists multiply: of an option whose values are all numbers, the
+/// one in force and of each kind, "0.5" or "12", the smallest and the largest stand for all; of one
+/// that a condition asks for also 0, 1 and the neighbours of the one in force.
 void thinNumbers(std::vector<MatrixAxis>& axes);
 
 /// Complete values in the order in which they are to be tried, the most informative first, the ones
-/// in force left out. `base` are the values in force.
-std::vector<OptionValues> matrixConfigurations(MatrixKind kind, const std::vector<MatrixAxis>& axes,
-                                               const OptionSet& options, const OptionValues& base);
+/// in force left out. `base` are the values in force. `stop` as for pairwiseRows().
+std::vector<OptionValues> matrixConfigurations(
+    MatrixKind kind, const std::vector<MatrixAxis>& axes, const OptionSet& options,
+    const OptionValues& base, const std::function<bool()>& stop = [] { return false; });
 
 }  // namespace orris

@@ -142,7 +142,8 @@ class RowBuilder {
 
 }  // namespace
 
-std::vector<std::vector<int>> pairwiseRows(const std::vector<int>& levels) {
+std::vector<std::vector<int>> pairwiseRows(const std::vector<int>& levels,
+                                           const std::function<bool()>& stop) {
   std::vector<std::vector<int>> rows;
   if (levels.size() == 1) {
     for (int value = 0; value < levels[0]; ++value) rows.push_back({value});
@@ -150,7 +151,7 @@ std::vector<std::vector<int>> pairwiseRows(const std::vector<int>& levels) {
   }
   Pairs pairs(levels);
   RowBuilder builder(levels, pairs);
-  while (pairs.left() > 0) rows.push_back(builder.next());
+  while (pairs.left() > 0 && !stop()) rows.push_back(builder.next());
   return rows;
 }
 

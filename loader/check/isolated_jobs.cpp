@@ -115,10 +115,20 @@ class Pool {
         std::min<std::size_t>(static_cast<std::size_t>(std::max(1, jobs_.workers)), jobs_.count);
     for (std::size_t i = 0; i < wanted; ++i) workers_.emplace_back();
     for (Worker& worker : workers_) give(worker);
-    while (std::any_of(workers_.begin(), workers_.end(), [](auto& w) { return w.busy; })) wait();
+    while (std::any_of(workers_.begin(), workers_.end(), [](auto& w) { return w.busy; })) {
+      if (jobs_.until && Clock::now() >= *jobs_.until) return abandon();
+      wait();
+    }
   }
 
  private:
+  void abandon() {
+    for (Worker& worker : workers_) {
+      worker.busy = false;
+      end(worker, true);
+    }
+  }
+
   bool start(Worker& worker) {
     std::array<int, 2> sockets{};
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, sockets.data()) != 0) return false;
@@ -163,7 +173,7 @@ class Pool {
     for (const Worker& worker : workers_) {
       polled.push_back({worker.busy ? worker.socket : -1, POLLIN, 0});
     }
-    constexpr int kTickMilliseconds = 200;
+    constexpr int kTickMilliseconds = 100;
     poll(polled.data(), polled.size(), kTickMilliseconds);
     for (std::size_t i = 0; i < workers_.size(); ++i) {
       Worker& worker = workers_[i];

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace orris {
@@ -23,6 +24,8 @@ struct IsolatedJobs {
   std::function<std::string(std::size_t)> work;    ///< runs in a worker, with what the caller had
   std::chrono::seconds time{30};                   ///< processor time that one job may take
   std::size_t memoryBytes = std::size_t{4} << 30;  ///< addresses that a worker may use, 0: any
+  /// When all ends: jobs in progress are given up and not handed over.
+  std::optional<std::chrono::steady_clock::time_point> until{};
 };
 
 /// Runs all jobs and hands over each outcome as it comes, in no fixed order; when `take` returns

@@ -1,6 +1,8 @@
 // From the failures of a matrix to one report for each mistake, with the values that it needs.
 #pragma once
 
+#include <chrono>
+#include <optional>
 #include <vector>
 
 #include "check/matrix_worker.h"
@@ -14,8 +16,14 @@ struct MatrixFailure {
   bool lost = false;              ///< the job killed or stalled the compiler
 };
 
-/// Adds to each failure a note with its cause and where it occurs. Works in `jobs` processes.
-void explainFailures(const MatrixPlan& plan, MatrixWorker& worker, int jobs,
-                     std::vector<MatrixFailure>& failures);
+struct CauseSearch {
+  const MatrixPlan& plan;
+  MatrixWorker& worker;
+  int jobs = 1;                                                  ///< processes
+  std::optional<std::chrono::steady_clock::time_point> until{};  ///< then it says what it knows
+};
+
+/// Adds to each failure a note with its cause and where it occurs.
+void explainFailures(const CauseSearch& search, std::vector<MatrixFailure>& failures);
 
 }  // namespace orris

@@ -65,11 +65,12 @@ class BuildPlanner {
   bool profilesDisable_ = false;
 };
 
-std::vector<OptionValues> configurationsOf(const MatrixBase& base, const MatrixRequest& request) {
+std::vector<OptionValues> configurationsOf(const MatrixBase& base, const MatrixRequest& request,
+                                           const std::function<bool()>& stop) {
   const ShaderPack& first = base.folders.front();
   auto axes = matrixAxes(base.folders, request.options);
   if (request.kind == MatrixKind::Pairwise) thinNumbers(axes);
-  const auto all = matrixConfigurations(request.kind, axes, first.options, first.values);
+  const auto all = matrixConfigurations(request.kind, axes, first.options, first.values, stop);
   std::vector<OptionValues> ours;
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (i % static_cast<std::size_t>(request.shards) + 1 == static_cast<std::size_t>(request.shard))
@@ -80,10 +81,13 @@ std::vector<OptionValues> configurationsOf(const MatrixBase& base, const MatrixR
 
 }  // namespace
 
-MatrixPlan planMatrix(const MatrixBase& base, const MatrixRequest& request) {
+MatrixPlan planMatrix(const MatrixBase& base, const MatrixRequest& request,
+                      std::optional<std::chrono::steady_clock::time_point> until) {
   MatrixPlan plan;
   if (base.folders.empty()) return plan;
-  plan.configurations = configurationsOf(base, request);
+  const auto isOver = [&] { return until && std::chrono::steady_clock::now() >= *until; };
+  plan.configurations = configurationsOf(base, request, isOver);
+  plan.all = !isOver();
   for (const ShaderPack& pack : base.folders) plan.builds.push_back(pack.builds.front());
   MatrixVariants variants(plan, base.environment);
   std::vector<BuildPlanner> planners;
@@ -91,6 +95,11 @@ MatrixPlan planMatrix(const MatrixBase& base, const MatrixRequest& request) {
     planners.emplace_back(base.folders[i], i, variants, plan);
   }
   for (std::size_t c = 0; c < plan.configurations.size(); ++c) {
+    if (isOver()) {
+      plan.left = plan.configurations.size() - c;
+      plan.configurations.resize(c);
+      break;
+    }
     // shaders.properties and the id maps are those of the pack, whatever the folder.
     for (std::size_t i = 0; i < planners.size(); ++i) planners[i].addJobs(c, i == 0);
   }

@@ -20,6 +20,8 @@ struct MatrixJob {
 
 struct MatrixPlan {
   std::vector<OptionValues> configurations;
+  std::size_t left = 0;  ///< configurations that there was no time to plan for
+  bool all = true;       ///< false: nor to count them to the end
   /// Of the values in force, one for each folder. Programs of other mods are left out: what fails in
   /// them is no error of the pack.
   std::vector<std::shared_ptr<const FolderBuild>> builds;
@@ -27,7 +29,9 @@ struct MatrixPlan {
   std::deque<std::vector<ProgramEntry>> entries;  ///< own those of the jobs
 };
 
-MatrixPlan planMatrix(const MatrixBase& base, const MatrixRequest& request);
+/// Configurations for which there is no job by `until` are left.
+MatrixPlan planMatrix(const MatrixBase& base, const MatrixRequest& request,
+                      std::optional<std::chrono::steady_clock::time_point> until = {});
 
 /// Builds of the plan under other values, one after the other; those of one configuration share what
 /// they can.

@@ -15,6 +15,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+// Of the time that a matrix has: when planning ends, when it ends to look for failures without having any, when it does
+// so with some that are to be explained, and when their messages are to be there.
+constexpr double kPlan = 0.25, kSearchAlone = 0.95, kSearch = 0.7, kMessages = 0.8;
+
 /// What tells problems apart: place and words, whatever the program and the values.
 using ProblemKey = std::tuple<std::string, int, std::string, std::string>;
 ProblemKey keyOf(const Diagnostic& d) { return {d.at.file, d.at.line, d.id, d.message}; }
@@ -26,7 +30,7 @@ class Run {
       : base_(base),
         request_(request),
         progress_(progress),
-        plan_(planMatrix(base, request)),
+        plan_(planMatrix(base, request, endOf(kPlan))),
         shapes_(base, plan_),
         seen_(4 * (plan_.jobs.size() + base.verdicts.size()) + 1024),
         worker_(plan_, shapes_, base.environment, seen_),
@@ -41,12 +45,15 @@ class Run {
     compileAll();
     findMessages();
     std::vector<MatrixFailure> failures = group();
-    explainFailures(plan_, worker_, request_.jobs, failures);
+    explainFailures(
+        {.plan = plan_, .worker = worker_, .jobs = request_.jobs, .until = request_.until},
+        failures);
     MatrixResult result;
     for (MatrixFailure& failure : failures) {
       result.diagnostics.push_back(std::move(failure.diagnostic));
     }
-    result.configurations = plan_.configurations.size();
+    result.configurations = plan_.configurations.size() + plan_.left;
+    result.all = plan_.all;
     result.tried = tried();
     result.variants = done_;
     result.compiled = compiled_;
@@ -66,29 +73,40 @@ class Run {
     return std::hash<std::string>()(job.entry ? job.entry->name.program : "") * 31 + job.build + 1;
   }
 
+  /// The moment when `part` of the time has gone.
+  std::optional<Clock::time_point> endOf(double part) const {
+    if (!request_.until) return std::nullopt;
+    return start_ + std::chrono::duration_cast<Clock::duration>((*request_.until - start_) * part);
+  }
+
   void compileAll() {
     const auto work = [this](std::size_t i) {
       if (stalls_.contains(programKey(plan_.jobs[i]))) return encode(MatrixFinding());
       return encode(worker_.run(plan_.jobs[i]));
     };
-    runIsolated({.count = plan_.jobs.size(), .workers = request_.jobs, .work = work},
-                [this](std::size_t i, JobOutcome outcome) { return take(i, std::move(outcome)); });
+    IsolatedJobs jobs{.count = plan_.jobs.size(), .workers = request_.jobs, .work = work};
+    jobs.until = endOf(kSearchAlone);
+    runIsolated(jobs, [&](std::size_t i, JobOutcome outcome) {
+      take(i, std::move(outcome));
+      if (anyErrors_) jobs.until = endOf(kSearch);
+      return true;
+    });
   }
 
-  bool take(std::size_t i, JobOutcome outcome) {
+  void take(std::size_t i, JobOutcome outcome) {
     JobResult& result = found_[i];
     result.done = true;
     if (outcome.kind == JobOutcome::Kind::Done) {
       result.finding = decodeFinding(outcome.result);
       compiled_ += static_cast<std::size_t>(result.finding.compiled);
-      failing_.insert(result.finding.failing.begin(), result.finding.failing.end());
+      for (const auto& [unit, errors] : result.finding.failing) failing_.emplace(unit, i);
+      anyErrors_ = anyErrors_ || !failing_.empty() || !result.finding.errors.empty();
     } else {
       if (outcome.kind == JobOutcome::Kind::TimedOut) stalls_.insert(programKey(plan_.jobs[i]));
       outcome.result.clear();
       result.lost = std::move(outcome);
     }
     progress_(++done_, plan_.jobs.size());
-    return request_.budget.count() == 0 || Clock::now() - start_ < request_.budget;
   }
 
   std::size_t tried() const {
@@ -101,28 +119,34 @@ class Run {
 
   // Which process came first to a text must not decide what is told of it: the first job does.
   void findMessages() {
-    std::vector<std::size_t> firsts;
-    std::map<std::uint64_t, std::size_t> firstOf;
+    struct Unit {
+      std::uint64_t shape;
+      std::size_t job, index;
+    };
+    std::vector<Unit> others;
+    std::set<std::uint64_t> known;
     for (std::size_t i = 0; i < found_.size(); ++i) {
-      for (const std::uint64_t hash : found_[i].finding.units) {
-        if (!failing_.contains(hash) || !firstOf.emplace(hash, i).second) continue;
-        if (firsts.empty() || firsts.back() != i) firsts.push_back(i);
+      const UnitShapes& units = found_[i].finding.units;
+      for (std::size_t u = 0; u < units.size(); ++u) {
+        const std::uint64_t unit = units[u];
+        const auto failing = failing_.find(unit);
+        if (failing == failing_.end() || !known.insert(unit).second) continue;
+        messagesOf_[unit] = found_[failing->second].finding.failing.at(unit);
+        if (failing->second != i) others.push_back({unit, i, u});
       }
     }
     const auto work = [&](std::size_t i) {
-      const MatrixJob& job = plan_.jobs[firsts[i]];
-      return encodeDiagnostics(worker_.errorsWith(job, plan_.configurations[job.configuration]));
+      return encodeDiagnostics(worker_.unitErrors(plan_.jobs[others[i].job], others[i].index));
     };
-    std::map<std::size_t, Diagnostics> messages;
-    runIsolated({.count = firsts.size(), .workers = request_.jobs, .work = work},
-                [&](std::size_t i, const JobOutcome& outcome) {
-                  if (outcome.kind == JobOutcome::Kind::Done) {
-                    messages[firsts[i]] = decodeDiagnostics(outcome.result);
-                  }
-                  return true;
-                });
-    for (auto& [first, found] : messages) keepFirstOfLine(found);
-    for (const auto& [hash, first] : firstOf) messagesOf_[hash] = messages[first];
+    runIsolated(
+        {.count = others.size(), .workers = request_.jobs, .work = work, .until = endOf(kMessages)},
+        [&](std::size_t i, const JobOutcome& outcome) {
+          if (outcome.kind == JobOutcome::Kind::Done) {
+            messagesOf_[others[i].shape] = decodeDiagnostics(outcome.result);
+          }
+          return true;
+        });
+    for (auto& [unit, messages] : messagesOf_) keepFirstOfLine(messages);
   }
 
   // What a compiler says next about a line follows from what it said first.
@@ -177,7 +201,8 @@ class Run {
   MatrixWorker worker_;
   SharedHashes stalls_;
   std::vector<JobResult> found_;
-  std::set<std::uint64_t> failing_;
+  std::map<std::uint64_t, std::size_t> failing_;  ///< unit to the job that compiled it
+  bool anyErrors_ = false;
   std::map<std::uint64_t, Diagnostics> messagesOf_;
   std::size_t done_ = 0, compiled_ = 0;
 };

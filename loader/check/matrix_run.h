@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -17,7 +18,8 @@ struct MatrixRequest {
   MatrixKind kind = MatrixKind::None;
   std::vector<std::string> options;  ///< only these are varied; none: all
   int shard = 1, shards = 1;         ///< every shards-th configuration, from the shard-th
-  std::chrono::seconds budget{0};    ///< no further program is begun after it; 0: no end
+  /// When the matrix has to be told, however little was tried; nullopt: no end.
+  std::optional<std::chrono::steady_clock::time_point> until{};
   int jobs = 1;
 };
 
@@ -31,7 +33,8 @@ struct MatrixBase {
 
 struct MatrixResult {
   std::size_t configurations = 0;  ///< of this shard, the values in force left out
-  std::size_t tried = 0;           ///< fewer when the budget ended
+  bool all = true;                 ///< false: there are more, but its time ended
+  std::size_t tried = 0;           ///< fewer when its time ended
   std::size_t variants = 0;        ///< programs built under other values
   std::size_t compiled = 0;        ///< different ones among them
   double seconds = 0;

@@ -40,16 +40,26 @@ Diagnostics compile(const ProgramUnit& unit, const FolderBuild& build) {
 }  // namespace
 
 std::string encode(const MatrixFinding& finding) {
+  json failing = json::array();
+  for (const auto& [unit, errors] : finding.failing) {
+    failing.push_back({unit, encodeDiagnostics(errors)});
+  }
   std::string bytes;
-  json::to_cbor(json::array({finding.units, finding.failing, finding.compiled,
-                             encodeDiagnostics(finding.errors)}),
-                bytes);
+  json::to_cbor(
+      json::array({finding.units, failing, finding.compiled, encodeDiagnostics(finding.errors)}),
+      bytes);
   return bytes;
 }
 
 MatrixFinding decodeFinding(const std::string& bytes) {
   const json value = json::from_cbor(bytes);
-  return {value[0], value[1], value[2], decodeDiagnostics(value[3].get<std::string>())};
+  MatrixFinding finding{.units = value[0],
+                        .compiled = value[2],
+                        .errors = decodeDiagnostics(value[3].get<std::string>())};
+  for (const json& failing : value[1]) {
+    finding.failing.emplace(failing[0], decodeDiagnostics(failing[1].get<std::string>()));
+  }
+  return finding;
 }
 
 MatrixFinding MatrixWorker::run(const MatrixJob& job) {
@@ -121,8 +131,15 @@ void MatrixWorker::compileNew(const ProgramSource& program, const FolderBuild& b
   for (std::size_t i = 0; i < units.size() && i < finding.units.size(); ++i) {
     if (!seen_.insert(finding.units[i])) continue;
     ++finding.compiled;
-    if (!compile(units[i], build).empty()) finding.failing.push_back(finding.units[i]);
+    Diagnostics errors = compile(units[i], build);
+    if (!errors.empty()) finding.failing.emplace(finding.units[i], std::move(errors));
   }
+}
+
+Diagnostics MatrixWorker::unitErrors(const MatrixJob& job, std::size_t unit) {
+  const FolderBuild& build = variants_.get(job.build, plan_.configurations[job.configuration]);
+  const ProgramSource program = build.build(*job.entry);
+  return compile(programUnits(program).at(unit), build);
 }
 
 Diagnostics MatrixWorker::errorsWith(const MatrixJob& job, const OptionValues& values) {

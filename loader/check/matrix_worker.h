@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -17,10 +18,10 @@ namespace orris {
 
 /// What one program of one configuration gave.
 struct MatrixFinding {
-  std::vector<std::uint64_t> units;    ///< shapes of its units (check/matrix_shapes.h)
-  std::vector<std::uint64_t> failing;  ///< those compiled here that have errors
-  int compiled = 0;                    ///< units that nobody had compiled before
-  Diagnostics errors;                  ///< of building it, not of compiling it
+  std::vector<std::uint64_t> units;              ///< shapes of its units (check/matrix_shapes.h)
+  std::map<std::uint64_t, Diagnostics> failing;  ///< errors of those compiled here that have any
+  int compiled = 0;                              ///< units that nobody had compiled before
+  Diagnostics errors;                            ///< of building it, not of compiling it
 };
 
 std::string encode(const MatrixFinding& finding);
@@ -39,6 +40,8 @@ class MatrixWorker {
 
   /// Compiles units that nobody has compiled yet.
   MatrixFinding run(const MatrixJob& job);
+  /// What the compiler says of one unit of `job`.
+  Diagnostics unitErrors(const MatrixJob& job, std::size_t unit);
   /// Errors of the program of `job` (or of the properties) under `values`, compiler's included.
   Diagnostics errorsWith(const MatrixJob& job, const OptionValues& values);
   /// Options that decide about the program under `values`: conditions in its text and properties.

@@ -194,6 +194,49 @@ PACKS = [
          stdout=[r'"name": "MODE"', r'"value": "1"', r'"line": 4', r'"final"']),
 ]
 
+# Two options, either of which breaks a program alone; DEEP makes the compiler overflow its stack.
+MATRIX_PACK = pack({
+    "composite.fsh": VERSION + """//#define LOST
+void main() {
+#ifdef LOST
+lost();
+#endif
+gl_FragColor = vec4(1.0);
+}
+""",
+    "deferred.fsh": VERSION + "//#define DEEP\nvoid main() {\nfloat x = gl_FragCoord.x;\n"
+                    "#ifdef DEEP\nx = x" + "\n+x" * 150000 + ";\n#endif\n"
+                    "gl_FragColor = vec4(x);\n}\n"})
+LOST = r"^/composite\.fsh:5:1: error: 'lost' : no matching overloaded function found \[glsl-compile\]$"
+DEEP = r"^/deferred\.fsh: error: the compiler died while checking deferred: .* \[compiler-crash\]$"
+MATRIX = [
+    Case("matrix_none", ["validate pack", "validate pack --matrix none"], 0, MATRIX_PACK,
+         stdout=[r"^pack: 3/3 programs$"]),
+    Case("matrix_goes_on_when_the_compiler_dies",
+         ["validate pack --matrix each", "validate pack --matrix each --budget 2m"], 1, MATRIX_PACK,
+         [LOST, DEEP],
+         stderr=["note: fails if and only if LOST=true; via /composite ", "note: fails if DEEP=true"],
+         stdout=["^  matrix each: 2 configurations, 2 program variants, 1 distinct programs compiled, "]),
+    Case("matrix_options", ["validate pack --matrix each --options LOST",
+                            "validate pack --matrix pairwise --options LOST"], 1, MATRIX_PACK, [LOST],
+         stdout=[r"^  matrix \w+: 1 configurations, "]),
+    Case("matrix_unknown_option", ["validate pack --matrix each --options LOTS"], 2, MATRIX_PACK,
+         ["--options: the pack has no option LOTS"], stderr=["did you mean LOST"]),
+    Case("matrix_shard", ["validate pack --matrix each --shard 1/2 --options LOST"], 1, MATRIX_PACK,
+         [LOST], stdout=["^  matrix each, shard 1/2: 1 configurations, "]),
+    Case("matrix_shard_of_the_environment", ["validate pack --matrix each --options LOST"], 0,
+         MATRIX_PACK, stdout=["^  matrix each, shard 2/2: 0 configurations, "],
+         environment={"CI_NODE_INDEX": "2", "CI_NODE_TOTAL": "2"}),
+    Case("matrix_usage", ["validate pack --matrix all", "validate pack --matrix each --shard 0/2",
+                          "validate pack --matrix each --shard 3/2",
+                          "validate pack --matrix each --shard two",
+                          "validate pack --matrix each --budget 0s",
+                          "validate pack --matrix each --budget -1s",
+                          "validate pack --matrix each --budget soon",
+                          "validate pack --matrix each --budget 5h"], 2, PACK,
+         ["orris validate: error: --(matrix|shard|budget): "]),
+]
+
 WORLDS = [
     Case("no_such_world", ["world nothing", "render pack nothing -o out.png"], 2, PACK,
          ["nothing"]),
@@ -328,4 +371,4 @@ TRACES = [
          [r"^out\.exr\.trace: error: is not a checkpoint of trace$"]),
 ]
 
-CASES = USAGE + PACKS + WORLDS + OUTPUTS + COMPARISONS + TRACES
+CASES = USAGE + PACKS + MATRIX + WORLDS + OUTPUTS + COMPARISONS + TRACES

@@ -88,6 +88,22 @@ TEST(IsolatedJobs, job_that_sleeps_for_ever_is_given_up) {
   EXPECT_THAT(texts(outcomes), ElementsAre("timed out", "done"));
 }
 
+TEST(IsolatedJobs, what_is_in_progress_when_the_time_ends_is_given_up) {
+  const auto until = std::chrono::steady_clock::now() + std::chrono::milliseconds(300);
+  const auto outcomes = run({.count = 3,
+                             .workers = 2,
+                             .work =
+                                 [](std::size_t i) {
+                                   while (i == 1) pause();
+                                   return std::string("done");
+                                 },
+                             .until = until});
+  EXPECT_GE(std::chrono::steady_clock::now(), until);
+  EXPECT_LT(std::chrono::steady_clock::now(), until + std::chrono::seconds(1));
+  EXPECT_THAT(texts(outcomes), ElementsAre("done", "done"));
+  EXPECT_FALSE(outcomes.contains(1));
+}
+
 TEST(IsolatedJobs, nothing_starts_after_take_said_no) {
   std::size_t taken = 0;
   runIsolated({.count = 100, .workers = 1, .work = [](std::size_t) { return std::string(); }},

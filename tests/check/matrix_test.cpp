@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include "check/matrix_causes.h"
 #include "check/matrix_run.h"
 
 namespace orris {
@@ -171,6 +172,114 @@ TEST(Matrix, properties_under_other_values_are_checked_and_enable_programs) {
               ElementsAre("/composite.fsh fails if and only if GLOW=true; via /composite (1 "
                           "program, 1 configuration)",
                           "/shaders.properties fails if and only if GLOW=true; 1 configuration"));
+}
+
+/// final with twenty values of SIZE, and `text`.
+Files sliderPack(const std::string& text) {
+  std::string values;
+  for (int i = 1; i <= 20; ++i) values += fmt::format(" {}", i);
+  return {{"/final.fsh", std::string(kVersion) + "#define SIZE 3 // [" + values + "]\n" +
+                             "void main() {\n" + text + "gl_FragColor = vec4(SIZE);\n}\n"}};
+}
+
+TEST(Matrix, numbers_that_cannot_decide_are_not_compiled_again) {
+  const Matrix matrix = run(sliderPack(""), {.kind = MatrixKind::Each, .jobs = 2});
+  EXPECT_EQ(matrix.result.configurations, 19u);
+  EXPECT_EQ(matrix.result.tried, 19u);
+  EXPECT_EQ(matrix.result.compiled, 0u);
+}
+
+TEST(Matrix, numbers_that_may_decide_are_compiled_each) {
+  const Matrix matrix =
+      run(sliderPack("float a[SIZE];\na[6] = 1.0;\n"), {.kind = MatrixKind::Each, .jobs = 2});
+  EXPECT_EQ(matrix.result.compiled, 19u);
+  // With the values in force it fails as well, which is told there, in other words.
+  ASSERT_EQ(matrix.told.size(), 1u);
+  EXPECT_EQ(matrix.told[0].message, "'[' :  array index out of range '6'");
+}
+
+TEST(Matrix, numbers_of_which_a_condition_hears_by_another_name_are_all_tried) {
+  const Matrix matrix = run(sliderPack("#define HALF (SIZE / 2)\n#if HALF == 7\nlost;\n#endif\n"),
+                            {.kind = MatrixKind::Each, .jobs = 2});
+  ASSERT_EQ(matrix.texts().size(), 1u);
+  EXPECT_THAT(matrix.result.diagnostics[0].notes.at(0),
+              testing::StartsWith("fails if and only if SIZE is 14 or 15; via /final"));
+  EXPECT_EQ(matrix.result.compiled, 1u);
+}
+
+TEST(Matrix, a_number_pasted_into_a_name_is_seen) {
+  const Matrix matrix = run(sliderPack("#define CAT(a, b) a##b\n#define NAME(b) CAT(x, b)\n"
+                                       "float x1, x2, x3, x4, x5, x6, x7;\nNAME(SIZE) = 1.0;\n"),
+                            {.kind = MatrixKind::Each, .jobs = 2});
+  EXPECT_EQ(matrix.result.compiled, 19u);
+  EXPECT_EQ(matrix.result.diagnostics.size(), 13u);  // 'x8' : undeclared identifier, ...
+}
+
+TEST(Matrix, only_stages_that_an_option_reaches_are_looked_at) {
+  const Files files{{"/final.fsh", std::string(kVersion) +
+                                       "//#define RED\nin float x;\nvoid main() {\n#ifdef RED\n"
+                                       "gl_FragColor = vec4(x);\n#endif\n}\n"},
+                    {"/final.vsh", std::string(kVersion) +
+                                       "//#define RED\nout float x;\nvoid main() { x = 1.0; }\n"},
+                    {"/composite.fsh", std::string(kVersion) + "void main() {}\n"}};
+  const Matrix matrix = run(files, {.kind = MatrixKind::Each});
+  EXPECT_EQ(matrix.result.variants, 1u);
+  EXPECT_EQ(matrix.result.compiled, 1u);
+  EXPECT_THAT(matrix.texts(), IsEmpty());
+}
+
+/// SLOW makes glslang compare each function with each; LOST is a mistake.
+Files stallingPack() {
+  constexpr int kFunctions = 20'000;
+  std::string functions = "float f0() { return 1.0; }\n";
+  for (int i = 1; i < kFunctions; ++i) {
+    functions += fmt::format("float f{}() {{ return f{}(); }}\n", i, i - 1);
+  }
+  return {{"/final.fsh",
+           std::string(kVersion) + "//#define SLOW\n#ifdef SLOW\n" + functions +
+               fmt::format("#define F f{}()\n#else\n#define F 1.0\n#endif\n", kFunctions - 1) +
+               "void main() { gl_FragColor = vec4(F); }\n"},
+          {"/composite.fsh", std::string(kVersion) +
+                                 "//#define LOST\nvoid main() {\n#ifdef LOST\nlost;\n#endif\n}\n"}};
+}
+
+TEST(Matrix, its_time_ends_whatever_the_compiler_does) {
+  const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(5);
+  const Matrix matrix = run(stallingPack(), {.kind = MatrixKind::Each, .until = until, .jobs = 2});
+  EXPECT_LT(std::chrono::steady_clock::now(), until + std::chrono::seconds(1));
+  EXPECT_EQ(matrix.result.configurations, 2u);
+  EXPECT_EQ(matrix.result.tried, 1u);
+  ASSERT_EQ(matrix.result.diagnostics.size(), 1u);
+  EXPECT_THAT(matrix.result.diagnostics[0].notes.at(0),
+              testing::StartsWith("fails if and only if LOST=true; via /composite"));
+}
+
+TEST(Matrix, without_time_it_says_that_it_tried_nothing) {
+  const Matrix matrix =
+      run(plantedPack(), {.kind = MatrixKind::Each, .until = std::chrono::steady_clock::now()});
+  EXPECT_EQ(matrix.result.configurations, 80u);
+  EXPECT_EQ(matrix.result.tried, 0u);
+}
+
+TEST(Matrix, cause_that_time_was_too_short_for_is_told_as_not_minimised) {
+  Diagnostics told;
+  auto pack =
+      loadShaderPack(memorySource(plantedPack()), {.environment = standardMacros({})}, told);
+  ASSERT_TRUE(pack);
+  const Verdicts verdicts;
+  const std::vector<ShaderPack> folders{*pack};
+  const MatrixBase base{folders, standardMacros({}), verdicts, told};
+  MatrixPlan plan = planMatrix(base, {.kind = MatrixKind::Each});
+  plan.configurations[plan.jobs[0].configuration] = {{"OPT_7", "true"}, {"VAL_3", "2"}};
+  const BaseShapes shapes(base, plan);
+  SharedHashes seen(100);
+  MatrixWorker worker(plan, shapes, base.environment, seen);
+  std::vector<MatrixFailure> failures{{.jobs = {0}}};
+  explainFailures({.plan = plan, .worker = worker, .until = std::chrono::steady_clock::now()},
+                  failures);
+  EXPECT_THAT(failures[0].diagnostic.notes,
+              ElementsAre("fails with OPT_7=true, VAL_3=2 (not minimised for want of time); via "
+                          "/final (1 program, 1 configuration)"));
 }
 
 }  // namespace
