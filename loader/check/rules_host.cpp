@@ -8,6 +8,9 @@ namespace orris {
 std::span<const Rule> hostRules() {
   static const std::vector<Rule> kRules = {
       {"camera-unknown", Severity::Error, "--camera names no camera of the world"},
+      {"checkpoint-read", Severity::Error,
+       "a checkpoint of trace is damaged or belongs to another picture"},
+      {"checkpoint-write", Severity::Error, "a checkpoint of trace cannot be written"},
       {"compare-size", Severity::Error, "two pictures of different sizes cannot be compared"},
       {"dump-unknown", Severity::Error, "--dump names no buffer of the frame"},
       {"file-unreadable", Severity::Error, "a file named on the command line cannot be read"},
@@ -34,6 +37,8 @@ std::span<const Rule> hostRules() {
       {"picture-format-unknown", Severity::Error, "no picture format has this file ending"},
       {"schematic-invalid", Severity::Error,
        "a .schem file does not hold what the format asks for"},
+      {"shard-mismatch", Severity::Error, "the shards of --merge are not of one picture"},
+      {"shard-missing", Severity::Error, "--merge lacks a shard of the picture"},
       {"symlink-outside", Severity::Warning, "a symbolic link leads nowhere or out of the pack"},
       {"unknown-block", Severity::Warning, "the world has a block that this host does not know"},
       {"world-json-syntax", Severity::Error, "world.json is no JSON"},
