@@ -5,6 +5,7 @@
 #include <set>
 
 #include "check/covering_array.h"
+#include "check/option_checks.h"
 #include "pack/folder_build.h"
 #include "pack/text.h"
 
@@ -107,6 +108,21 @@ std::vector<std::string> thinned(const MatrixAxis& axis) {
   return kept;
 }
 
+// "#ifndef NAME" above "#define NAME": without it a file is included twice.
+bool isIncludeGuard(const ShaderPack& pack, const std::string& name, const Option& option) {
+  return std::any_of(option.at.begin(), option.at.end(), [&](const SourceLocation& at) {
+    const std::string above = pack.sourceLine(at.file, at.line - 1);
+    const std::string_view line = trim(above);
+    return line.starts_with("#ifndef") && trim(line.substr(7)) == name;
+  });
+}
+
+bool isSetByProfile(const ShaderPack& pack, const std::string& name) {
+  const auto& profiles = pack.properties.profiles;
+  return std::any_of(profiles.begin(), profiles.end(),
+                     [&](const Profile& profile) { return profile.values.contains(name); });
+}
+
 }  // namespace
 
 std::optional<MatrixKind> parseMatrixKind(std::string_view name) {
@@ -122,8 +138,12 @@ std::vector<MatrixAxis> matrixAxes(std::span<const ShaderPack> folders,
   if (folders.empty()) return axes;
   const ShaderPack& first = folders.front();
   const auto uses = usesOf(folders);
+  const ShownOptions shown(first);
   for (const auto& [name, option] : first.options.all()) {
-    if (!only.empty() && std::find(only.begin(), only.end(), name) == only.end()) continue;
+    const bool named = std::find(only.begin(), only.end(), name) != only.end();
+    const bool chosen = only.empty() && (shown.contains(name) || isSetByProfile(first, name)) &&
+                        !isIncludeGuard(first, name, option);
+    if (!named && !chosen) continue;
     MatrixAxis axis{.option = name};
     const auto use = uses.find(name);
     // Nothing is known of how an option is used that is not in play yet.

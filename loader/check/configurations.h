@@ -23,7 +23,8 @@ struct MatrixAxis {
   std::size_t reach = 0;      ///< programs that it reaches as the options stand
 };
 
-/// The options of a pack, or those in `only` if that is not empty. Options that nothing in `folders`
+/// The options that a player can choose, on a screen or by a profile, or those in `only` if that is not
+/// empty; include guards, which are options by the letter, only if they are named there. Options that nothing in `folders`
 /// asks for as the values stand are among them: other options may bring them into play.
 std::vector<MatrixAxis> matrixAxes(std::span<const ShaderPack> folders,
                                    const std::vector<std::string>& only);

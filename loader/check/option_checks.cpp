@@ -156,14 +156,6 @@ bool isInformation(const Option& option) {
   return named || counts || option.values.size() < 2;
 }
 
-std::set<std::string_view> shownNames(const ShaderPack& pack) {
-  std::set<std::string_view> shown;
-  for (const Screen& screen : pack.properties.screens) {
-    shown.insert(screen.entries.begin(), screen.entries.end());
-  }
-  return shown;
-}
-
 void addProperties(const ShaderPack& pack, Mentions& mentions) {
   const auto add = [&](std::string_view word) { mentions.add(word); };
   for (const char* file : {"/block.properties", "/item.properties", "/entity.properties"}) {
@@ -184,6 +176,12 @@ void addProperties(const ShaderPack& pack, Mentions& mentions) {
 
 }  // namespace
 
+ShownOptions::ShownOptions(const ShaderPack& pack) {
+  for (const Screen& screen : pack.properties.screens)
+    names_.insert(screen.entries.begin(), screen.entries.end());
+  all_ = names_.empty() || names_.contains("*");
+}
+
 void checkOptionLists(std::span<const ShaderPack> folders, Diagnostics& diagnostics) {
   const ShaderPack& pack = folders.front();
   AuthorLines lines(pack);
@@ -202,15 +200,14 @@ void checkOptionUse(std::span<const ShaderPack> folders, Diagnostics& diagnostic
   AuthorLines lines(pack);
   for (const auto& entry : pack.files) mentions.addFile(entry.first, lines.file(entry.first));
   addProperties(pack, mentions);
-  const auto shown = shownNames(pack);
+  const ShownOptions shown(pack);
   for (const auto& [name, option] : pack.options.all()) {
     const SourceLocation& place = option.at.front();
     const auto line = parseOptionLine(lines.at(place));
     const bool directive = line && line->isConst;
     if (directive || mentions.contains(name)) continue;
     // Boolean options without effect are tested on purpose: mods look for them.
-    const bool visible = shown.empty() || shown.contains("*") || shown.contains(name);
-    const bool matters = visible && !option.isBoolean && !isInformation(option);
+    const bool matters = shown.contains(name) && !option.isBoolean && !isInformation(option);
     diagnostics.push_back(optionDiagnostic(
         lines, matters ? Severity::Warning : Severity::Note, "option-unused", place, name,
         fmt::format("{} changes nothing: no program and no properties file mentions it", name),
@@ -220,8 +217,8 @@ void checkOptionUse(std::span<const ShaderPack> folders, Diagnostics& diagnostic
 
 void checkHiddenOptions(std::span<const ShaderPack> folders, Diagnostics& diagnostics) {
   const ShaderPack& pack = folders.front();
-  const auto shown = shownNames(pack);
-  if (shown.empty() || shown.contains("*")) return;
+  const ShownOptions shown(pack);
+  if (shown.all()) return;
   AuthorLines lines(pack);
   for (const auto& [name, option] : pack.options.all()) {
     if (shown.contains(name)) continue;

@@ -1,7 +1,9 @@
 // Checks of options: lists that do not fit, options that nothing uses, options nobody can reach.
 #pragma once
 
+#include <set>
 #include <span>
+#include <string_view>
 
 #include "core/diagnostic.h"
 #include "pack/shader_pack.h"
@@ -13,6 +15,18 @@ void checkOptionLists(std::span<const ShaderPack> folders, Diagnostics& diagnost
 
 /// Options that no shader text and no properties file mentions outside their own definition.
 void checkOptionUse(std::span<const ShaderPack> folders, Diagnostics& diagnostics);
+
+/// What a player can choose on the screens: all options of a pack without screens, or with `*` on one.
+class ShownOptions {
+ public:
+  explicit ShownOptions(const ShaderPack& pack);
+  bool all() const { return all_; }
+  bool contains(std::string_view name) const { return all_ || names_.contains(name); }
+
+ private:
+  std::set<std::string_view> names_;
+  bool all_ = false;
+};
 
 /// Options on no screen, in a pack whose screens do not show all the rest with `*`.
 void checkHiddenOptions(std::span<const ShaderPack> folders, Diagnostics& diagnostics);

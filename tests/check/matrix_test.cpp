@@ -111,6 +111,24 @@ const Files kTwoFolders{
                                   "defined SHARP\ngl_FragColor = none;\n#elif MODE == 1\n#error "
                                   "mode 1 needs nothing\n#endif\n}\n"}};
 
+TEST(Matrix, only_what_a_player_can_choose_is_varied) {
+  Files files{
+      {"/final.vsh", std::string(kVersion) + "#define STAGE_A\nvoid main() {\n#ifdef STAGE_A\n"
+                                             "  gl_Position = ftransform();\n#endif\n}\n"},
+      {"/final.fsh", std::string(kVersion) +
+                         "#define SHOWN\n#define PROFILED\n#define HIDDEN\n"
+                         "#ifdef SHOWN\n#endif\n#ifdef PROFILED\n#endif\n#ifdef HIDDEN\n#endif\n"
+                         "#include \"/lib.glsl\"\n#include \"/lib.glsl\"\n"
+                         "void main() { gl_FragColor = vec4(f()); }\n"},
+      {"/lib.glsl", "#ifndef GUARD\n#define GUARD\nfloat f() { return 1.0; }\n#endif\n"}};
+  // Without screens the game shows all; a guard is none to be chosen.
+  EXPECT_EQ(run(files, {.kind = MatrixKind::Each}).result.configurations, 4u);
+  EXPECT_THAT(run(files, {.kind = MatrixKind::Each}).texts(), IsEmpty());
+  files["/shaders.properties"] = "screen = SHOWN\nprofile.LOW = !PROFILED\n";
+  EXPECT_EQ(run(files, {.kind = MatrixKind::Each}).result.configurations, 2u);
+  EXPECT_EQ(run(files, {.kind = MatrixKind::Each, .options = {"GUARD"}}).texts().size(), 1u);
+}
+
 TEST(Matrix, one_report_for_each_mistake_whatever_the_folder_in_file_order) {
   const Matrix matrix = run(kTwoFolders, {.kind = MatrixKind::Each, .jobs = 2});
   EXPECT_THAT(
