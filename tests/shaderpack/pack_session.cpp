@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <regex>
 
 #include "world/world_json.h"
 
@@ -32,7 +34,26 @@ World parseWorld(const std::string& text) {
   return world.value_or(World{});
 }
 
+std::shared_ptr<const FileSource> openReferencePack(const std::function<void(PackTexts&)>& change,
+                                                    Diagnostics& problems) {
+  const char* const other = std::getenv("ORRIS_REFERENCE_PACK");
+  std::shared_ptr<const FileSource> pack =
+      openPack(other ? other : ORRIS_SOURCE_DIR "/shaderpack", problems);
+  if (!pack || !change) return pack;
+  PackTexts files;
+  for (const std::string& path : pack->files()) files[path] = pack->read(path).value_or("");
+  change(files);
+  return memorySource(std::move(files));
+}
+
 }  // namespace
+
+void setDefault(PackTexts& files, const std::string& option, const std::string& value) {
+  std::string& text = files["/settings.glsl"];
+  const std::regex line("(#define " + option + ") [^ ]+");
+  ASSERT_TRUE(std::regex_search(text, line)) << option;
+  text = std::regex_replace(text, line, "$1 " + value);
+}
 
 std::array<float, 4> CellField::at(glm::ivec3 cell) const {
   const int x = cell.y % layout_.columns * layout_.volume + cell.x;
@@ -56,31 +77,29 @@ float CellField::brightest() const {
   return largest;
 }
 
-PackSession::PackSession(World world, const OptionValues& options, int width, int height) {
+PackSession::PackSession(World world, const SessionSetup& setup) {
   Diagnostics diagnostics;
   SessionRequest request;
-  request.openPack = [](Diagnostics& problems) -> std::shared_ptr<const FileSource> {
-    return openPack(ORRIS_SOURCE_DIR "/shaderpack", problems);
+  request.openPack = [change = setup.change](Diagnostics& problems) {
+    return openReferencePack(change, problems);
   };
-  request.load.values = options;
-  request.renderer.width = width;
-  request.renderer.height = height;
+  request.load.values = setup.options;
+  request.renderer.width = setup.width;
+  request.renderer.height = setup.height;
   request.camera = world.cameras.at(0);
   session_ =
       RenderSession::create(sharedContext(), std::move(request), std::move(world), diagnostics);
   expectClean(diagnostics);
 }
 
-PackSession::PackSession(const std::string& world, const OptionValues& options, int width,
-                         int height)
-    : PackSession(parseWorld(world), options, width, height) {}
+PackSession::PackSession(const SessionSetup& setup) : PackSession(parseWorld(setup.world), setup) {}
 
 PackSession PackSession::ofWorld(const std::string& name, const OptionValues& options, int width,
                                  int height) {
   Diagnostics diagnostics;
   std::optional<World> world = loadWorld(ORRIS_SOURCE_DIR "/worlds/" + name, 0, diagnostics);
   expectClean(diagnostics);
-  return PackSession(std::move(world).value(), options, width, height);
+  return PackSession(std::move(world).value(), {"", options, width, height, {}});
 }
 
 void PackSession::look(glm::dvec3 from, glm::dvec3 to) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <functional>
+#include <map>
 #include <memory>
 #include <string>
 
@@ -9,6 +11,19 @@
 #include "gl/context.h"
 
 namespace orris::test {
+
+/// Texts by pack path ("/settings.glsl").
+using PackTexts = std::map<std::string, std::string>;
+
+/// Gives an option a value that its list need not hold.
+void setDefault(PackTexts& files, const std::string& option, const std::string& value);
+
+struct SessionSetup {
+  std::string world;  ///< text of a world.json; its first camera looks
+  OptionValues options;
+  int width = 32, height = 32;
+  std::function<void(PackTexts&)> change;  ///< of the pack's files before they are loaded
+};
 
 /// The atlas of settings.glsl: tiles of volume x volume texels, layer y in tile y.
 struct AtlasLayout {
@@ -33,11 +48,14 @@ class CellField {
   AtlasLayout layout_;
 };
 
+/// shaderpack/, or the pack that the environment's ORRIS_REFERENCE_PACK names.
 class PackSession {
  public:
+  explicit PackSession(const SessionSetup& setup);
   /// `world` is the text of a world.json; its first camera looks.
   PackSession(const std::string& world, const OptionValues& options, int width = 32,
-              int height = 32);
+              int height = 32)
+      : PackSession(SessionSetup{world, options, width, height, {}}) {}
   /// A world of ours by folder name.
   static PackSession ofWorld(const std::string& name, const OptionValues& options, int width,
                              int height);
@@ -53,7 +71,7 @@ class PackSession {
   RenderSession& session() { return *session_; }
 
  private:
-  PackSession(World world, const OptionValues& options, int width, int height);
+  PackSession(World world, const SessionSetup& setup);
   std::unique_ptr<RenderSession> session_;
 };
 

@@ -1,0 +1,69 @@
+#include "lab.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+namespace orris::test {
+namespace {
+
+// Blocks may stand in every cell of the volume.
+constexpr const char* kWorld = R"({{
+  "size": [{0}, {0}, {0}], "blocks": [{1}], "events": [{2}],
+  "cameras": [{{"name": "eye", "position": [{3}.5, {3}.5, {3}.5], "yaw": 180}}],
+  "environment": {{"time": 18000}}
+}})";
+
+// Two passes before the propagation, as that must be the third to swap the target's sides: what the
+// next frame starts from is the side that an odd number of writers ends on (Iris: FinalPassRenderer).
+constexpr const char* kInject = R"(#version 330 compatibility
+#include "/settings.glsl"
+#include "/include/voxel/volume.glsl"
+uniform sampler2D colortex4;
+/* RENDERTARGETS: 4 */
+layout(location = 0) out vec4 light;
+void main() {{
+    light = texelFetch(colortex4, ivec2(gl_FragCoord.xy), 0);
+    ivec3 cell = atlas_cell(ivec2(gl_FragCoord.xy));
+    if (frameCounter == {}) light = vec4({}, 1.0);
+}}
+)";
+
+constexpr const char* kFullscreen =
+    "#version 330 compatibility\nvoid main() { gl_Position = ftransform(); }\n";
+
+// The final program stays: it includes buffers.glsl.
+constexpr const char* kNothingElse =
+    "\nprogram.deferred.enabled=false\nprogram.deferred1.enabled=false\n"
+    "program.deferred2.enabled=false\nprogram.deferred3.enabled=false\n"
+    "program.deferred4.enabled=false\n";
+
+}  // namespace
+
+void edit(std::string& text, const std::string& from, const std::string& to) {
+  const size_t at = text.find(from);
+  ASSERT_NE(at, std::string::npos) << from;
+  ASSERT_EQ(text.find(from, at + 1), std::string::npos) << from;
+  text.replace(at, from.size(), to);
+}
+
+SessionSetup Lab::sessionOf(const LabSetup& setup) {
+  SessionSetup session;
+  session.world = fmt::format(kWorld, kLabSize, setup.blocks, setup.events, kLabSize / 2);
+  session.width = session.height = 8;
+  session.options = setup.options;
+  session.options.emplace("VOXEL_SIZE", std::to_string(kLabSize));
+  session.options.emplace("FLOODFILL_INTERVAL", "1");
+  session.change = [setup](PackTexts& files) {
+    for (const auto& [option, value] : setup.constants) setDefault(files, option, value);
+    files["/shaders.properties"] += kNothingElse;
+    if (!setup.initial.empty())
+      for (const std::string name : {"/begin", "/begin1"}) {
+        files[name + ".fsh"] = fmt::format(kInject, setup.initialStep, setup.initial);
+        files[name + ".vsh"] = kFullscreen;
+      }
+    if (setup.change) setup.change(files);
+  };
+  return session;
+}
+
+}  // namespace orris::test

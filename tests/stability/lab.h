@@ -1,0 +1,46 @@
+// The pack's propagation alone, on a small volume whose light and walls a test prepares.
+#pragma once
+
+#include <string>
+
+#include "../shaderpack/pack_session.h"
+
+namespace orris::test {
+
+constexpr int kLabSize = 32;
+
+struct LabSetup {
+  /// Operations of world.json, comma-separated; block (x, y, z) of the world is that cell of the
+  /// volume.
+  std::string blocks = {};
+  /// Of world.json. A world whose last block goes loses its light, too, as its programs change.
+  std::string events = {};
+  /// GLSL expression of `ivec3 cell`, a vec3: the light that the volume holds before step
+  /// `initialStep`; empty for none.
+  std::string initial = {};
+  int initialStep = 0;
+  OptionValues options = {};
+  /// Options by values that their lists need not hold.
+  OptionValues constants = {};
+  std::function<void(PackTexts&)> change = {};
+};
+
+/// Eye in the cell at half the volume's size, still; night; one step a frame; nothing is drawn but
+/// the volume.
+class Lab {
+ public:
+  explicit Lab(const LabSetup& setup) : pack_(sessionOf(setup)) {}
+  void step(int count = 1) { pack_.renderFrames(count); }
+  CellField light() { return pack_.light({kLabSize, kLabSize}); }
+  CellField voxels() { return pack_.voxels({kLabSize, kLabSize}); }
+  PackSession& pack() { return pack_; }
+
+ private:
+  static SessionSetup sessionOf(const LabSetup& setup);
+  PackSession pack_;
+};
+
+/// `text` with its only `from` replaced.
+void edit(std::string& text, const std::string& from, const std::string& to);
+
+}  // namespace orris::test
