@@ -20,6 +20,7 @@
 #define BOUNCE_2 2
 #define BOUNCE_4 3
 #define FLOODFILL 4
+#define FACE_CACHE 5
 
 #define ATLAS_2D 1
 
@@ -41,7 +42,7 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 #define SHADOW_DISTANCE 64.0 // [32.0 48.0 64.0 96.0 128.0]
 
 // Global illumination
-#define GI_METHOD FLOODFILL // [NONE BOUNCE_1 BOUNCE_2 BOUNCE_4 FLOODFILL]
+#define GI_METHOD FLOODFILL // [NONE BOUNCE_1 BOUNCE_2 BOUNCE_4 FLOODFILL FACE_CACHE]
 #define GI_SAMPLES 1 // [1 2 4]
 #define VOXEL_SIZE 64 // [32 48 64 96]
 
@@ -52,6 +53,11 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 #define FLOODFILL_INTERVAL 3 // [1 2 3 4 6]
 #define FLOODFILL_LOOKUP PUBLISHED // [PUBLISHED SOLID_AWARE]
 #define FLOODFILL_STRENGTH 1.0 // [0.25 0.5 1.0 2.0 4.0 8.0]
+
+// Face cache
+#define FACE_SHARE 4 // [1 2 4 8]
+#define FACE_WINDOW 32 // [16 32 64 128]
+#define FACE_GAIN 8.0 // [1.0 4.0 8.0 16.0]
 
 // Noise
 #define GI_FILTER // Smooth the gathered light within each face
@@ -66,6 +72,13 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 // Derived: not options.
 #define VOXELS (GI_METHOD != NONE)
 #define SHADOW_MAP (SHADOW_METHOD != NONE)
+
+// Without images and compute shaders the face cache is one bounce.
+#if GI_METHOD == FACE_CACHE && defined IRIS_FEATURE_CUSTOM_IMAGES && defined IRIS_FEATURE_COMPUTE_SHADERS
+#define FACES 1
+#else
+#define FACES 0
+#endif
 
 // A 96 volume needs a shadow target of 2048; with a smaller one it falls back to 64.
 #if VOXEL_SIZE == 96 && SHADOW_RESOLUTION < 2048

@@ -27,7 +27,7 @@ TEST(pack, method_options_have_the_published_values) {
   EXPECT_THAT(values("DIRECT_LIGHT"), ElementsAre("PHONG", "LAMBERT_GGX"));
   EXPECT_THAT(values("SHADOW_METHOD"), ElementsAre("NONE", "MAP", "MAP_PCF"));
   EXPECT_THAT(values("GI_METHOD"),
-              ElementsAre("NONE", "BOUNCE_1", "BOUNCE_2", "BOUNCE_4", "FLOODFILL"));
+              ElementsAre("NONE", "BOUNCE_1", "BOUNCE_2", "BOUNCE_4", "FLOODFILL", "FACE_CACHE"));
   EXPECT_EQ(pack->options.find("FLOODFILL_ALPHA")->defaultValue, "2.43902");
   EXPECT_EQ(pack->options.find("FLOODFILL_GAMMA")->defaultValue, "2.2");
   EXPECT_EQ(pack->options.find("FLOODFILL_INTERVAL")->defaultValue, "3");
@@ -57,6 +57,10 @@ TEST(pack, programs_follow_the_methods) {
   };
   EXPECT_TRUE(has({}, "prepare"));
   EXPECT_FALSE(has({{"GI_METHOD", "BOUNCE_4"}}, "prepare"));
+  for (const char* program : {"shadowcomp", "shadowcomp1"}) {
+    EXPECT_TRUE(has({{"GI_METHOD", "FACE_CACHE"}}, program)) << program;
+    EXPECT_FALSE(has({{"GI_METHOD", "FLOODFILL"}}, program)) << program;
+  }
   EXPECT_TRUE(has({{"GI_METHOD", "BOUNCE_4"}}, "deferred"));
   EXPECT_FALSE(has({{"GI_METHOD", "NONE"}}, "deferred"));
   EXPECT_TRUE(has({{"GI_METHOD", "NONE"}}, "shadow"));

@@ -14,6 +14,8 @@ uniform mat4 shadowProjection;
 
 uniform vec3 cameraPosition;
 uniform vec3 previousCameraPosition;
+uniform ivec3 cameraPositionInt;
+uniform ivec3 previousCameraPositionInt;
 uniform vec3 sunPosition;
 uniform vec3 upPosition;
 uniform vec3 shadowLightPosition;

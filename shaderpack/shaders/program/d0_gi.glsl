@@ -13,12 +13,13 @@ void main() { gl_Position = ftransform(); }
 #include "/include/gbuffer.glsl"
 #include "/include/plane.glsl"
 #include "/include/math/random.glsl"
-#include "/include/math/sampling.glsl"
-#include "/include/lighting/sky.glsl"
-#include "/include/lighting/shadow.glsl"
-#include "/include/voxel/trace.glsl"
+#include "/include/lighting/hit.glsl"
 #if GI_METHOD == FLOODFILL
 #include "/include/voxel/light_field.glsl"
+#endif
+#if FACES
+#extension GL_ARB_shader_image_load_store : enable
+#include "/include/faces/face_cache.glsl"
 #endif
 
 #if GI_METHOD == BOUNCE_4
@@ -29,8 +30,9 @@ const int gi_bounces = 2;
 const int gi_bounces = 1;
 #endif
 
-// A little off the face, more than depth rounds at the edge of the volume.
-const float ray_offset = 0.02;
+#if FACES
+layout(rgba16f) uniform readonly image3D face_light;
+#endif
 
 uniform sampler2D colortex3;
 uniform sampler2D colortex5;
@@ -38,13 +40,6 @@ uniform sampler2D colortex5;
 /* RENDERTARGETS: 3,5 */
 layout(location = 0) out vec4 out_radiance;
 layout(location = 1) out vec4 out_plane;
-
-/// Sun or moon light that a hit reflects, without its albedo. `sky`: level where the ray began.
-vec3 sun_at(Hit hit, vec3 light, float sky) {
-    vec3 player = from_volume(hit.position);
-    return light_irradiance() * (max(dot(hit.normal, light), 0.0) / pi) *
-           light_visibility(player, hit.normal, light, 0, sky);
-}
 
 /// One sample of the mean incoming radiance.
 vec3 gather(Surface s, vec3 light) {
@@ -57,13 +52,11 @@ vec3 gather(Surface s, vec3 light) {
         Hit hit = trace(origin, direction);
         throughput *= hit.transmittance;
         if (!hit.found) {
-            // Where no sky light comes, the volume ends inside of a cave, not under the sky.
-            radiance += throughput * sky_radiance(direction) * smoothstep(0.0, 0.1, s.light.y);
+            radiance += throughput * sky_beyond(direction, s.light.y);
             break;
         }
         if (is_lamp_voxel(hit.voxel.code)) {
-            float boost = hit.voxel.code >= voxel_small_lamp ? small_lamp_boost : 1.0;
-            radiance += throughput * lamp_radiance(hit.voxel) * boost;
+            radiance += throughput * lamp_light(hit.voxel);
             break;
         }
         normal = hit.normal;
@@ -73,6 +66,9 @@ vec3 gather(Surface s, vec3 light) {
 #if GI_METHOD == FLOODFILL
         radiance += throughput * light_at_face(hit.position, normal, next_random().xy) *
                     FLOODFILL_STRENGTH;
+#elif FACES
+        radiance += throughput *
+                    trusted(imageLoad(face_light, face_texel(hit.cell, face_of(normal)))).rgb;
 #endif
     }
     return radiance;

@@ -22,7 +22,8 @@ out vec3 vertex_tint;
 out vec3 vertex_center;  // of the block, player space
 out float vertex_id;
 out float vertex_emission;
-out float vertex_up;
+out vec3 vertex_normal;
+out float vertex_sky;  // level 0..15
 
 void main() {
     vec4 view = gl_ModelViewMatrix * gl_Vertex;
@@ -33,7 +34,8 @@ void main() {
     vertex_center = (shadowModelViewInverse * view).xyz + at_midBlock.xyz / 64.0;
     vertex_id = mc_Entity.x;
     vertex_emission = block_emission(int(floor(mc_Entity.x + 0.5)), at_midBlock.w);
-    vertex_up = (mat3(shadowModelViewInverse) * (gl_NormalMatrix * gl_Normal)).y;
+    vertex_normal = mat3(shadowModelViewInverse) * (gl_NormalMatrix * gl_Normal);
+    vertex_sky = (gl_TextureMatrix[1] * gl_MultiTexCoord1).y * 16.0 - 0.5;
 }
 
 #elif defined GEOMETRY_STAGE
@@ -47,12 +49,18 @@ in vec3 vertex_tint[];
 in vec3 vertex_center[];
 in float vertex_id[];
 in float vertex_emission[];
-in float vertex_up[];
+in vec3 vertex_normal[];
+in float vertex_sky[];
 
 out vec2 uv;
 flat out vec4 voxel;  // a 0: part of the shadow map
 
 #if VOXELS
+
+#if FACES
+#extension GL_ARB_shader_image_load_store : enable
+#include "/include/faces/face_list.glsl"
+#endif
 
 uniform sampler2D gtexture;
 
@@ -97,9 +105,15 @@ void emit_voxel() {
     if (second || !block || !in_volume(cell)) return;
     voxel = block_voxel(int(floor(vertex_id[0] + 0.5)), vertex_emission[0]);
     if (voxel.a == 0.0) return;
+#if FACES
+    int code = int(voxel.a * 255.0 + 0.5);
+    int face = face_of(vertex_normal[0]);
+    add_to_brick(cell, face, code, vertex_mid_uv[0]);
+    list_face(cell, face, code, int(clamp(vertex_sky[0], 0.0, 15.0) + 0.5));
+#endif
 
     // The faces of a block share one texel; depth lets the top face win whatever the order.
-    float depth = vertex_up[0] > 0.5 ? -0.5 : 0.0;
+    float depth = vertex_normal[0].y > 0.5 ? -0.5 : 0.0;
     // A right angle at the texel's corner that holds its centre and no other.
     vec2 corner = vec2(atlas_texel(cell));
     const vec2 legs[3] = vec2[3](vec2(0.0), vec2(1.5, 0.0), vec2(0.0, 1.5));

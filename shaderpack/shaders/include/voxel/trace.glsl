@@ -6,6 +6,7 @@
 
 struct Hit {
     bool found;       // false: the ray left the volume
+    ivec3 cell;
     vec3 position;    // volume space
     vec3 normal;
     Voxel voxel;
@@ -61,6 +62,7 @@ Hit trace(vec3 origin, vec3 direction) {
         if (code == voxel_translucent) hit.transmittance *= texel.rgb * texel.rgb;
     }
 
+    hit.cell = cell;
     hit.voxel = decode_voxel(texel);
     hit.position = origin + direction * enter;
     hit.normal = -vec3(axis * stride);

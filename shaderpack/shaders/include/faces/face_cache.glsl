@@ -1,0 +1,107 @@
+// Radiance cached for each exposed face of a block: B, the mean incoming radiance over the face from
+// everything but the direct sun, so that a ray that ends there sees albedo * (sun + B).
+//
+//   face_light   rgba16f, 6 faces a cell at (6 x + face, y, z): rgb B, a number of updates.
+//                Cells keep their place when the camera moves (store_cell), so nothing is copied.
+//   face_list    r32ui, the faces to update in this frame, then the faces of lamps; see pack_face
+//   face_fresh   rgba16f, what becomes of the faces of the list: all updates read the old light,
+//                so that the order in which they run does not matter
+//   face_tally   r32ui, empty when a frame begins: lengths of the lists, a checksum for each brick
+//   face_memory  r32ui, kept: those checksums of the frame before, and when they changed
+//   face_seen    r32ui, empty when a frame begins: which faces of a cell are in the list
+//
+// The shadow pass makes the lists from the quads that it draws: what the mesh hides is not exposed.
+// faces: 0..5 = -x +x -y +y -z +z.
+#if !defined INCLUDED_FACES_FACE_CACHE
+#define INCLUDED_FACES_FACE_CACHE
+
+#include "/include/voxel/volume.glsl"
+
+const int face_ball = 6;  // a small lamp, which has no faces
+
+// After an edit all faces are updated for so many frames, and what they hold counts for nothing, or
+// for no more than a few updates where edits follow each other sooner than face_calm_frames.
+const int face_hurry_frames = 48;
+const int face_calm_frames = 32;
+const float face_edited_updates = 24.0;
+
+// Sizes of the lists; shaders.properties repeats LIST_WIDTH and the sum of the rows.
+const int list_width = 1024;
+const int face_rows = 256;
+const int lamp_rows = 16;
+const uint face_capacity = uint(list_width * face_rows);
+const uint lamp_capacity = uint(list_width * lamp_rows);
+
+// Bricks of 8 cells, the unit in which edits are noticed. Row 0 of face_tally and face_memory.
+const int brick_size = 8;
+const int bricks = VOLUME / brick_size;  // along an axis
+
+// Row 1 of face_tally.
+const ivec2 tally_faces = ivec2(0, 1);
+const ivec2 tally_lamps = ivec2(1, 1);
+// Row 1 of face_memory: frames of the last edit and of the one before.
+const ivec2 memory_last = ivec2(0, 1);
+const ivec2 memory_before = ivec2(1, 1);
+
+/// Remainder, never negative.
+ivec3 wrap(ivec3 a, int size) {
+    ivec3 r = a % size;
+    return r + size * ivec3(lessThan(r, ivec3(0)));
+}
+
+/// World block of the volume's first cell.
+ivec3 volume_origin() { return cameraPositionInt - VOLUME / 2; }
+
+ivec3 volume_origin_before() { return previousCameraPositionInt - VOLUME / 2; }
+
+/// Was the cell outside of the volume in the frame before?
+bool entered(ivec3 cell) { return !in_volume(cell + volume_origin() - volume_origin_before()); }
+
+/// Place of a cell in the images that are kept.
+ivec3 store_cell(ivec3 cell) { return wrap(volume_origin() + cell, VOLUME); }
+
+ivec3 face_texel(ivec3 cell, int face) {
+    ivec3 place = store_cell(cell);
+    return ivec3(place.x * 6 + face, place.yz);
+}
+
+int face_of(vec3 normal) {
+    vec3 size = abs(normal);
+    if (size.x > size.y && size.x > size.z) return normal.x > 0.0 ? 1 : 0;
+    if (size.y > size.z) return normal.y > 0.0 ? 3 : 2;
+    return normal.z > 0.0 ? 5 : 4;
+}
+
+vec3 face_normal(int face) {
+    int axis = face >> 1;
+    return vec3(axis == 0, axis == 1, axis == 2) * ((face & 1) == 1 ? 1.0 : -1.0);
+}
+
+/// An entry of the lists; `sky`: level 0..15 of the sky's light at the face.
+uint pack_face(ivec3 cell, int face, int sky) {
+    uvec3 c = uvec3(cell);
+    return c.x | c.y << 7 | c.z << 14 | uint(face) << 21 | uint(sky) << 24;
+}
+
+ivec3 packed_cell(uint entry) {
+    return ivec3(uvec3(entry, entry >> 7, entry >> 14) & 127u);
+}
+
+int packed_face(uint entry) { return int(entry >> 21 & 7u); }
+
+float packed_sky(uint entry) { return float(entry >> 24) / 15.0; }
+
+ivec2 face_slot(uint index) {
+    return ivec2(int(index) % list_width, int(index) / list_width);
+}
+
+ivec2 lamp_slot(uint index) { return face_slot(index) + ivec2(0, face_rows); }
+
+/// Brightness of garbage is none: B and number of updates as stored, or 0.
+vec4 trusted(vec4 stored) {
+    bvec4 above = greaterThanEqual(stored, vec4(0.0));
+    bvec4 below = lessThanEqual(stored, vec4(65504.0));
+    return all(above) && all(below) ? stored : vec4(0.0);
+}
+
+#endif

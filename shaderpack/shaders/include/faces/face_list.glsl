@@ -1,0 +1,57 @@
+// The shadow pass' part of the face cache: each quad of a block enters its face into the lists and
+// itself into its brick's checksum.
+#if !defined INCLUDED_FACES_FACE_LIST
+#define INCLUDED_FACES_FACE_LIST
+
+#include "/include/faces/face_cache.glsl"
+#include "/include/math/random.glsl"
+#include "/include/voxel/voxel.glsl"
+
+layout(r32ui) uniform uimage2D face_list;
+layout(r32ui) uniform uimage2D face_tally;
+layout(r32ui) uniform uimage2D face_memory;
+layout(r32ui) uniform uimage3D face_seen;
+
+/// Checksums are sums, so the order of the quads does not matter. `look`: what else the quad shows.
+void add_to_brick(ivec3 cell, int face, int code, vec2 look) {
+    ivec3 brick = store_cell(cell) / brick_size;
+    int index = (brick.z * bricks + brick.y) * bricks + brick.x;
+    uvec3 place = uvec3(volume_origin() + cell) * uvec3(73856093u, 19349663u, 83492791u);
+    uint what = uint(face * 256 + code);
+    uint sum = hash(uvec3(place.x ^ place.y ^ place.z, what, floatBitsToUint(look.x + 3.0 * look.y))).x;
+    imageAtomicAdd(face_tally, ivec2(index, 0), sum);
+}
+
+/// Frames since an edit of the light or the blocks.
+int frames_since_edit() {
+    return frameCounter - int(imageLoad(face_memory, memory_last).r);
+}
+
+/// Is the face among those of this frame? All are when they are new or the light has changed.
+bool is_due(ivec3 cell, int face) {
+    int since = frames_since_edit();
+    if (entered(cell) || (since >= 0 && since <= face_hurry_frames)) return true;
+    ivec3 place = store_cell(cell);
+    uint turn = hash(uvec3(place.x * 6 + face, place.yz)).x >> 8;
+    return (turn + uint(frameCounter)) % uint(FACE_SHARE) == 0u;
+}
+
+/// Enters a face once, however many quads it has.
+bool first_of_face(ivec3 cell, int face) {
+    uint bit = 1u << uint(face);
+    return (imageAtomicOr(face_seen, cell, bit) & bit) == 0u;
+}
+
+void list_face(ivec3 cell, int face, int code, int sky) {
+    bool lamp = is_lamp_voxel(code);
+    if (code == voxel_translucent) return;
+    if (code >= voxel_small_lamp) face = face_ball;
+    if (!lamp && !is_due(cell, face)) return;
+    if (!first_of_face(cell, face)) return;
+    uint slot = imageAtomicAdd(face_tally, lamp ? tally_lamps : tally_faces, 1u);
+    if (slot >= (lamp ? lamp_capacity : face_capacity)) return;
+    imageStore(face_list, lamp ? lamp_slot(slot) : face_slot(slot),
+               uvec4(pack_face(cell, face, sky)));
+}
+
+#endif
