@@ -1,4 +1,4 @@
-// The volume about the camera: scrolling, teleporting, and what blocks become in it.
+// What blocks become in the volume about the camera.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -6,52 +6,6 @@
 
 namespace orris::test {
 namespace {
-
-Camera eyeAt(double x, double y, double z) {
-  Camera camera;
-  camera.name = "eye";
-  camera.position = {x, y, z};
-  camera.yaw = 180;
-  return camera;
-}
-
-glm::ivec3 floorOf(const glm::dvec3& position) { return glm::ivec3(glm::floor(position)); }
-
-const char* const kLampWorld = R"({
-  "size": [1, 1, 1],
-  "blocks": [{"box": "glowstone", "min": [0, 0, 0], "max": [0, 0, 0]}],
-  "cameras": [{"name": "eye", "position": [0.5, 0.5, 6.5], "yaw": 180}],
-  "environment": {"time": 18000}
-})";
-
-TEST(volume, lamp_keeps_its_cell_while_the_camera_crosses_zero) {
-  PackSession pack(kLampWorld, {});
-  pack.renderFrames(12);
-  for (int axis = 0; axis < 3; ++axis) {
-    for (double offset = -2.5; offset <= 2.5; offset += 0.4) {
-      glm::dvec3 eye(0.5, 0.5, 6.5);
-      eye[axis] = offset;
-      pack.session().setCamera(eyeAt(eye.x, eye.y, eye.z));
-      pack.renderFrames(1);
-      const glm::ivec3 lamp = cellOf({0, 0, 0}, floorOf(eye));
-      const CellField light = pack.light();
-      ASSERT_EQ(light.red(lamp), 16.0f) << axis << ' ' << offset;
-      ASSERT_GT(light.red(lamp + glm::ivec3(0, 0, 1)), 6.0f) << axis << ' ' << offset;
-      ASSERT_GT(light.red(lamp + glm::ivec3(0, 3, 0)), 0.0f) << axis << ' ' << offset;
-    }
-  }
-}
-
-TEST(volume, teleport_by_its_size_or_more_leaves_no_light_behind) {
-  for (const int distance : {64, 65, 128, -64}) {
-    PackSession pack(kLampWorld, {});
-    pack.renderFrames(12);
-    ASSERT_GT(pack.light().countLit(), 7);
-    pack.session().setCamera(eyeAt(0.5 + distance, 0.5, 6.5));
-    pack.renderFrames(1);
-    EXPECT_EQ(pack.light().countLit(), 0) << distance;
-  }
-}
 
 struct Expected {
   const char* state;

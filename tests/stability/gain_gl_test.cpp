@@ -83,7 +83,11 @@ INSTANTIATE_TEST_SUITE_P(A1, AlphaAndGamma,
                                          Setting{2.75, 2.2}, Setting{0.99, 1}, Setting{1.01, 1},
                                          Setting{2.21, 1.8}, Setting{2.23, 1.8},
                                          Setting{2.43902, 2}, Setting{2.46, 2}, Setting{2.83, 2.4},
-                                         Setting{2.86, 2.4}));
+                                         Setting{2.86, 2.4}),
+                         [](const auto& test) {
+                           return fmt::format("alpha_{:.0f}_gamma_{:.0f}", 100 * test.param.alpha,
+                                              10 * test.param.gamma);
+                         });
 
 /// Middle of the volume over steps that start with the slowest shape of a place, so that every
 /// step's gain is the same.

@@ -31,12 +31,6 @@ void main() {{
 constexpr const char* kFullscreen =
     "#version 330 compatibility\nvoid main() { gl_Position = ftransform(); }\n";
 
-// The final program stays: it includes buffers.glsl.
-constexpr const char* kNothingElse =
-    "\nprogram.deferred.enabled=false\nprogram.deferred1.enabled=false\n"
-    "program.deferred2.enabled=false\nprogram.deferred3.enabled=false\n"
-    "program.deferred4.enabled=false\n";
-
 }  // namespace
 
 void edit(std::string& text, const std::string& from, const std::string& to) {
@@ -44,6 +38,12 @@ void edit(std::string& text, const std::string& from, const std::string& to) {
   ASSERT_NE(at, std::string::npos) << from;
   ASSERT_EQ(text.find(from, at + 1), std::string::npos) << from;
   text.replace(at, from.size(), to);
+}
+
+void runOnlyTheVolume(PackTexts& files) {
+  // The final program stays: it includes buffers.glsl.
+  for (const char* program : {"deferred", "deferred1", "deferred2", "deferred3", "deferred4"})
+    files["/shaders.properties"] += fmt::format("\nprogram.{}.enabled=false\n", program);
 }
 
 SessionSetup Lab::sessionOf(const LabSetup& setup) {
@@ -55,12 +55,15 @@ SessionSetup Lab::sessionOf(const LabSetup& setup) {
   session.options.emplace("FLOODFILL_INTERVAL", "1");
   session.change = [setup](PackTexts& files) {
     for (const auto& [option, value] : setup.constants) setDefault(files, option, value);
-    files["/shaders.properties"] += kNothingElse;
+    runOnlyTheVolume(files);
     if (!setup.initial.empty())
       for (const std::string name : {"/begin", "/begin1"}) {
         files[name + ".fsh"] = fmt::format(kInject, setup.initialStep, setup.initial);
         files[name + ".vsh"] = kFullscreen;
       }
+    if (setup.periodic)
+      edit(files["/include/voxel/light_field.glsl"], "if (!in_volume(cell)) return vec3(0.0);",
+           "cell = (cell + VOLUME) % VOLUME;");
     if (setup.change) setup.change(files);
   };
   return session;

@@ -19,6 +19,8 @@ struct LabSetup {
   /// `initialStep`; empty for none.
   std::string initial = {};
   int initialStep = 0;
+  /// Light that leaves the volume comes in on the other side, where the pack has darkness.
+  bool periodic = false;
   OptionValues options = {};
   /// Options by values that their lists need not hold.
   OptionValues constants = {};
@@ -39,6 +41,9 @@ class Lab {
   static SessionSetup sessionOf(const LabSetup& setup);
   PackSession pack_;
 };
+
+/// Changes the pack so that it draws nothing but the volume.
+void runOnlyTheVolume(PackTexts& files);
 
 /// `text` with its only `from` replaced.
 void edit(std::string& text, const std::string& from, const std::string& to);

@@ -1,8 +1,13 @@
 // Where light goes within the volume: to six neighbours, never through a wall or over its edge, and
 // along with the camera.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
+
 #include "lab.h"
+#include "linear_field.h"
 
 namespace orris::test {
 namespace {
@@ -50,39 +55,133 @@ TEST(A14, frames_between_steps_are_bit_identical) {
   }
 }
 
-TEST(A18, closed_wall_lets_nothing_through) {
-  const char* const world = R"({
-    "size": [5, 5, 5],
-    "blocks": [{"hollow": "stone", "min": [0, 0, 0], "max": [4, 4, 4]},
-               {"box": "glowstone", "min": [2, 2, 2], "max": [2, 2, 2]}],
-    "cameras": [{"name": "eye", "position": [2.5, 2.5, 10.5], "yaw": 180}],
-    "environment": {"time": 18000}
-  })";
-  PackSession pack(world, {{"FLOODFILL_INTERVAL", "1"}});
-  pack.renderFrames(20);
-  const CellField light = pack.light();
-  EXPECT_EQ(light.countLit(), 27);  // the inside
-  EXPECT_EQ(light.red(cellOf({2, 2, 5}, {2, 2, 10})), 0);
+// The eye stands so that the lamp is in the last cell of an axis: 31 cells of 64 away.
+TEST(A16, lamp_at_an_edge_of_the_volume_lights_no_other_tile) {
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::bvec3 high(corner & 1, corner & 2, corner & 4);
+    const glm::dvec3 eye = glm::mix(glm::dvec3(32.5), glm::dvec3(-30.5), high);
+    PackSession pack({.world = fmt::format(R"({{
+           "size": [1, 1, 1],
+           "blocks": [{{"block": "glowstone", "at": [0, 0, 0]}}],
+           "cameras": [{{"name": "eye", "position": [{}, {}, {}]}}],
+           "environment": {{"time": 18000}}
+         }})",
+                                           eye.x, eye.y, eye.z),
+                      .options = {{"FLOODFILL_INTERVAL", "1"}},
+                      .width = 8,
+                      .height = 8,
+                      .change = runOnlyTheVolume});
+    pack.renderFrames(12);
+    const CellField light = pack.light();
+    const glm::ivec3 lamp = glm::mix(glm::ivec3(0), glm::ivec3(63), high);
+    ASSERT_EQ(light.red(lamp), 16) << corner;
+    int near = 0;  // what the front reaches in 12 steps
+    forEachCell(13, [&](glm::ivec3 away) {
+      near += light.red(glm::mix(lamp + away, lamp - away, high)) > 0;
+    });
+    EXPECT_EQ(near, 13 * 14 * 15 / 6) << corner << ": cells of an octant";
+    EXPECT_EQ(light.countLit(), near) << corner;
+  }
 }
 
-TEST(A16, lamp_at_an_edge_of_the_volume_lights_no_other_tile) {
-  const char* const world = R"({
-    "size": [1, 1, 1],
-    "blocks": [{"box": "glowstone", "min": [0, 0, 0], "max": [0, 0, 0]}],
-    "cameras": [{"name": "eye", "position": [-30.5, 0.5, -30.5], "yaw": 0, "pitch": 0}],
-    "environment": {"time": 18000}
-  })";
-  PackSession pack(world, {{"FLOODFILL_INTERVAL", "1"}});
-  pack.renderFrames(12);
-  const CellField light = pack.light();
-  ASSERT_GT(light.red({63, 32, 63}), 0) << "the lamp is in the last row and column of its tile";
-  EXPECT_EQ(light.red({0, 33, 63}), 0) << "next tile in the row";
-  EXPECT_EQ(light.red({63, 48, 0}), 0) << "next tile in the column";
-  int lit = 0;  // what the front reaches in 12 steps
-  for (int y = 20; y < 45; ++y)
-    for (int z = 48; z < 64; ++z)
-      for (int x = 48; x < 64; ++x) lit += light.red({x, y, z}) > 0;
-  EXPECT_EQ(light.countLit(), lit);
+TEST(A18, closed_wall_lets_nothing_through) {
+  Lab lab({.blocks = R"({"hollow": "stone", "min": [14, 14, 14], "max": [18, 18, 18]},
+                        {"block": "glowstone", "at": [16, 16, 16]})"});
+  lab.step(20);
+  EXPECT_EQ(lab.light().countLit(), 27) << "the inside";
+}
+
+// Blocks that touch along edges only: light would have to go diagonally.
+TEST(A18, wall_of_touching_edges_lets_nothing_through) {
+  std::string blocks = R"({"block": "glowstone", "at": [12, 16, 12]})";
+  for (int x = 0; x < kLabSize; ++x)
+    blocks += fmt::format(R"(, {{"box": "stone", "min": [{0}, 0, {1}], "max": [{0}, 31, {1}]}})", x,
+                          kLabSize - 1 - x);
+  Lab lab({.blocks = blocks});
+  lab.step(30);
+  const CellField light = lab.light();
+  EXPECT_GT(light.red({14, 16, 14}), 0);
+  int leaks = 0;
+  forEachCell(kLabSize, [&](glm::ivec3 c) { leaks += c.x + c.z >= kLabSize && light.red(c) != 0; });
+  EXPECT_EQ(leaks, 0);
+}
+
+// Unlike true light, which a bend would dim far more.
+TEST(A18, bend_of_a_corridor_dims_like_its_straight) {
+  Lab lab({.blocks = R"({"box": "stone", "min": [8, 15, 8], "max": [24, 17, 24]},
+                        {"box": "air", "min": [9, 16, 16], "max": [16, 16, 16]},
+                        {"box": "air", "min": [16, 16, 16], "max": [16, 16, 23]},
+                        {"block": "glowstone", "at": [12, 16, 16]})"});
+  lab.step(60);
+  const CellField light = lab.light();
+  const glm::ivec3 way[] = {{14, 16, 16}, {15, 16, 16}, {16, 16, 16}, {16, 16, 17}, {16, 16, 18}};
+  for (int i = 1; i < 5; ++i)
+    EXPECT_NEAR(light.red(way[i]) / light.red(way[i - 1]), .41014, .002) << i;
+}
+
+Camera eyeAt(const glm::dvec3& position) {
+  Camera camera;
+  camera.name = "eye";
+  camera.position = position;
+  camera.yaw = 180;
+  return camera;
+}
+
+PackSession scrollingLamp() {
+  return PackSession({.world = R"({
+      "size": [1, 1, 1],
+      "blocks": [{"block": "glowstone", "at": [0, 0, 0]}],
+      "cameras": [{"name": "eye", "position": [0.5, 0.5, 6.5], "yaw": 180}],
+      "environment": {"time": 18000}
+    })",
+                      .options = {{"VOXEL_SIZE", "32"}},
+                      .width = 8,
+                      .height = 8,
+                      .change = runOnlyTheVolume});
+}
+
+const AtlasLayout kLayout{kLabSize, kLabSize};
+
+TEST(A17, light_keeps_its_place_while_the_eye_crosses_zero) {
+  PackSession pack = scrollingLamp();
+  pack.renderFrames(60);
+  const CellField before = pack.light(kLayout);
+  const glm::ivec3 start = cellOf({0, 0, 0}, {0, 0, 6}, kLabSize);
+  const float steady = before.red(start + glm::ivec3(0, 3, 0));
+  for (int axis = 0; axis < 3; ++axis)
+    for (double offset = -2.5; offset <= 2.5; offset += 0.4) {
+      glm::dvec3 eye(0.5, 0.5, 6.5);
+      eye[axis] = offset;
+      pack.session().setCamera(eyeAt(eye));
+      pack.renderFrames(1);
+      const glm::ivec3 lamp = cellOf({0, 0, 0}, glm::ivec3(glm::floor(eye)), kLabSize);
+      const CellField light = pack.light(kLayout);
+      ASSERT_EQ(light.red(lamp), 16.0f) << axis << ' ' << offset;
+      // A shift too much or too little would move the neighbours' light away from the lamp.
+      ASSERT_NEAR(light.red(lamp + glm::ivec3(0, 3, 0)) / steady, 1, .01) << axis << ' ' << offset;
+      ASSERT_EQ(light.red(lamp + glm::ivec3(1, 0, 0)), light.red(lamp - glm::ivec3(1, 0, 0)))
+          << axis << ' ' << offset;
+    }
+}
+
+TEST(A17, teleport_by_its_size_or_more_leaves_no_light_behind) {
+  for (const int distance : {32, 33, 64, -32}) {
+    for (int axis = 0; axis < 3; ++axis) {
+      PackSession pack = scrollingLamp();
+      pack.renderFrames(12);
+      ASSERT_GT(pack.light(kLayout).countLit(), 7);
+      glm::dvec3 eye(0.5, 0.5, 6.5);
+      eye[axis] += distance;
+      pack.session().setCamera(eyeAt(eye));
+      pack.renderFrames(1);
+      // 32 along z: the lamp is still within the volume, and nothing else may be.
+      const CellField light = pack.light(kLayout);
+      const glm::ivec3 lamp = cellOf({0, 0, 0}, glm::ivec3(glm::floor(eye)), kLabSize);
+      const bool inside = glm::all(glm::greaterThanEqual(lamp, glm::ivec3(0))) &&
+                          glm::all(glm::lessThan(lamp, glm::ivec3(kLabSize)));
+      EXPECT_LE(light.countLit(), inside ? 7 : 0) << axis << ' ' << distance;
+    }
+  }
 }
 
 }  // namespace

@@ -1,0 +1,112 @@
+// What half floats and divergence do to the light, and that a bad value stays where it is.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "lab.h"
+#include "linear_field.h"
+
+namespace orris::test {
+namespace {
+
+constexpr float kLargest = 65504;  // half float
+const char* const kLampBlock = R"({"block": "glowstone", "at": [16, 16, 16]})";
+
+/// Values that no light may have.
+int countBad(const CellField& light) {
+  int bad = 0;
+  forEachCell(light.volume(), [&](glm::ivec3 cell) {
+    const auto texel = light.at(cell);
+    for (int i = 0; i < 3; ++i) bad += !(texel[i] >= 0 && texel[i] <= kLargest);
+  });
+  return bad;
+}
+
+// Summing light itself under the published alpha doubles it in open air with every step.
+TEST(A9, without_the_power_only_narrow_places_stay_dark) {
+  const OptionValues linear = {{"FLOODFILL_GAMMA", "1.0"}};
+  const std::tuple<const char*, const char*, double> places[] = {
+      {"single cell and 1-wide corridor", "[26, 10, 10]", .813},
+      {"2x2x1 pocket", "[11, 11, 10]", .813},
+      {"2^3 room", "[11, 11, 11]", 1.220},
+      {"2-wide corridor", "[26, 11, 11]", 1.626}};
+  for (const auto& [name, high, gain] : places) {
+    Lab lab({.blocks = fmt::format(R"({{"box": "stone", "min": [4, 4, 4], "max": [30, 17, 17]}},
+                                      {{"box": "air", "min": [10, 10, 10], "max": {}}})",
+                                   high),
+             .initial = "vec3(1.0)",
+             .options = linear});
+    lab.step(4);
+    const bool along = std::string(high).starts_with("[26");
+    const float light = lab.light().red({along ? 18 : 10, 10, 10});
+    EXPECT_NEAR(std::pow(light, 0.25), gain, .002) << name;
+  }
+}
+
+TEST(A9, growth_reaches_the_largest_half_float_when_predicted_and_stays_there) {
+  for (const auto& [lamp, step] : {std::pair("400.0", 12), std::pair("4000.0", 9)}) {
+    Lab lab({.blocks = kLampBlock,
+             .options = {{"FLOODFILL_GAMMA", "1.0"}},
+             .constants = {{"EMISSION_STRENGTH", lamp}}});
+    int reached = 0;
+    for (int i = 1; i <= 50; ++i) {
+      lab.step();
+      const CellField light = lab.light();
+      ASSERT_EQ(countBad(light), 0) << lamp << " step " << i;
+      if (reached == 0 && light.brightest() == kLargest) reached = i;
+    }
+    EXPECT_NEAR(reached, step, 1) << lamp;
+  }
+}
+
+TEST(A10, uniform_light_fades_to_a_thousandth_within_100_steps) {
+  Lab lab({.initial = "vec3(1.0)", .periodic = true});
+  lab.step(100);
+  EXPECT_LT(lab.light().red({16, 16, 16}), 1e-3);
+}
+
+TEST(A11, no_glow_is_left_after_400_steps) {
+  Lab lab({.initial = "vec3(1.0)", .periodic = true});
+  lab.step(400);
+  EXPECT_LE(lab.light().brightest(), 1e-6);
+}
+
+struct Poke {
+  const char* name;
+  const char* value;  // GLSL
+};
+
+class BadValue : public testing::TestWithParam<Poke> {};
+
+TEST_P(BadValue, is_gone_after_a_step_and_forgotten_after_sixty) {
+  // A lamp, so that there is light to spoil, and a wall: infinity times no visibility is no number.
+  const std::string blocks =
+      std::string(kLampBlock) + R"(, {"box": "stone", "min": [20, 14, 14], "max": [20, 18, 18]})";
+  Lab clean({.blocks = blocks});
+  clean.step(70);
+  const std::string poked =
+      fmt::format("(cell == ivec3(18, 16, 16) || cell == ivec3(20, 16, 16)) ? vec3({}) : light.rgb",
+                  GetParam().value);
+  Lab lab({.blocks = blocks, .initial = poked, .initialStep = 10});
+  lab.step(11);
+  EXPECT_EQ(countBad(lab.light()), 0);
+  lab.step(59);
+  const CellField after = lab.light(), expected = clean.light();
+  int different = 0;
+  forEachCell(kLabSize, [&](glm::ivec3 cell) {
+    // Half floats below 6e-5 have fewer digits.
+    const double allowed = 1e-3 * expected.red(cell) + 2e-6;
+    different += !(std::abs(after.red(cell) - expected.red(cell)) <= allowed);
+  });
+  EXPECT_EQ(different, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(A12, BadValue,
+                         testing::Values(Poke{"nan", "uintBitsToFloat(0x7fc00000u)"},
+                                         Poke{"infinity", "uintBitsToFloat(0x7f800000u)"},
+                                         Poke{"negative", "-1.0"}),
+                         [](const auto& test) { return test.param.name; });
+
+}  // namespace
+}  // namespace orris::test
