@@ -77,8 +77,13 @@ TEST(A4, front_advances_one_cell_a_step) {
   for (int step = 1; step <= 6; ++step) {
     lab.step();
     const CellField light = lab.light();
-    EXPECT_GT(light.red(east(step)), 0) << step;
-    EXPECT_EQ(light.red(east(step + 1)), 0) << step;
+    for (int axis = 0; axis < 3; ++axis)
+      for (const int sign : {-1, 1}) {
+        glm::ivec3 way(0);
+        way[axis] = sign;
+        EXPECT_GT(light.red(kLamp + step * way), 0) << step << ' ' << axis;
+        EXPECT_EQ(light.red(kLamp + (step + 1) * way), 0) << step << ' ' << axis;
+      }
   }
 }
 
