@@ -5,6 +5,8 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 
+#include "image/image_size.h"
+
 namespace orris {
 namespace {
 
@@ -14,20 +16,15 @@ bool parseInt(std::string_view text, int& value) {
 }
 
 void parseSize(const std::string& text, ImageOptions& options) {
-  const size_t cross = text.find('x');
-  int width = 0, height = 0;
-  const bool numbers = cross != std::string::npos && parseInt(text.substr(0, cross), width) &&
-                       parseInt(text.substr(cross + 1), height);
-  const bool inRange = width >= 1 && height >= 1 && width <= kMaxSide && height <= kMaxSide &&
-                       long(width) * height <= kMaxPixels;
-  if (!numbers || !inRange) {
+  const std::optional<ImageSize> size = parseImageSize(text);
+  if (!size) {
     throw CLI::ValidationError(
         "--size", fmt::format("expected WIDTHxHEIGHT, each 1 to {} and at most {} pixels in all, "
                               "got \"{}\"",
                               kMaxSide, kMaxPixels, text));
   }
-  options.width = width;
-  options.height = height;
+  options.width = size->width;
+  options.height = size->height;
 }
 
 void parseAssignment(const std::string& flag, const std::string& text, OptionValues& values) {
@@ -98,6 +95,24 @@ std::optional<Shard> parseShard(const std::string& text) {
 void addShardFlag(CLI::App& command, std::string& shard, const std::string& help) {
   command.add_option("--shard", shard, help)->check([](const std::string& text) {
     return parseShard(text) ? std::string() : "expected I/N, with I from 1 to N: " + text;
+  });
+}
+
+std::optional<std::chrono::seconds> parseBudget(const std::string& text) {
+  constexpr int kDay = 24 * 60 * 60;
+  if (text.empty()) return std::nullopt;
+  const bool minutes = text.back() == 'm';
+  const bool unit = minutes || text.back() == 's';
+  int number = 0;
+  if (!parseInt(std::string_view(text).substr(0, text.size() - (unit ? 1 : 0)), number) ||
+      number < 1 || number > kDay)
+    return std::nullopt;
+  return std::chrono::seconds(number * (minutes ? 60 : 1));
+}
+
+void addBudgetFlag(CLI::App& command, std::string& budget, const std::string& help) {
+  command.add_option("--budget", budget, help)->check([](const std::string& text) {
+    return parseBudget(text) ? std::string() : "expected a time such as 60s or 5m: " + text;
   });
 }
 

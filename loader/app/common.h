@@ -2,6 +2,7 @@
 // text. A bad value ends the command with exit status 2 before anything is opened.
 #pragma once
 
+#include <chrono>
 #include <optional>
 #include <string>
 #include <utility>
@@ -15,9 +16,6 @@ class Option;
 }  // namespace CLI
 
 namespace orris {
-
-inline constexpr int kMaxSide = 16384;
-inline constexpr long kMaxPixels = 1L << 25;  ///< one RGBA16F target of this size is 256 MiB
 
 /// Which pack, and how it is set up.
 struct PackOptions {
@@ -63,6 +61,9 @@ CLI::Option* addWorldArgument(CLI::App& command, std::string& path);
 using Shard = std::pair<int, int>;
 std::optional<Shard> parseShard(const std::string& text);
 void addShardFlag(CLI::App& command, std::string& shard, const std::string& help);
+/// "60s", "5m"; nullopt for other texts and for "".
+std::optional<std::chrono::seconds> parseBudget(const std::string& text);
+void addBudgetFlag(CLI::App& command, std::string& budget, const std::string& help);
 /// A NAME=VALUE flag that may be repeated, or followed by several values.
 void addAssignmentFlag(CLI::App& command, const std::string& flag, OptionValues& values,
                        const std::string& help, const std::string& typeName = "NAME=VALUE");

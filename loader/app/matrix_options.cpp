@@ -8,20 +8,9 @@
 #include <utility>
 
 #include "app/common.h"
-#include "pack/text.h"
 
 namespace orris {
 namespace {
-
-std::optional<std::chrono::seconds> parseBudget(const std::string& text) {
-  constexpr long long kDay = 24 * 60 * 60;
-  if (text.empty()) return std::nullopt;
-  const bool minutes = text.back() == 'm';
-  const bool unit = minutes || text.back() == 's';
-  const auto number = parseInteger(unit ? text.substr(0, text.size() - 1) : text);
-  if (!number || *number < 1 || *number > kDay) return std::nullopt;
-  return std::chrono::seconds(*number * (minutes ? 60 : 1));
-}
 
 /// GitLab sets these for jobs with `parallel`, counting from 1.
 std::optional<Shard> shardOfEnvironment() {
@@ -41,10 +30,7 @@ void addMatrixFlags(CLI::App& command, MatrixOptions& options) {
       ->delimiter(',')
       ->allow_extra_args(false);
   addShardFlag(command, options.shard, "part I of N of the matrix: I/N");
-  command.add_option("--budget", options.budget, "end after this time: 60s, 5m")
-      ->check([](const std::string& text) {
-        return parseBudget(text) ? std::string() : "expected a time such as 60s or 5m: " + text;
-      });
+  addBudgetFlag(command, options.budget, "end after this time: 60s, 5m");
 }
 
 MatrixRequest matrixRequest(const MatrixOptions& options, int jobs) {
