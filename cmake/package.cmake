@@ -49,5 +49,5 @@ OptiFine, without a game, a window or a GPU.")
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # Opened at run time, so that dpkg-shlibdeps does not see them; one of the two ways is enough.
 set(CPACK_DEBIAN_ORRIS_PACKAGE_DEPENDS "libosmesa6 | libgl1-mesa-dri")
-set(CPACK_DEBIAN_ORRIS_PACKAGE_RECOMMENDS "libegl1, libegl-mesa0, libgl1-mesa-dri, graphviz")
+set(CPACK_DEBIAN_ORRIS_PACKAGE_RECOMMENDS "libegl1, libegl-mesa0, libgl1-mesa-dri, graphviz, gnuplot-nox")
 include(CPack)

@@ -15,5 +15,6 @@ void addWorldCommand(CLI::App& app, int& status);
 void addCompareCommand(CLI::App& app, int& status);
 void addViewCommand(CLI::App& app, int& status);
 void addTraceCommand(CLI::App& app, int& status);
+void addChartCommand(CLI::App& app, int& status);
 
 }  // namespace orris

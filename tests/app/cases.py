@@ -341,6 +341,50 @@ COMPARISONS = [
          [r"diff\.png"]),
 ]
 
+MODES = pack({"final.fsh": WITH_MODE,
+              "shaders.properties": "profile.LOW = MODE=1\nprofile.HIGH = MODE=2\n"})
+MEASURE = "--size 16x9 --warm-up 1 --frames 2 --rounds 2 --visit 1"
+CHART = f"chart pack {CORNELL} -o out {MEASURE} --reference MODE=2 --reference-frames 2"
+# A mistake is told before anything is drawn or made.
+CHARTS = [
+    Case("chart_unknown_axis", [f"{CHART} --axis MODES", f"{CHART} --axis MODE --axis MODES=1"], 2,
+         MODES, ['"MODES" is no option of the pack, nor profile or size'],
+         ["did you mean MODE"]),
+    Case("chart_unknown_value", [f"{CHART} --axis profile=HIHG"], 2, MODES,
+         ['profile cannot be "HIHG"'], ["did you mean HIGH"]),
+    Case("chart_value_outside_its_list", [f"{CHART} --axis MODE=1,7"], 2, MODES,
+         ['MODE cannot be "7"'], ["its values are 0, 1, 2"]),
+    Case("chart_wrong_size", [f"{CHART} --axis size=16x9,big"], 2, MODES,
+         ['size cannot be "big"'], ["write it as 320x180"]),
+    Case("chart_size_without_values", [f"{CHART} --axis size"], 2, MODES,
+         ["the axis size has no values"]),
+    Case("chart_profile_of_none", [f"{CHART} --axis profile"], 2, pack({"final.fsh": WITH_MODE}),
+         ["the axis profile has no values"]),
+    Case("chart_axis_twice", [f"{CHART} --axis MODE=1 --axis MODE=2"], 2, MODES,
+         ["the axis MODE is given twice"]),
+    Case("chart_no_reference", [f"chart pack {CORNELL} -o out --axis MODE"], 2, MODES,
+         ["no --reference to measure errors against"], ["a picture of orris trace"]),
+    Case("chart_reference_unreadable", [f"chart pack {CORNELL} -o out --reference none.exr"], 2,
+         MODES, [r"none\.exr"]),
+    Case("chart_reference_of_another_size",
+         [f"chart pack {CORNELL} -o out --size 16x9 --reference truth.png"], 2,
+         {**MODES, "truth.png": png(8, 8, (1, 2, 3))}, ["no --reference is 16x9 pixels large"],
+         ["orris trace WORLD -o truth.exr --size 16x9"]),
+    Case("chart_reference_unknown", [f"chart pack {CORNELL} -o out --reference MODEL=1"], 2, MODES,
+         ['"MODEL" is no option'], ["did you mean MODE"]),
+    Case("chart_wrong_mark", [f"{CHART} --axis MODE --mark MODE=1:fast",
+                              f"{CHART} --axis MODE --mark MODE=1:-1"], 2, MODES,
+         ["no cost ratio after the colon"]),
+    Case("chart_unknown_baseline", [f"{CHART} --axis MODE=1,2 --baseline MODE=0"], 2, MODES,
+         ["--baseline MODE=0: none of the settings is that"]),
+    Case("chart_wrong_flags", [f"{CHART} {flags}" for flags in (
+        "--metric beauty", "--frames 1", "--rounds 0", "--budget soon", "--shard 3/2")], 2, MODES,
+        ["orris chart: error: "]),
+    Case("chart_unwritable", [CHART.replace("-o out", "-o pack/shaders/final.fsh")], 2, MODES,
+         ["the folder cannot be made"]),
+    Case("chart_unknown_pack", [CHART.replace("chart pack", "chart none")], 2, MODES, ["none"]),
+]
+
 TRACE = f"trace {CORNELL} -o out.exr --size 16x9 --samples 2"
 TRACES = [
     Case("trace_picture", [TRACE, f"{TRACE} --seconds 60 --noise 0.001 --jobs 3 --resume"], 0,
@@ -371,4 +415,4 @@ TRACES = [
          [r"^out\.exr\.trace: error: is not a checkpoint of trace$"]),
 ]
 
-CASES = USAGE + PACKS + MATRIX + WORLDS + OUTPUTS + COMPARISONS + TRACES
+CASES = USAGE + PACKS + MATRIX + WORLDS + OUTPUTS + COMPARISONS + CHARTS + TRACES

@@ -1,0 +1,47 @@
+// One setting, loaded and kept, so that settings can be measured in turns.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "frame/render_session.h"
+
+namespace orris {
+
+/// A few frames in a row.
+struct Visit {
+  std::vector<double> frames;                          ///< milliseconds of each
+  std::vector<std::pair<std::string, double>> passes;  ///< milliseconds a frame, in frame order
+  double mean() const;
+};
+
+/// Draws a still world: its events are left out.
+class SettingSession {
+ public:
+  /// nullptr when the pack cannot be rendered; see diagnostics.
+  static std::unique_ptr<SettingSession> open(gl::Context& context, SessionRequest request,
+                                              World world, Diagnostics& diagnostics);
+
+  void draw(Diagnostics& diagnostics) { session_->renderFrame(diagnostics); }
+  Visit visit(int frames, Diagnostics& diagnostics);
+  /// Three channels, linear: the screen decoded from sRGB, or a buffer as it is. nullopt when there is
+  /// no such buffer, or it is not as large as the screen.
+  std::optional<ImageF> picture(const std::string& buffer) const;
+  const FrameRenderer& renderer() const { return session_->renderer(); }
+
+ private:
+  explicit SettingSession(std::unique_ptr<RenderSession> session) : session_(std::move(session)) {}
+  std::unique_ptr<RenderSession> session_;
+};
+
+/// In which order `count` sessions take their turns in one round: there and back, so that a steady
+/// drift of the machine is the same for all. failure-modes G5: A B B A.
+std::vector<std::size_t> turns(std::size_t count);
+
+/// Bytes that this machine can still give without swapping; nullopt where it does not say.
+std::optional<std::size_t> availableMemory();
+
+}  // namespace orris
