@@ -15,6 +15,7 @@
 #define PUBLISHED 1
 #define NORMAL_OFFSET 2
 #define SOLID_AWARE 2
+#define CONSERVING 2
 
 #define BOUNCE_1 1
 #define BOUNCE_2 2
@@ -48,6 +49,8 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 
 // Floodfill
 #define FLOODFILL_STORAGE ATLAS_2D // [ATLAS_2D]
+#define FLOODFILL_RULE PUBLISHED // [PUBLISHED CONSERVING]
+#define FLOODFILL_SKY NONE // [NONE PUBLISHED]
 #define FLOODFILL_ALPHA 2.43902 // [0.5 0.9 1.0 2.0 2.2 2.35 2.43902 2.5 2.55 2.65 2.67 2.75]
 #define FLOODFILL_GAMMA 2.2 // [1.0 1.8 2.0 2.2 2.4]
 #define FLOODFILL_INTERVAL 3 // [1 2 3 4 6]

@@ -28,9 +28,6 @@ void main() {{
 }}
 )";
 
-constexpr const char* kFullscreen =
-    "#version 330 compatibility\nvoid main() { gl_Position = ftransform(); }\n";
-
 }  // namespace
 
 void edit(std::string& text, const std::string& from, const std::string& to) {
@@ -38,6 +35,13 @@ void edit(std::string& text, const std::string& from, const std::string& to) {
   ASSERT_NE(at, std::string::npos) << from;
   ASSERT_EQ(text.find(from, at + 1), std::string::npos) << from;
   text.replace(at, from.size(), to);
+}
+
+const char* const kFullscreen =
+    "#version 330 compatibility\nvoid main() { gl_Position = ftransform(); }\n";
+
+void storeFullFloats(PackTexts& files) {
+  edit(files["/include/buffers.glsl"], "colortex4Format = RGBA16F", "colortex4Format = RGBA32F");
 }
 
 void runOnlyTheVolume(PackTexts& files) {
@@ -49,7 +53,7 @@ void runOnlyTheVolume(PackTexts& files) {
 SessionSetup Lab::sessionOf(const LabSetup& setup) {
   SessionSetup session;
   session.world = fmt::format(kWorld, kLabSize, setup.blocks, setup.events, kLabSize / 2);
-  session.width = session.height = 8;
+  session.width = session.height = setup.width;
   session.options = setup.options;
   session.options.emplace("VOXEL_SIZE", std::to_string(kLabSize));
   session.options.emplace("FLOODFILL_INTERVAL", "1");

@@ -8,6 +8,8 @@
 namespace orris::test {
 
 constexpr int kLabSize = 32;
+/// SKY_STRENGTH that makes the night's zenith 1 in red.
+constexpr const char* kSkyOfOne = "500.0";
 
 struct LabSetup {
   /// Operations of world.json, comma-separated; block (x, y, z) of the world is that cell of the
@@ -21,6 +23,7 @@ struct LabSetup {
   int initialStep = 0;
   /// Light that leaves the volume comes in on the other side, where the pack has darkness.
   bool periodic = false;
+  int width = 8;  ///< of the window, and its height
   OptionValues options = {};
   /// Options by values that their lists need not hold.
   OptionValues constants = {};
@@ -44,6 +47,13 @@ class Lab {
 
 /// Changes the pack so that it draws nothing but the volume.
 void runOnlyTheVolume(PackTexts& files);
+
+/// Changes the pack so that the light is stored in full floats: of what a half float cannot hold some
+/// drivers store the largest and others infinity.
+void storeFullFloats(PackTexts& files);
+
+/// Vertex shader of a fullscreen program.
+extern const char* const kFullscreen;
 
 /// `text` with its only `from` replaced.
 void edit(std::string& text, const std::string& from, const std::string& to);

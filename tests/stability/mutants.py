@@ -5,9 +5,11 @@ shaders/, text that stands there exactly once, what replaces it.
 """
 
 STEP = "program/p0_floodfill_step.glsl"
+RULE = "include/voxel/propagation.glsl"
 FIELD = "include/voxel/light_field.glsl"
 VOLUME = "include/voxel/volume.glsl"
 VOXEL = "include/voxel/voxel.glsl"
+HALF = "include/math/half.glsl"
 BUFFERS = "include/buffers.glsl"
 
 TO_POWER = "vec3 to_power(vec3 light) { return pow(max(light, vec3(1e-14)), vec3(FLOODFILL_GAMMA)); }"
@@ -17,23 +19,31 @@ RESULT = "vec3 light = step_now ? propagate(cell, scroll) : light_at(cell + scro
 NO_VALUE = "light.r >= 0.0 && light.r <= light_max, light.g >= 0.0 && light.g <= light_max,\n" \
            "                     light.b >= 0.0 && light.b <= light_max"
 SOLID = "if (is_opaque_voxel(v.code)) return vec3(0.0);"
-NEIGHBOURS = "        sum += to_power(light_from(cell - offset, scroll));\n"
-OUT = "out_light = vec4(round_to_half(clamp(light, 0.0, light_max)), 1.0);"
+NEIGHBOURS = "        sum += to_power(light);\n"
+LIMIT = "light = clamp(light, 0.0, light_max);"
+SCROLL = "cameraPositionInt - previousCameraPositionInt"
 INSIDE = "return all(greaterThanEqual(cell, ivec3(0))) && all(lessThan(cell, ivec3(VOLUME)));"
 
 
 def power(to, back):
-    return [(STEP, TO_POWER, "vec3 to_power(vec3 x) { " + to + " }"),
-            (STEP, FROM_POWER, "vec3 from_power(vec3 x) { " + back + " }")]
+    return [(RULE, TO_POWER, "vec3 to_power(vec3 x) { " + to + " }"),
+            (RULE, FROM_POWER, "vec3 from_power(vec3 x) { " + back + " }")]
+
+
+def far(factor, offset):
+    """A further neighbour in the sum."""
+    there = f"cell + {offset}"
+    return (f"        sum += to_power({factor}light_from(voxel_at({there}), {there} + scroll,"
+            " vec3(0.0)));\n")
 
 
 MUTANTS = [
     ("A0 power and root exchanged", "A0.*",
      power("return pow(max(x, vec3(1e-14)), vec3(1.0 / FLOODFILL_GAMMA));",
            "return pow(x, vec3(FLOODFILL_GAMMA));")),
-    ("A1 alpha one per cent high", "A1.*", [(STEP, GAIN, "(1.01 * FLOODFILL_ALPHA / 6.0)")]),
+    ("A1 alpha one per cent high", "A1.*", [(RULE, GAIN, "(1.01 * FLOODFILL_ALPHA / 6.0)")]),
     ("A1 mean over the open neighbours only", "A1.*",
-     [(STEP, "return from_power(sum) * (FLOODFILL_ALPHA / 6.0);",
+     [(RULE, "return from_power(sum) * (FLOODFILL_ALPHA / 6.0);",
        "float open = 0.0;\n"
        "    for (int i = 0; i < 6; ++i) {\n"
        "        ivec3 there = cell + (i < 3 ? 1 : -1) * ivec3(i % 3 == 0, i % 3 == 1, i % 3 == 2);\n"
@@ -43,24 +53,33 @@ MUTANTS = [
     ("A1 limit of alpha: gamma fixed at 2.2", "A1/*",
      power("return pow(max(x, vec3(1e-14)), vec3(2.2));", "return pow(x, vec3(1.0 / 2.2));")),
     ("A2 cell keeps half of its own light", "A2.*",
-     [(STEP, RESULT, "vec3 light = light_at(cell + scroll);\n"
+     [(RULE, RESULT, "vec3 light = light_at(cell + scroll);\n"
                      "    if (step_now) light = mix(propagate(cell, scroll), light, 0.5);")]),
     ("A3 light fades slower than it comes", "A3.*",
-     [(STEP, RESULT, "vec3 light = light_at(cell + scroll);\n"
+     [(RULE, RESULT, "vec3 light = light_at(cell + scroll);\n"
                      "    if (step_now) light = max(propagate(cell, scroll), 0.95 * light);")]),
     ("A4 two steps a frame", "A4.front*",
-     [(STEP, NEIGHBOURS, NEIGHBOURS + "        sum += to_power(0.4 * light_from(cell + 2 * offset, scroll));\n")]),
+     [(RULE, NEIGHBOURS, NEIGHBOURS + far("0.4 * ", "2 * offset"))]),
     ("A4 cell keeps half of its own light", "A4.light*",
-     [(STEP, RESULT, "vec3 light = light_at(cell + scroll);\n"
+     [(RULE, RESULT, "vec3 light = light_at(cell + scroll);\n"
                      "    if (step_now) light = mix(propagate(cell, scroll), light, 0.5);")]),
     ("A5 diagonal neighbours, too", "A5.*",
-     [(STEP, NEIGHBOURS, NEIGHBOURS +
-       "        sum += 0.05 * to_power(light_from(cell + offset + offset.yzx, scroll));\n")]),
-    ("A5 corridor walls of light", "A5.corridor*", [(STEP, SOLID, "")]
-     + [(STEP, "if (is_opaque_voxel(own.code)) light = vec3(0.0);", "")]),
+     [(RULE, NEIGHBOURS, NEIGHBOURS +
+       far("0.25 * ", "offset + offset.yzx"))]),
+    ("A5 corridor walls of light", "A5.corridor*", [(RULE, SOLID, "")]
+     + [(RULE, "if (is_opaque_voxel(own.code)) light = vec3(0.0);", "")]),
     ("A6 light summed, not its power", "A6.*", power("return x;", "return 0.4 * x;")),
-    ("A7 alpha at its limit", "A7.*", [(STEP, GAIN, "(2.6573 / 6.0)")]),
-    ("A9 no limit of the light", "A9.growth*", [(STEP, OUT, "out_light = vec4(light, 1.0);")]),
+    ("A7 alpha at its limit", "A7.*", [(RULE, GAIN, "(2.6573 / 6.0)")]),
+    ("A8 sky added to the root", "A8.open*",
+     [(RULE, "light += daylight_from(v, offset, day);", ""),
+      (RULE, "return from_power(sum) * (FLOODFILL_ALPHA / 6.0);",
+       "return from_power(sum) * (FLOODFILL_ALPHA / 6.0) + day.sky;")]),
+    ("A8 half floats cut off", "A8.*", [(HALF, "+ 0x1000u)", ")")]),
+    ("A8 alpha one per cent high", "A8.*", [(RULE, GAIN, "(1.01 * FLOODFILL_ALPHA / 6.0)")]),
+    ("A8 no limit of the light", "A8.too*", [(RULE, LIMIT, "")]),
+    ("A8 roofs are open", "A8.roof*",
+     [(RULE, "day.sky = open ? sky_zenith() : vec3(0.0);", "day.sky = sky_zenith();")]),
+    ("A9 no limit of the light", "A9.growth*", [(RULE, LIMIT, "")]),
     ("A9 published rule for every gamma", "A9.without*",
      power("return pow(max(x, vec3(1e-14)), vec3(2.2));", "return pow(x, vec3(1.0 / 2.2));")),
     ("A10 sRGB curve for the power", "A10.*",
@@ -76,33 +95,33 @@ MUTANTS = [
        "return min(max(light, vec3(0.0)), vec3(light_max));")]),
     ("A12 negative light passes", "A12/*negative",
      [(FIELD, NO_VALUE, "light.r <= light_max, light.g <= light_max, light.b <= light_max"),
-      (STEP, "max(light, vec3(1e-14))", "abs(light)")]),
+      (RULE, "max(light, vec3(1e-14))", "abs(light)")]),
     ("A12 multiplied by visibility", "A12/*nan:A12/*infinity",
      [(FIELD, NO_VALUE, "true, true, true"),
-      (STEP, SOLID + "\n    return light_at(cell + scroll);",
-       "return light_at(cell + scroll) * float(!is_opaque_voxel(v.code));")]),
+      (RULE, SOLID, ""),
+      (RULE, "return light_at(before);",
+       "return light_at(before) * float(!is_opaque_voxel(v.code));")]),
     ("A13 in place, ascending order", "A13.*",
-     [(STEP, NEIGHBOURS, "        sum += to_power(max(light_from(cell - offset, scroll),\n"
-                         "                            before(cell - offset, scroll)));\n"),
-      (STEP, "vec3 propagate(ivec3 cell, ivec3 scroll) {",
+     [(RULE, NEIGHBOURS, "        if ((i & 1) == 1)\n"
+                         "            light = max(light, before(cell + offset, scroll));\n" + NEIGHBOURS),
+      (RULE, "/// `scroll`: a cell was",
        "vec3 before(ivec3 cell, ivec3 scroll) {\n"
        "    vec3 sum = vec3(0.0);\n"
-       "    for (int axis = 0; axis < 3; ++axis) {\n"
-       "        ivec3 offset = ivec3(axis == 0, axis == 1, axis == 2);\n"
-       "        sum += to_power(light_from(cell + offset, scroll)) +\n"
-       "               to_power(light_from(cell - offset, scroll));\n"
+       "    for (int i = 0; i < 6; ++i) {\n"
+       "        ivec3 there = cell + (i < 3 ? 1 : -1) * ivec3(i % 3 == 0, i % 3 == 1, i % 3 == 2);\n"
+       "        sum += to_power(light_from(voxel_at(there), there + scroll, vec3(0.0)));\n"
        "    }\n"
        "    return from_power(sum) * 0.4;\n"
        "}\n\n"
-       "vec3 propagate(ivec3 cell, ivec3 scroll) {")]),
+       "/// `scroll`: a cell was")]),
     ("A14 a step in every frame", "A14.*",
      [(STEP, "frameCounter % FLOODFILL_INTERVAL == 0", "true")]),
     ("A14 darkness between the steps", "A14.*",
-     [(STEP, RESULT, "vec3 light = step_now ? propagate(cell, scroll) : vec3(0.0);"),
+     [(RULE, RESULT, "vec3 light = step_now ? propagate(cell, scroll) : vec3(0.0);"),
       (STEP, "if (!step_now && scroll == ivec3(0)) discard;", "")]),
     ("A14 previous light shown every other frame", "A14.*",
      [(STEP, "if (!step_now && scroll == ivec3(0)) discard;", ""),
-      (STEP, RESULT, "vec3 light = step_now ? propagate(cell, scroll) : light_at(cell + scroll);\n"
+      (RULE, RESULT, "vec3 light = step_now ? propagate(cell, scroll) : light_at(cell + scroll);\n"
                      "    if (frameCounter % FLOODFILL_INTERVAL == 1) light *= 1.0 - 0.082;\n"
                      "    if (frameCounter % FLOODFILL_INTERVAL == 2) light /= 1.0 - 0.082;")]),
     ("A15 emission limited", "A15.*",
@@ -113,20 +132,35 @@ MUTANTS = [
      [(VOLUME, INSIDE, "return all(greaterThanEqual(cell.xz, ivec2(0))) &&"
                        " all(lessThan(cell.xz, ivec2(VOLUME)));"),
       (VOLUME, "int row = cell.y / ATLAS_COLUMNS;", "cell.y &= VOLUME - 1;\n    int row = cell.y / ATLAS_COLUMNS;")]),
+    ("A16 cells at the edge stand for those beyond", "A16.sky*",
+     [(FIELD, "if (!in_volume(cell)) return vec3(0.0);",
+       "cell = clamp(cell, ivec3(0), ivec3(VOLUME - 1));")]),
     ("A17 int() for floor()", "A17.light*",
-     [(VOLUME, "return ivec3(floor(cameraPosition)) - ivec3(floor(previousCameraPosition));",
-       "return ivec3(cameraPosition) - ivec3(previousCameraPosition);")]),
+     [(VOLUME, SCROLL, "ivec3(cameraPosition) - ivec3(previousCameraPosition)")]),
     ("A17 never scrolls", "A17.light*",
-     [(VOLUME, "return ivec3(floor(cameraPosition)) - ivec3(floor(previousCameraPosition));",
-       "return ivec3(0);")]),
+     [(VOLUME, SCROLL, "ivec3(0)")]),
     ("A17 cells reused round the edge", "A17.teleport*",
      [(FIELD, "if (!in_volume(cell)) return vec3(0.0);", "cell &= VOLUME - 1;")]),
     ("A18 walls let one per cent through", "A18.closed*",
-     [(STEP, SOLID, ""), (STEP, "if (is_opaque_voxel(own.code)) light = vec3(0.0);",
+     [(RULE, SOLID, ""), (RULE, "if (is_opaque_voxel(own.code)) light = vec3(0.0);",
                           "if (is_opaque_voxel(own.code)) light *= 0.01;")]),
     ("A18 eighteen neighbours", "A18.wall*",
-     [(STEP, NEIGHBOURS, NEIGHBOURS +
-       "        sum += 0.01 * to_power(light_from(cell + offset + offset.yzx, scroll));\n"
-       "        sum += 0.01 * to_power(light_from(cell - offset - offset.yzx, scroll));\n")]),
-    ("A18 bend darker than the straight", "A18.bend*", [(STEP, GAIN, "(0.9 * FLOODFILL_ALPHA / 6.0)")]),
+     [(RULE, NEIGHBOURS, NEIGHBOURS + far("0.1 * ", "offset + offset.yzx"))]),
+    ("A18 bend darker than the straight", "A18.bend*", [(RULE, GAIN, "(0.9 * FLOODFILL_ALPHA / 6.0)")]),
+    ("A18 published lookup stays in its cell", "A18.published*",
+     [(FIELD, "position + 0.5 * hemisphere_direction(normal, u)", "position + 0.5 * normal")]),
+    ("A18 walls have weight in the lookup", "A18.lookup*",
+     [(FIELD, "is_opaque_voxel(voxel_at(cell).code) || !in_volume(cell)", "!in_volume(cell)")]),
+    ("A19 walls absorb all", "A19.furnace*", [(RULE, "return v.color * own;", "return vec3(0.0) * own;")]),
+    ("A19 mean over the open neighbours only", "A19.gain*",
+     [(RULE, "return sum / 6.0;",
+       "float open = 0.0;\n"
+       "    for (int i = 0; i < 6; ++i) {\n"
+       "        ivec3 there = cell + (i < 3 ? 1 : -1) * ivec3(i % 3 == 0, i % 3 == 1, i % 3 == 2);\n"
+       "        open += float(!is_opaque_voxel(voxel_at(there).code));\n"
+       "    }\n"
+       "    return sum / max(open, 1.0);")]),
+    ("A19 half floats", "A19.furnace*",
+     [(BUFFERS, "const int colortex4Format = RGBA32F;", "const int colortex4Format = RGBA16F;")]),
+    ("A19 published gain", "A19.open*", [(RULE, "return sum / 6.0;", "return sum * (0.917 / 6.0);")]),
 ]

@@ -12,6 +12,7 @@
 namespace orris::test {
 namespace {
 
+const AtlasLayout kLayout{kLabSize, kLabSize};
 const glm::ivec3 kAway[6] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
 
 TEST(A13, one_step_lights_exactly_the_six_neighbours) {
@@ -57,7 +58,7 @@ TEST(A14, frames_between_steps_are_bit_identical) {
 
 // The eye stands so that the lamp is in the last cell of an axis: 31 cells of 64 away.
 TEST(A16, lamp_at_an_edge_of_the_volume_lights_no_other_tile) {
-  for (int corner = 0; corner < 8; ++corner) {
+  for (const int corner : {0, 2, 5, 7}) {
     const glm::bvec3 high(corner & 1, corner & 2, corner & 4);
     const glm::dvec3 eye = glm::mix(glm::dvec3(32.5), glm::dvec3(-30.5), high);
     PackSession pack({.world = fmt::format(R"({{
@@ -82,6 +83,20 @@ TEST(A16, lamp_at_an_edge_of_the_volume_lights_no_other_tile) {
     EXPECT_EQ(near, 13 * 14 * 15 / 6) << corner << ": cells of an octant";
     EXPECT_EQ(light.countLit(), near) << corner;
   }
+}
+
+// Nothing comes in over the edge, though the sky is as bright there.
+TEST(A16, sky_light_is_too_dark_near_the_edge_of_the_volume_by_the_predicted_shares) {
+  Lab lab({.initial = "vec3(11.17)",
+           .options = {{"FLOODFILL_SKY", "PUBLISHED"}},
+           .constants = {{"SKY_STRENGTH", kSkyOfOne}}});
+  lab.step(120);
+  const CellField light = lab.light();
+  const double errors[] = {.31, .14, .066, .032, .016, .0075, .0037};
+  for (int depth = 1; depth <= 7; ++depth)
+    EXPECT_NEAR(1 - light.red({depth - 1, 16, 16}) / light.red({16, 16, 16}), errors[depth - 1],
+                .005)
+        << depth;
 }
 
 TEST(A18, closed_wall_lets_nothing_through) {
@@ -127,20 +142,20 @@ Camera eyeAt(const glm::dvec3& position) {
   return camera;
 }
 
-PackSession scrollingLamp() {
-  return PackSession({.world = R"({
-      "size": [1, 1, 1],
-      "blocks": [{"block": "glowstone", "at": [0, 0, 0]}],
-      "cameras": [{"name": "eye", "position": [0.5, 0.5, 6.5], "yaw": 180}],
-      "environment": {"time": 18000}
-    })",
+/// One lamp at `origin`.
+PackSession scrollingLamp(glm::ivec3 origin = glm::ivec3(0)) {
+  return PackSession({.world = fmt::format(R"({{
+      "origin": [{0}, {1}, {2}], "size": [1, 1, 1],
+      "blocks": [{{"block": "glowstone", "at": [{0}, {1}, {2}]}}],
+      "cameras": [{{"name": "eye", "position": [{0}.5, {1}.5, {3}.5], "yaw": 180}}],
+      "environment": {{"time": 18000}}
+    }})",
+                                           origin.x, origin.y, origin.z, origin.z + 6),
                       .options = {{"VOXEL_SIZE", "32"}},
                       .width = 8,
                       .height = 8,
                       .change = runOnlyTheVolume});
 }
-
-const AtlasLayout kLayout{kLabSize, kLabSize};
 
 TEST(A17, light_keeps_its_place_while_the_eye_crosses_zero) {
   PackSession pack = scrollingLamp();
@@ -162,6 +177,23 @@ TEST(A17, light_keeps_its_place_while_the_eye_crosses_zero) {
       ASSERT_EQ(light.red(lamp + glm::ivec3(1, 0, 0)), light.red(lamp - glm::ivec3(1, 0, 0)))
           << axis << ' ' << offset;
     }
+}
+
+// Floats there are two blocks apart.
+TEST(A17, light_keeps_its_place_far_away) {
+  const glm::ivec3 origin(29999000, 100, 29999000);
+  PackSession pack = scrollingLamp(origin);
+  pack.renderFrames(60);
+  for (const int blocks : {0, 1, 2, 3, 2, 1}) {
+    const glm::ivec3 eye = origin + glm::ivec3(blocks, 0, 6);
+    pack.session().setCamera(eyeAt(glm::dvec3(eye) + 0.5));
+    pack.renderFrames(1);
+    const glm::ivec3 lamp = cellOf(origin, eye, kLabSize);
+    const CellField light = pack.light(kLayout);
+    ASSERT_EQ(light.red(lamp), 16.0f) << blocks;
+    for (const glm::ivec3 away : kAway)
+      EXPECT_EQ(light.red(lamp + 2 * away), light.red(lamp - 2 * away)) << blocks;
+  }
 }
 
 TEST(A17, teleport_by_its_size_or_more_leaves_no_light_behind) {

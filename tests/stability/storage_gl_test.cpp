@@ -44,17 +44,12 @@ TEST(A9, without_the_power_only_narrow_places_stay_dark) {
   }
 }
 
-// In full floats, as some drivers store too much light as the largest half float and others as
-// infinity.
 TEST(A9, growth_reaches_the_largest_half_float_when_predicted_and_stays_there) {
   for (const auto& [lamp, step] : {std::pair("400.0", 12), std::pair("4000.0", 9)}) {
     Lab lab({.blocks = kLampBlock,
              .options = {{"FLOODFILL_GAMMA", "1.0"}},
              .constants = {{"EMISSION_STRENGTH", lamp}},
-             .change = [](PackTexts& files) {
-               edit(files["/include/buffers.glsl"], "colortex4Format = RGBA16F",
-                    "colortex4Format = RGBA32F");
-             }});
+             .change = storeFullFloats});
     int reached = 0;
     for (int i = 1; i <= 50; ++i) {
       lab.step();

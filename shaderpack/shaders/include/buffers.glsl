@@ -11,7 +11,8 @@
 //   rgb mean incoming radiance over the hemisphere, a number of frames in it;
 //   RGBA32F from 256 frames on, where half floats stop moving
 // colortex4    RGBA16F   atlas   keep   prepare                       prepare, deferred, translucent
-//   floodfill light by cell (include/voxel/volume.glsl)
+//   floodfill light by cell (include/voxel/volume.glsl); RGBA32F with FLOODFILL_RULE=CONSERVING,
+//   whose steps become too small for half floats long before it is done
 // colortex5    RGBA16F   window  keep   deferred                      deferred (next frame), filter
 //   the plane that colortex3 belongs to (include/plane.glsl)
 // colortex6    RGBA16F   window  0      deferred1, 2, 3               deferred2, 3, 4
@@ -54,8 +55,16 @@ const vec4 shadowcolor0ClearColor = vec4(0.0, 0.0, 0.0, 0.0);
 #endif
 
 #if GI_METHOD == FLOODFILL
+#if FLOODFILL_RULE == CONSERVING
+/*
+const int colortex4Format = RGBA32F;
+*/
+#else
 /*
 const int colortex4Format = RGBA16F;
+*/
+#endif
+/*
 const bool colortex4Clear = false;
 */
 #endif

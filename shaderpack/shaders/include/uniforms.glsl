@@ -15,6 +15,7 @@ uniform mat4 shadowProjection;
 uniform vec3 cameraPosition;
 uniform vec3 previousCameraPosition;
 uniform ivec3 cameraPositionInt;
+uniform vec3 cameraPositionFract;
 uniform ivec3 previousCameraPositionInt;
 uniform vec3 sunPosition;
 uniform vec3 upPosition;

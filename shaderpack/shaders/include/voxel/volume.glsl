@@ -1,7 +1,7 @@
 // The voxel volume: a cube of VOLUME^3 cells of one block, centred on the camera's cell, and its
 // place in a 2-D atlas.
 //
-//   volume space  player space + fract(cameraPosition) + VOLUME/2; cells are floor() of it
+//   volume space  player space + cameraPositionFract + VOLUME/2; cells are floor() of it
 //   atlas         one tile of VOLUME x VOLUME texels for each layer y, left to right, then up:
 //                 texel = (y mod COLUMNS, y div COLUMNS) * VOLUME + (x, z)
 //
@@ -31,14 +31,12 @@ ivec3 atlas_cell(ivec2 texel) {
     return ivec3(within.x, tile.y * ATLAS_COLUMNS + tile.x, within.y);
 }
 
-vec3 to_volume(vec3 player) { return player + fract(cameraPosition) + float(VOLUME / 2); }
+vec3 to_volume(vec3 player) { return player + cameraPositionFract + float(VOLUME / 2); }
 
-vec3 from_volume(vec3 position) { return position - fract(cameraPosition) - float(VOLUME / 2); }
+vec3 from_volume(vec3 position) { return position - cameraPositionFract - float(VOLUME / 2); }
 
 /// How many cells the volume moved since the last frame; a cell was at cell + scroll before.
-/// floor, not int(): int() makes the cell at 0 two wide.
-ivec3 volume_scroll() {
-    return ivec3(floor(cameraPosition)) - ivec3(floor(previousCameraPosition));
-}
+/// Whole blocks as the host gives them: int() of a position would make the cell at 0 two wide.
+ivec3 volume_scroll() { return cameraPositionInt - previousCameraPositionInt; }
 
 #endif
