@@ -24,6 +24,7 @@
 #define FACE_CACHE 5
 
 #define ATLAS_2D 1
+#define IMAGE_3D 2
 
 #define REINHARD 1
 #define ACES 2
@@ -48,7 +49,7 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 #define VOXEL_SIZE 64 // [32 48 64 96]
 
 // Floodfill
-#define FLOODFILL_STORAGE ATLAS_2D // [ATLAS_2D]
+#define FLOODFILL_STORAGE ATLAS_2D // [ATLAS_2D IMAGE_3D]
 #define FLOODFILL_RULE PUBLISHED // [PUBLISHED CONSERVING]
 #define FLOODFILL_SKY NONE // [NONE PUBLISHED]
 #define FLOODFILL_ALPHA 2.43902 // [0.5 0.9 1.0 2.0 2.2 2.35 2.43902 2.5 2.55 2.65 2.67 2.75]
@@ -81,6 +82,13 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 #define FACES 1
 #else
 #define FACES 0
+#endif
+
+// Of the light by cell, as an image.
+#if FLOODFILL_RULE == CONSERVING
+#define FLOODFILL_FORMAT rgba32f
+#else
+#define FLOODFILL_FORMAT rgba16f
 #endif
 
 // A 96 volume needs a shadow target of 2048; with a smaller one it falls back to 64.

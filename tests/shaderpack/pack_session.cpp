@@ -64,6 +64,18 @@ std::array<float, 4> CellField::at(glm::ivec3 cell) const {
   return channels;
 }
 
+CellField CellField::ofSlices(const ImageF& slices, AtlasLayout layout) {
+  const int n = layout.volume, rows = (n + layout.columns - 1) / layout.columns;
+  ImageF atlas(n * layout.columns, n * rows, slices.channels);
+  for (int z = 0; z < n; ++z)
+    for (int y = 0; y < n; ++y)
+      for (int x = 0; x < n; ++x)
+        std::copy_n(
+            slices.at(x, slices.height - 1 - (z * n + y)), slices.channels,
+            atlas.at(y % layout.columns * n + x, atlas.height - 1 - (y / layout.columns * n + z)));
+  return {std::move(atlas), layout};
+}
+
 int CellField::countLit() const {
   int lit = 0;
   for (size_t i = 0; i < atlas_.pixels.size(); i += atlas_.channels) lit += atlas_.pixels[i] != 0;
@@ -127,6 +139,12 @@ void PackSession::renderFrames(int count) {
   for (int i = 0; i < count; ++i) session_->renderFrame(diagnostics);
   expectClean(diagnostics);
   for (const std::string& error : sharedContext().takeErrors()) ADD_FAILURE() << error;
+}
+
+CellField PackSession::light(AtlasLayout layout) {
+  if (const auto slices = session_->renderer().dump("flood_light"))
+    return CellField::ofSlices(*slices, layout);
+  return {dump("colortex4"), layout};
 }
 
 ImageF PackSession::dump(const std::string& buffer) {

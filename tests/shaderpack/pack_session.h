@@ -34,6 +34,8 @@ struct AtlasLayout {
 class CellField {
  public:
   CellField(ImageF atlas, AtlasLayout layout) : atlas_(std::move(atlas)), layout_(layout) {}
+  /// Of a 3-D image as the renderer dumps it, with the x, y and z of a cell for its texel.
+  static CellField ofSlices(const ImageF& slices, AtlasLayout layout);
   /// The four channels of a cell, 0..volume-1 on each axis.
   std::array<float, 4> at(glm::ivec3 cell) const;
   float red(glm::ivec3 cell) const { return at(cell)[0]; }
@@ -62,7 +64,8 @@ class PackSession {
   /// Looks from one point to another, with a narrow field of view, from the next frame on.
   void look(glm::dvec3 from, glm::dvec3 to);
   void renderFrames(int count);
-  CellField light(AtlasLayout layout = {}) { return {dump("colortex4"), layout}; }
+  /// With any FLOODFILL_STORAGE.
+  CellField light(AtlasLayout layout = {});
   /// Voxels as stored: red, green, blue, code / 255.
   CellField voxels(AtlasLayout layout = {}) { return {dump("shadowcolor0"), layout}; }
   ImageF dump(const std::string& buffer);

@@ -5,6 +5,8 @@ shaders/, text that stands there exactly once, what replaces it.
 """
 
 STEP = "program/p0_floodfill_step.glsl"
+IMAGE_STEP = "program/p1_floodfill_step.glsl"
+IMAGE_COMMIT = "program/p2_floodfill_commit.glsl"
 RULE = "include/voxel/propagation.glsl"
 FIELD = "include/voxel/light_field.glsl"
 VOLUME = "include/voxel/volume.glsl"
@@ -163,4 +165,13 @@ MUTANTS = [
     ("A19 half floats", "A19.furnace*",
      [(BUFFERS, "const int colortex4Format = RGBA32F;", "const int colortex4Format = RGBA16F;")]),
     ("A19 published gain", "A19.open*", [(RULE, "return sum / 6.0;", "return sum * (0.917 / 6.0);")]),
+    ("storage: image updated in place", "storage.*",
+     [(FIELD, "uniform readonly image3D flood_light;", "uniform image3D flood_light;"),
+      (IMAGE_STEP, "layout(FLOODFILL_FORMAT) uniform writeonly image3D flood_next;", ""),
+      (IMAGE_STEP, "imageStore(flood_next", "imageStore(flood_light"),
+      (IMAGE_COMMIT, "changed ? VOLUME * VOLUME * VOLUME : 0", "0")]),
+    ("storage: image does not scroll between steps", "storage.*",
+     [(IMAGE_STEP, "step_now || scroll != ivec3(0)", "step_now")]),
+    ("storage: image with y and z exchanged", "storage.*",
+     [(IMAGE_STEP, "imageStore(flood_next, cell,", "imageStore(flood_next, cell.xzy,")]),
 ]

@@ -123,5 +123,33 @@ INSTANTIATE_TEST_SUITE_P(A12, BadValue,
                                          Poke{"negative", "-1.0"}),
                          [](const auto& test) { return test.param.name; });
 
+// Walls, lamps, coloured glass, a slab; and an eye that moves between the steps.
+TEST(storage, image_holds_the_same_bits_as_the_atlas) {
+  for (const char* rule : {"PUBLISHED", "CONSERVING"}) {
+    const auto lab = [rule](const char* storage) {
+      return Lab({.blocks = R"({"hollow": "red_concrete", "min": [6, 6, 6], "max": [26, 20, 26]},
+                               {"block": "glowstone", "at": [[9, 18, 9], [20, 10, 22]]},
+                               {"box": "blue_stained_glass", "min": [15, 7, 7], "max": [15, 19, 25]},
+                               {"block": "stone_slab", "at": [12, 10, 12]},
+                               {"block": "redstone_torch", "at": [12, 11, 12]})",
+                  .options = {{"FLOODFILL_STORAGE", storage},
+                              {"FLOODFILL_RULE", rule},
+                              {"FLOODFILL_SKY", "PUBLISHED"},
+                              {"FLOODFILL_INTERVAL", "2"}}});
+    };
+    Lab atlas = lab("ATLAS_2D"), image = lab("IMAGE_3D");
+    Camera eye = atlas.pack().session().camera();
+    for (int frame = 0; frame < 30; ++frame) {
+      if (frame > 20) eye.position += glm::dvec3(0.6, -0.4, 0.3);
+      for (Lab* one : {&atlas, &image}) {
+        one->pack().session().setCamera(eye);
+        one->step();
+      }
+      ASSERT_TRUE(atlas.light() == image.light()) << rule << " frame " << frame;
+    }
+    EXPECT_GT(image.light().countLit(), 4000) << rule;
+  }
+}
+
 }  // namespace
 }  // namespace orris::test

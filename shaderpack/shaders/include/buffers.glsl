@@ -12,7 +12,8 @@
 //   RGBA32F from 256 frames on, where half floats stop moving
 // colortex4    RGBA16F   atlas   keep   prepare                       prepare, deferred, translucent
 //   floodfill light by cell (include/voxel/volume.glsl); RGBA32F with FLOODFILL_RULE=CONSERVING,
-//   whose steps become too small for half floats long before it is done
+//   whose steps become too small for half floats long before it is done. With
+//   FLOODFILL_STORAGE=IMAGE_3D the image flood_light is instead
 // colortex5    RGBA16F   window  keep   deferred                      deferred (next frame), filter
 //   the plane that colortex3 belongs to (include/plane.glsl)
 // colortex6    RGBA16F   window  0      deferred1, 2, 3               deferred2, 3, 4
@@ -54,7 +55,7 @@ const vec4 shadowcolor0ClearColor = vec4(0.0, 0.0, 0.0, 0.0);
 */
 #endif
 
-#if GI_METHOD == FLOODFILL
+#if GI_METHOD == FLOODFILL && FLOODFILL_STORAGE == ATLAS_2D
 #if FLOODFILL_RULE == CONSERVING
 /*
 const int colortex4Format = RGBA32F;
