@@ -85,55 +85,6 @@ TEST(picture, sun_stays_out_of_a_closed_room_without_shadows) {
   }
 }
 
-// Radiance is constant along a ray: a block within walls of lamps receives theirs, however far.
-TEST(picture, furnace_of_any_size_gives_the_radiance_of_its_walls) {
-  for (const int size : {5, 25}) {
-    const std::string world = fmt::format(R"({{
-      "size": [{0}, {0}, {0}],
-      "blocks": [{{"hollow": "glowstone", "min": [0, 0, 0], "max": [{1}, {1}, {1}]}},
-                 {{"box": "stone", "min": [{2}, {2}, {2}], "max": [{2}, {2}, {2}]}}],
-      "cameras": [{{"name": "eye", "position": [{2}.5, {2}.5, {3}.9], "yaw": 180, "fov": 8}}],
-      "environment": {{"time": 18000}}
-    }})",
-                                          size, size - 1, size / 2, size / 2 + 1);
-    PackSession pack(world, {{"GI_METHOD", "BOUNCE_1"}, {"EMISSION_STRENGTH", "16.0"}});
-    pack.renderFrames(1);
-    const ImageF radiance = pack.dump("colortex3");
-    for (int i = 0; i < radiance.width * radiance.height; ++i)
-      ASSERT_NEAR(radiance.pixels[static_cast<size_t>(i) * radiance.channels], 16, 0.16) << size;
-  }
-}
-
-// A floor under one lamp in the dark, found by rays that hit it.
-const char* const kNoiseWorld = R"({
-  "size": [9, 6, 9],
-  "blocks": [{"hollow": "stone", "min": [0, 0, 0], "max": [8, 5, 8]},
-             {"box": "glowstone", "min": [3, 5, 3], "max": [5, 5, 5]}],
-  "cameras": [{"name": "eye", "position": [4.5, 3, 4.5], "yaw": 0, "pitch": 90, "fov": 8}],
-  "environment": {"time": 18000}
-})";
-
-/// Variance over the pixels of the gathered light, in squares of its mean.
-double relativeVariance(PackSession& pack) {
-  const ImageF image = pack.dump("colortex3");
-  double sum = 0, squares = 0;
-  const int count = image.width * image.height;
-  for (int i = 0; i < count; ++i) {
-    const double value = image.pixels[static_cast<size_t>(i) * image.channels];
-    sum += value;
-    squares += value * value;
-  }
-  return squares * count / (sum * sum) - 1;
-}
-
-TEST(picture, a_still_camera_averages_independent_frames) {
-  PackSession pack(kNoiseWorld, {{"GI_METHOD", "BOUNCE_1"}, {"TEMPORAL_FRAMES", "64"}}, 64, 64);
-  pack.renderFrames(1);
-  const double once = relativeVariance(pack);
-  pack.renderFrames(63);
-  EXPECT_NEAR(relativeVariance(pack) * 64 / once, 1, 0.15);
-}
-
 bool mentions(const Schedule& schedule, const ShaderPack& pack, const std::string& program) {
   return std::any_of(schedule.programs.begin(), schedule.programs.end(),
                      [&](int index) { return pack.programs[index].name == program; });

@@ -7,6 +7,7 @@ shaders/, text that stands there exactly once, what replaces it.
 STEP = "program/p0_floodfill_step.glsl"
 IMAGE_STEP = "program/p1_floodfill_step.glsl"
 IMAGE_COMMIT = "program/p2_floodfill_commit.glsl"
+GI = "program/d0_gi.glsl"
 RULE = "include/voxel/propagation.glsl"
 FIELD = "include/voxel/light_field.glsl"
 VOLUME = "include/voxel/volume.glsl"
@@ -165,6 +166,18 @@ MUTANTS = [
     ("A19 half floats", "A19.furnace*",
      [(BUFFERS, "const int colortex4Format = RGBA32F;", "const int colortex4Format = RGBA16F;")]),
     ("A19 published gain", "A19.open*", [(RULE, "return sum / 6.0;", "return sum * (0.917 / 6.0);")]),
+    ("B1 few lookups, each worth many", "B1.*",
+     [(GI, "light_at_face(hit.position, normal, next_random().xy) *",
+       "light_at_face(hit.position, normal, next_random().xy) *\n"
+       "                    (next_random().x < 1.0 / 256.0 ? 256.0 : 0.0) *")]),
+    ("B4 the same noise in each frame", "B4.*",
+     [(GI, "seed_random(pixel, frameCounter);", "seed_random(pixel, 0);")]),
+    ("B4 new frames count twice", "B4.weight*",
+     [(GI, "mix(before.rgb, radiance, weight)", "mix(before.rgb, radiance, min(2.0 * weight, 1.0))")]),
+    ("B5 light divided by its way squared", "B5.*",
+     [(GI, "radiance += throughput * lamp_light(hit.voxel);",
+       "float way = 0.3 * length(hit.position - origin);\n"
+       "            radiance += throughput * lamp_light(hit.voxel) / max(1.0, way * way);")]),
     ("storage: image updated in place", "storage.*",
      [(FIELD, "uniform readonly image3D flood_light;", "uniform image3D flood_light;"),
       (IMAGE_STEP, "layout(FLOODFILL_FORMAT) uniform writeonly image3D flood_next;", ""),
