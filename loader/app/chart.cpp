@@ -14,7 +14,7 @@
 namespace orris {
 namespace {
 
-nlohmann::json describe(const ChartData& chart, const Study& study, const MeasurePlan& plan) {
+nlohmann::json describe(const ChartData& chart, const Study& study) {
   nlohmann::json points = nlohmann::json::array();
   for (const ChartPoint& point : chart.points) {
     points.push_back(
@@ -28,8 +28,8 @@ nlohmann::json describe(const ChartData& chart, const Study& study, const Measur
          {"ssim", point.result->ssim},
          {"front", point.front}});
   }
-  nlohmann::json result = {{"settings", study.settings.size()},
-                           {"measured", study.measured(plan)},
+  nlohmann::json result = {{"settings", study.settings().size()},
+                           {"measured", study.measured()},
                            {"points", std::move(points)},
                            {"noiseFloor", chart.request.noiseFloor}};
   if (chart.again)
@@ -39,28 +39,38 @@ nlohmann::json describe(const ChartData& chart, const Study& study, const Measur
   return result;
 }
 
-void noteUnfinished(const Study& study, const StudyOptions& options, Report& report) {
-  const std::size_t measured = study.measured(options.plan);
-  if (measured == study.settings.size() || report.status() != kClean) return;
+void noteUnfinished(const Study& study, Report& report) {
+  const std::size_t measured = study.measured();
+  if (measured == study.settings().size() || report.status() != kClean) return;
   Diagnostic diagnostic;
   diagnostic.severity = Severity::Warning;
   diagnostic.id = "study-unfinished";
   diagnostic.message =
-      fmt::format("{} of {} settings are measured whole", measured, study.settings.size());
+      fmt::format("{} of {} settings are measured whole", measured, study.settings().size());
   diagnostic.hint = "run the same command again to go on, without --shard to see all";
   Diagnostics diagnostics = {std::move(diagnostic)};
   report.add(diagnostics);
 }
 
+/// Every n-th setting from the i-th on.
+std::vector<std::size_t> shardOf(std::size_t settings, const std::string& text) {
+  const Shard shard = parseShard(text).value_or(Shard{1, 1});
+  std::vector<std::size_t> indices;
+  for (auto i = std::size_t(shard.first) - 1; i < settings; i += std::size_t(shard.second))
+    indices.push_back(i);
+  return indices;
+}
+
 int runChart(const StudyOptions& options, Report& report, nlohmann::json& result) {
   int status = kClean;
   const StudyFiles files(options.folder);
-  const auto study = runStudy(options, files, report, status);
+  const auto study = Study::open(options, files, report, status);
   if (!study) return status;
-  const ChartData chart = study->chart(options);
-  noteUnfinished(*study, options, report);
+  study->measure(shardOf(study->settings().size(), options.shard));
+  const ChartData chart = study->chart();
+  noteUnfinished(*study, report);
   if (!writeChart(chart, files, report, status)) return status;
-  result = describe(chart, *study, options.plan);
+  result = describe(chart, *study);
   if (!options.output.json && !options.output.quiet) std::cout << summaryTable(chart);
   return status;
 }

@@ -16,5 +16,6 @@ void addCompareCommand(CLI::App& app, int& status);
 void addViewCommand(CLI::App& app, int& status);
 void addTraceCommand(CLI::App& app, int& status);
 void addChartCommand(CLI::App& app, int& status);
+void addTuneCommand(CLI::App& app, int& status);
 
 }  // namespace orris

@@ -18,7 +18,7 @@ namespace {
 using AddCommand = void (*)(CLI::App& app, int& status);
 constexpr AddCommand kCommands[] = {addRenderCommand, addValidateCommand, addOptionsCommand,
                                     addWorldCommand,  addCompareCommand,  addViewCommand,
-                                    addTraceCommand,  addChartCommand};
+                                    addTraceCommand,  addChartCommand,    addTuneCommand};
 
 // Flags that take several assignments: "--set A=1 B=2" is "--set A=1 --set B=2". Left to the parser,
 // such a flag would swallow the positional arguments behind it.

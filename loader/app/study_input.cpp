@@ -51,7 +51,8 @@ std::vector<ImageSize> sizesOf(const std::vector<Setting>& settings) {
   return sizes;
 }
 
-bool readReferenceFiles(const StudyOptions& options, Study& study, Report& report, int& status) {
+bool readReferenceFiles(const StudyOptions& options, StudyInput& study, Report& report,
+                        int& status) {
   Diagnostics diagnostics;
   for (const std::string& path : options.references) {
     auto reference = readReference(path, diagnostics);
@@ -71,8 +72,7 @@ bool readReferenceFiles(const StudyOptions& options, Study& study, Report& repor
   return status == kClean;
 }
 
-bool readReferences(const StudyOptions& options, Study& study, StudyInput& input, Report& report,
-                    int& status) {
+bool readReferences(const StudyOptions& options, StudyInput& input, Report& report, int& status) {
   if (options.references.empty()) {
     report.error("reference-missing", "no --reference to measure errors against",
                  "give a picture of orris trace, or a setting: --reference NAME=VALUE,...");
@@ -82,14 +82,14 @@ bool readReferences(const StudyOptions& options, Study& study, StudyInput& input
   const std::string& first = options.references.front();
   const bool isSetting = options.references.size() == 1 && !std::filesystem::exists(first) &&
                          first.find('=') != std::string::npos;
-  if (!isSetting) return readReferenceFiles(options, study, report, status);
+  if (!isSetting) return readReferenceFiles(options, input, report, status);
   Diagnostics diagnostics;
-  input.reference = parseSetting(first, *study.pack, {}, diagnostics);
+  input.reference = parseSetting(first, *input.pack, {}, diagnostics);
   return take(diagnostics, report, status);
 }
 
 /// Brings the first setting that --baseline names to the front.
-void chooseBaseline(const std::string& text, Study& study, Diagnostics& diagnostics) {
+void chooseBaseline(const std::string& text, StudyInput& study, Diagnostics& diagnostics) {
   const auto named = parseSetting(text, *study.pack, {}, diagnostics);
   if (!named) return;
   auto& settings = study.settings;
@@ -106,7 +106,7 @@ void chooseBaseline(const std::string& text, Study& study, Diagnostics& diagnost
   diagnostic.hint = "name values of the axes";
 }
 
-bool readSettings(const StudyOptions& options, Study& study, Report& report, int& status) {
+bool readSettings(const StudyOptions& options, StudyInput& study, Report& report, int& status) {
   Diagnostics diagnostics;
   std::vector<Axis> axes;
   for (const std::string& text : options.axes) axes.push_back(parseAxis(text));
@@ -124,32 +124,32 @@ bool readSettings(const StudyOptions& options, Study& study, Report& report, int
 
 }  // namespace
 
-std::optional<StudyInput> readStudyInput(const StudyOptions& options, Study& study, Report& report,
-                                         int& status) {
+std::optional<StudyInput> readStudyInput(const StudyOptions& options, Report& report, int& status) {
   auto world = loadScene(options.scene, options.pack.dimension, report, status);
   if (!world) return std::nullopt;
-  study.files = openPackFiles(options.pack.path, report, status);
-  if (!study.files) return std::nullopt;
+  const auto files = openPackFiles(options.pack.path, report, status);
+  if (!files) return std::nullopt;
   PackOptions packOptions = options.pack;
   if (packOptions.dimension.empty()) packOptions.dimension = world->environment.dimension;
-  const auto load = makeLoadRequest(study.files, packOptions, standardMacros({}), report, status);
+  const auto load = makeLoadRequest(files, packOptions, standardMacros({}), report, status);
   if (!load) return std::nullopt;
   LoadRequest optionsOnly = *load;
   optionsOnly.buildSources = false;
-  auto pack = loadPack(study.files, optionsOnly, report, status);
+  auto pack = loadPack(files, optionsOnly, report, status);
   const auto camera =
       pack ? chooseCamera(*world, options.scene.camera, report, status) : std::nullopt;
   if (!camera) return std::nullopt;
-  study.pack = std::make_unique<ShaderPack>(std::move(*pack));
-  study.camera = *camera;
 
-  StudyInput input{.world = std::move(*world), .request = {}, .reference = {}};
-  input.request.openPack = [files = study.files](Diagnostics&) { return files; };
+  StudyInput input;
+  input.world = std::move(*world);
+  input.files = files;
+  input.pack = std::make_shared<const ShaderPack>(std::move(*pack));
+  input.request.openPack = [files](Diagnostics&) { return files; };
   input.request.load = *load;
   input.request.camera = *camera;
   input.request.seed = options.scene.seed;
-  if (!readSettings(options, study, report, status)) return std::nullopt;
-  if (!readReferences(options, study, input, report, status)) return std::nullopt;
+  if (!readSettings(options, input, report, status)) return std::nullopt;
+  if (!readReferences(options, input, report, status)) return std::nullopt;
   return input;
 }
 

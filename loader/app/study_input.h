@@ -1,21 +1,31 @@
 // From the command line to the settings of a study and what they are measured against.
 #pragma once
 
+#include <map>
+#include <memory>
 #include <optional>
+#include <vector>
 
-#include "app/study.h"
+#include "app/report.h"
+#include "app/study_options.h"
+#include "chart/chart_data.h"
+#include "world/world.h"
 
 namespace orris {
 
-/// World and base request; fills in pack, settings, marks and camera. nullopt: reported, `status` is
-/// set.
 struct StudyInput {
   World world;
-  SessionRequest request;            ///< of the command line, without any setting
-  std::optional<Setting> reference;  ///< the setting that is the reference, if no file is
+  std::shared_ptr<const FileSource> files;
+  std::shared_ptr<const ShaderPack> pack;  ///< options only, those of the command line in force
+  SessionRequest request;                  ///< of the command line, without any setting
+  std::vector<Setting> settings;           ///< the baseline first
+  std::vector<PublishedMark> marks;
+  std::map<ImageSize, ReferencePicture> references;  ///< read from files
+  std::optional<Setting> reference;                  ///< the setting that is to be drawn instead
 };
-std::optional<StudyInput> readStudyInput(const StudyOptions& options, Study& study, Report& report,
-                                         int& status);
+
+/// nullopt: reported, `status` is set.
+std::optional<StudyInput> readStudyInput(const StudyOptions& options, Report& report, int& status);
 
 /// The request of one setting.
 SessionRequest requestFor(const SessionRequest& base, const Setting& setting);

@@ -67,7 +67,7 @@ bool resolveAxis(Axis& axis, const ShaderPack& pack, Diagnostics& diagnostics) {
     if (!axis.values.empty()) return true;
     fail("axis-empty", fmt::format("the axis {} has no values", axis.name),
          axis.name == kSizeAxis ? "write them behind it: size=160x90,320x180"
-                                : "leave it out: there is nothing to vary",
+                                : "name other axes: --axis NAME",
          diagnostics);
     return false;
   }

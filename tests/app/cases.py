@@ -345,6 +345,7 @@ MODES = pack({"final.fsh": WITH_MODE,
               "shaders.properties": "profile.LOW = MODE=1\nprofile.HIGH = MODE=2\n"})
 MEASURE = "--size 16x9 --warm-up 1 --frames 2 --rounds 2 --visit 1"
 CHART = f"chart pack {CORNELL} -o out {MEASURE} --reference MODE=2 --reference-frames 2"
+TUNE = CHART.replace("chart", "tune")
 # A mistake is told before anything is drawn or made.
 CHARTS = [
     Case("chart_unknown_axis", [f"{CHART} --axis MODES", f"{CHART} --axis MODE --axis MODES=1"], 2,
@@ -382,6 +383,15 @@ CHARTS = [
         ["orris chart: error: "]),
     Case("chart_unwritable", [CHART.replace("-o out", "-o pack/shaders/final.fsh")], 2, MODES,
          ["the folder cannot be made"]),
+    Case("tune_wants_one_goal", [f"{TUNE} {flags}" for flags in (
+        "", "--error 0.1 --ms 3", "--error 0", "--ms soon", "--error 0.1 --shard 1/2")], 2, MODES,
+        ["orris tune: error: "]),
+    Case("tune_unknown_axis", [f"{TUNE} --error 0.1 --axis MODES"], 2, MODES,
+         ['"MODES" is no option of the pack, nor profile or size'], ["did you mean MODE"]),
+    Case("tune_without_profiles", [f"{TUNE} --error 0.1"], 2, pack({"final.fsh": WITH_MODE}),
+         ["the axis profile has no values"], ["name other axes"]),
+    Case("tune_unwritable", [TUNE.replace("-o out", "-o none/out") + " --ms 1"], 2, MODES,
+         ["cannot be written"]),
     Case("chart_unknown_pack", [CHART.replace("chart pack", "chart none")], 2, MODES, ["none"]),
 ]
 

@@ -1,0 +1,210 @@
+#!/usr/bin/env python3
+"""chart_test.py PROGRAM: a chart and a tuning of a small pack whose costs and errors are known, from
+the command line to the files."""
+import csv
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+VERSION = "#version 330 compatibility\n"
+VERTEX = VERSION + """out vec2 uv;
+void main() { gl_Position = ftransform(); uv = gl_MultiTexCoord0.st; }
+"""
+# colortex0 is SHARE of the truth, the dearer the larger; WORK costs time and changes nothing.
+COMPOSITE = VERSION + """/*
+const int colortex0Format = RGBA32F;
+*/
+#define SHARE 1.0 // [0.5 0.8 1.0]
+#define WORK 50 // [50 200]
+in vec2 uv;
+void main() {
+  float sum = 0.0;
+  for (int i = 0; i < WORK * int(10.0 * SHARE - 3.9); ++i) sum += sin(uv.x * float(i));
+  gl_FragData[0] = vec4(vec3(SHARE * (1.0 + clamp(sum, 0.0, 1e-9))), 1.0);
+}
+"""
+FINAL = VERSION + """in vec2 uv;
+uniform sampler2D colortex0;
+void main() { gl_FragColor = texture2D(colortex0, uv); }
+"""
+FILES = {"composite.vsh": VERTEX, "composite.fsh": COMPOSITE, "final.vsh": VERTEX,
+         "final.fsh": FINAL,
+         "shaders.properties": "profile.FAST = SHARE=0.5 WORK=50\nprofile.FINE = SHARE=1.0 WORK=200\n"}
+WORLD = {"size": [2, 2, 2], "blocks": [{"box": "stone", "min": [0, 0, 0], "max": [1, 0, 1]}]}
+MEASURE = ("--size 96x64 --warm-up 2 --frames 4 --rounds 5 --visit 2 --buffer colortex0 "
+           "--reference SHARE=1.0 --reference-frames 4")
+CHART = f"chart pack world -o out {MEASURE} --axis SHARE --axis WORK --baseline SHARE=1.0,WORK=50"
+
+
+def orris(program, folder, command, status=0):
+    result = subprocess.run([program, *command.split()], cwd=folder, text=True,
+                            capture_output=True, timeout=200)
+    assert result.returncode == status, (command, result.returncode, result.stdout, result.stderr)
+    return result
+
+
+def rows(path):
+    with open(path, newline="") as file:
+        return {row["setting"]: row for row in csv.DictReader(file)}
+
+
+def check_numbers(folder):
+    settings = rows(folder / "settings.csv")
+    assert len(settings) == 6, list(settings)
+    assert list(settings)[0] == "SHARE=1.0 WORK=50"
+    for share in ("0.5", "0.8", "1.0"):
+        cheap, dear = (settings[f"SHARE={share} WORK={work}"] for work in (50, 200))
+        for row in (cheap, dear):
+            assert abs(float(row["bias"]) - (1 - float(share)) / 1.02) < 1e-5, row
+            assert abs(float(row["signed_bias"]) + (1 - float(share)) / 1.02) < 1e-5, row
+            assert float(row["noise"]) < 1e-5 and row["pairs"] == "5" and row["frames"] == "4"
+            assert float(row["ms_low"]) <= float(row["ms"]) <= float(row["ms_high"])
+        assert float(dear["ms"]) > float(cheap["ms"]), (cheap, dear)
+        assert (cheap["front"], dear["front"]) == ("1", "0"), (cheap, dear)
+    baseline, dear = settings["SHARE=1.0 WORK=50"], settings["SHARE=1.0 WORK=200"]
+    assert baseline["ratio"] == "1.0000" and float(dear["ratio_low"]) > 1.2, dear
+    with open(folder / "passes.csv", newline="") as file:
+        passes = {(row["setting"], row["pass"]): float(row["ms"]) for row in csv.DictReader(file)}
+    assert (passes["SHARE=1.0 WORK=200", "composite"]
+            > 2 * passes["SHARE=1.0 WORK=50", "composite"]), passes
+
+
+def check_page(folder, scratch):
+    page = folder / "index.html"
+    text = page.read_text()
+    assert 'src="http' not in text and "href=" not in text
+    browser = next(filter(None, map(shutil.which, ("chromium", "chromium-browser",
+                                                   "google-chrome"))), None)
+    if browser is None:
+        print("SKIPPED: no chromium to open index.html with")
+        return
+    command = [browser, "--headless", "--no-sandbox", "--disable-gpu",
+               f"--user-data-dir={scratch}/profile", "--virtual-time-budget=10000"]
+    dom = subprocess.run([*command, "--dump-dom", page.as_uri()], text=True, capture_output=True,
+                         timeout=120).stdout
+    pictures, loaded = (int(re.search(f'<body[^>]*data-{name}="([0-9]+)"', dom).group(1))
+                        for name in ("pictures", "loaded"))
+    plots = 3 if shutil.which("gnuplot") else 0
+    # two that are compared; frame, mean and error of each setting; one reference
+    assert pictures == loaded == plots + 2 + 3 * 6 + 1, (pictures, loaded)
+    assert len(re.findall("<tr", dom)) == 7, dom[:2000]
+    assert "A/A: the first setting measured twice" in dom
+
+
+def test_chart(program, folder):
+    result = orris(program, folder, CHART + " --mark SHARE=0.8:0.75 --json")
+    answer = json.loads(result.stdout)
+    assert (answer["settings"], answer["measured"], len(answer["points"])) == (6, 6, 6)
+    assert 0.5 < answer["again"]["ratio"] < 2
+    out = folder / "out"
+    check_numbers(out)
+    settings = rows(out / "settings.csv")
+    assert settings["SHARE=0.8 WORK=50"]["published_ratio"] == "0.75"
+    assert settings["SHARE=0.5 WORK=50"]["published_ratio"] == ""
+    if shutil.which("gnuplot"):
+        for name in ("cost-error", "frames", "passes"):
+            assert (out / f"{name}.svg").read_text().rstrip().endswith("</svg>")
+            assert (out / f"{name}.png").read_bytes().startswith(b"\x89PNG")
+        assert "A/A" in (out / "cost-error.svg").read_text()
+    else:
+        print("SKIPPED: no gnuplot to draw plots with")
+        assert "gnuplot-nox" in result.stderr
+    check_page(out, folder)
+
+
+def test_second_run_measures_nothing(program, folder):
+    before = rows(folder / "out/settings.csv")
+    times = {path: path.stat().st_mtime_ns for path in (folder / "out/settings").glob("*.json")}
+    orris(program, folder, CHART + " --quiet")
+    changed = [path.name for path, time in times.items() if path.stat().st_mtime_ns != time]
+    assert not changed, changed
+    after = rows(folder / "out/settings.csv")
+    for row in (*before.values(), *after.values()):  # no --mark this time
+        row["published"] = row["published_ratio"] = ""
+    assert after == before
+
+
+def test_changed_pack_is_measured_again(program, folder):
+    changed = folder / "changed"
+    shutil.copytree(folder / "out", changed)
+    composite = folder / "pack/shaders/composite.fsh"
+    composite.write_text(COMPOSITE.replace("SHARE *", "0.9 * SHARE *"))
+    result = orris(program, folder, CHART.replace("-o out", "-o changed"))
+    assert "measured again" in result.stderr
+    composite.write_text(COMPOSITE)
+    # The reference is drawn again too: shares stay shares of it.
+    check_numbers(changed)
+
+
+def test_shards_make_the_whole(program, folder):
+    for shard in (1, 2):
+        command = CHART.replace("-o out", f"-o part{shard}") + f" --shard {shard}/2"
+        result = orris(program, folder, command)
+        assert "of 6 settings are measured whole" in result.stderr, result.stderr
+        assert len(rows(folder / f"part{shard}/settings.csv")) in (3, 4)
+    merged = folder / "merged/settings"
+    merged.mkdir(parents=True)
+    for shard in (1, 2):
+        for path in (folder / f"part{shard}/settings").iterdir():
+            shutil.copy(path, merged)
+    result = orris(program, folder, CHART.replace("-o out", "-o merged"))
+    assert "measured whole" not in result.stderr, result.stderr
+    check_numbers(folder / "merged")
+
+
+def test_budget_is_kept_and_the_next_run_goes_on(program, folder):
+    slow = CHART.replace("-o out", "-o slow").replace("--rounds 5", "--rounds 400")
+    result = orris(program, folder, slow + " --budget 3s")
+    assert "settings are measured whole" in result.stderr, result.stderr
+    orris(program, folder, CHART.replace("-o out", "-o slow"))
+    assert len(rows(folder / "slow/settings.csv")) == 6
+
+
+def test_tune(program, folder):
+    tune = f"tune pack world -o pack.txt {MEASURE} --axis SHARE --axis WORK "
+    result = orris(program, folder, tune + "--error 0.3")
+    text = (folder / "pack.txt").read_text()
+    assert text == "SHARE=0.8\n", text  # WORK=50 is the default
+    assert result.stdout.startswith("SHARE=0.8 WORK=50: "), result.stdout
+    assert "the cheapest found with an error of at most 0.3" in result.stdout
+    assert re.search(r"SHARE=0\.5 WORK=50: .*too wrong", result.stdout), result.stdout
+    assert re.search(r"SHARE=0\.8 WORK=200: .* times the cost", result.stdout), result.stdout
+    orris(program, folder, "render pack world -o tuned.exr --size 8x8 --frames 1 "
+                           "--settings pack.txt")
+
+    milliseconds = 1.3 * float(rows(folder / "out/settings.csv")["SHARE=1.0 WORK=50"]["ms"])
+    answer = json.loads(orris(program, folder, tune + f"--ms {milliseconds} --json").stdout)
+    assert answer["values"]["SHARE"] == "1.0", answer
+    result = orris(program, folder, tune.replace("pack.txt", "none.txt") + "--ms 0.000001", 1)
+    assert "no setting tried takes at most 1e-06 ms a frame" in result.stderr, result.stderr
+    assert "nearest is SHARE=" in result.stderr
+    assert not (folder / "none.txt").exists()
+
+
+def test_tune_takes_the_profiles(program, folder):
+    orris(program, folder, f"tune pack world -o profile.txt {MEASURE} --error 0.001")
+    assert (folder / "profile.txt").read_text() == "WORK=200\n"
+
+
+def main():
+    program = os.path.abspath(sys.argv[1])
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = Path(temporary)
+        (folder / "pack/shaders").mkdir(parents=True)
+        for name, text in FILES.items():
+            (folder / "pack/shaders" / name).write_text(text)
+        (folder / "world").mkdir()
+        (folder / "world/world.json").write_text(json.dumps(WORLD))
+        for name, test in list(globals().items()):
+            if name.startswith("test_"):
+                test(program, folder)
+                print("passed", name)
+
+
+if __name__ == "__main__":
+    main()
