@@ -64,7 +64,8 @@ flat out vec4 voxel;  // a 0: part of the shadow map
 
 uniform sampler2D gtexture;
 
-/// Mean linear colour of the quad, weighted by alpha: 16 taps over its part of the atlas.
+/// Mean linear colour of the quad, weighted by alpha: 16 taps over its part of the atlas, in the level
+/// that has 16 texels a tile.
 vec3 face_color() {
     vec2 mid = vertex_mid_uv[0];
     vec2 half_size = abs(vertex_uv[0] - mid);
@@ -72,7 +73,7 @@ vec3 face_color() {
     vec4 sum = vec4(0.0);
     for (int i = 0; i < 16; ++i) {
         vec2 tap = vec2(i & 3, i >> 2) * 0.5 - 0.75;
-        vec4 texel = textureLod(gtexture, mid + tap * half_size, 0.0);
+        vec4 texel = textureLod(gtexture, mid + tap * half_size, 2.0);
         sum += vec4(to_linear(texel.rgb), 1.0) * texel.a;
     }
     return sum.rgb / max(sum.a, 1e-3) * to_linear(vertex_tint[0]);
