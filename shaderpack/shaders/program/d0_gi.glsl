@@ -32,6 +32,7 @@ const int gi_bounces = 1;
 
 #if FACES
 layout(rgba16f) uniform readonly image3D face_light;
+layout(r32ui) uniform readonly uimage2D face_memory;
 #endif
 
 uniform sampler2D colortex3;
@@ -99,13 +100,17 @@ vec4 history(Surface s) {
 
 // While the cache still fills, early frames are wrong rather than noisy: let them fade as the
 // frames' number cubed instead of keeping them in a plain mean.
-#if GI_METHOD == FLOODFILL
+#if GI_METHOD == FLOODFILL || FACES
 const float history_ramp = 3.0;
 #else
 const float history_ramp = 1.0;
 #endif
 
 vec4 accumulate(vec3 radiance, vec4 before) {
+#if FACES
+    if (light_changes(imageLoad(face_memory, memory_last).r))
+        before.a = min(before.a, face_edited_updates);
+#endif
     float floor_weight = camera_is_still() ? 1.0 / float(TEMPORAL_FRAMES) : TEMPORAL_WEIGHT;
     float weight = max(floor_weight, history_ramp / (before.a + history_ramp));
     return vec4(mix(before.rgb, radiance, weight), min(before.a + 1.0, float(TEMPORAL_FRAMES)));

@@ -18,6 +18,8 @@ layout(r32ui) uniform readonly uimage2D face_list;
 layout(r32ui) uniform readonly uimage2D face_tally;
 layout(r32ui) uniform readonly uimage2D face_memory;
 
+// Off the face, in blocks. Points of faces are exact, so this can be less than ray_offset.
+const float face_offset = 0.001;
 // Nearer, sampling the surface of a lamp is noisier than hitting it.
 const float lamp_near = 2.0;
 // Lamps looked at for each that gets a ray.
@@ -44,14 +46,7 @@ vec3 point_of_face(ivec3 cell, int code, vec3 normal, vec2 at) {
     unit += 0.5 * normal;
     if (code == voxel_slab_bottom) unit.y *= 0.5;
     if (code == voxel_slab_top) unit.y = 0.5 + 0.5 * unit.y;
-    return vec3(cell) + unit + normal * ray_offset;
-}
-
-/// The additive sequence with the golden ratio of four dimensions, offset for each face.
-vec4 sequence(uint index, uvec3 place) {
-    uvec4 start = uvec4(hash(place), hash(place + 7u).x);
-    const uvec4 stride = uvec4(3679390609u, 3152041523u, 2700274805u, 2313257605u);
-    return vec4((start + index * stride) >> 8) * (1.0 / 16777216.0);
+    return vec3(cell) + unit + normal * face_offset;
 }
 
 bool is_near_lamp(Hit hit, vec3 origin) {
@@ -101,7 +96,7 @@ LampSample sample_ball(Face f, ivec3 cell, vec3 radiance, vec2 u) {
 
 LampSample sample_cube(Face f, ivec3 cell, int face, vec3 radiance, vec2 u) {
     vec3 normal = face_normal(face);
-    vec3 way = point_of_face(cell, voxel_solid, normal, u) - normal * ray_offset - f.origin;
+    vec3 way = point_of_face(cell, voxel_solid, normal, u) - f.origin;
     float far = length(way);
     vec3 direction = way / far;
     float cosines = max(0.0, dot(direction, f.normal)) * max(0.0, -dot(direction, normal));
@@ -158,10 +153,10 @@ vec4 updated(uint entry, vec3 light) {
     vec4 old = light_of(f.cell, f.face);
 
     uvec3 place = uvec3(face_texel(f.cell, f.face));
-    vec4 u = sequence(uint(frameCounter) / uint(FACE_SHARE), place);
+    // Independent numbers: along a sequence, what a face looks up would follow how it came about.
     seed_random(ivec2(place.x + 1024u * place.y, place.z), frameCounter);
-    f.origin = point_of_face(f.cell, voxel_at(f.cell).code, f.normal, u.xy);
-    vec3 sampled = hemisphere_sample(f, u.zw, light) + lamp_sample(f);
+    f.origin = point_of_face(f.cell, voxel_at(f.cell).code, f.normal, next_random().xy);
+    vec3 sampled = hemisphere_sample(f, next_random().xy, light) + lamp_sample(f);
 
     float updates = trusted_updates(old.a);
     float gain = max(1.0 / float(FACE_WINDOW), FACE_GAIN / (updates + FACE_GAIN));

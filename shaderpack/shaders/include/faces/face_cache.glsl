@@ -20,7 +20,8 @@
 const int face_ball = 6;  // a small lamp, which has no faces
 
 // After an edit all faces are updated for so many frames, and what they hold counts for nothing, or
-// for no more than a few updates where edits follow each other sooner than face_calm_frames.
+// for no more than a few updates where edits follow each other sooner than face_calm_frames. The
+// means over frames that pixels keep are cut to so many frames, too.
 const int face_hurry_frames = 48;
 const int face_calm_frames = 32;
 const float face_edited_updates = 24.0;
@@ -43,10 +44,20 @@ const ivec2 tally_lamps = ivec2(1, 1);
 const ivec2 memory_last = ivec2(0, 1);
 const ivec2 memory_before = ivec2(1, 1);
 
+/// Floor of a / size. The guess by floats is one off at most.
+ivec3 divide_down(ivec3 a, int size) {
+    ivec3 q = ivec3(floor(vec3(a) * (1.0 / float(size))));
+    ivec3 rest = a - q * size;
+    return q - ivec3(lessThan(rest, ivec3(0))) + ivec3(greaterThanEqual(rest, ivec3(size)));
+}
+
 /// Remainder, never negative.
-ivec3 wrap(ivec3 a, int size) {
-    ivec3 r = a % size;
-    return r + size * ivec3(lessThan(r, ivec3(0)));
+ivec3 wrap(ivec3 a, int size) { return a - divide_down(a, size) * size; }
+
+/// Do the faces still adapt to an edit? `last`: its frame, of face_memory.
+bool light_changes(uint last) {
+    int since = frameCounter - int(last);
+    return since >= 0 && since <= face_hurry_frames;
 }
 
 /// World block of the volume's first cell.

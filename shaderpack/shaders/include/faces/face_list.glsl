@@ -7,9 +7,9 @@
 #include "/include/math/random.glsl"
 #include "/include/voxel/voxel.glsl"
 
-layout(r32ui) uniform uimage2D face_list;
+layout(r32ui) uniform writeonly uimage2D face_list;
 layout(r32ui) uniform uimage2D face_tally;
-layout(r32ui) uniform uimage2D face_memory;
+layout(r32ui) uniform readonly uimage2D face_memory;
 layout(r32ui) uniform uimage3D face_seen;
 
 /// Checksums are sums, so the order of the quads does not matter. `look`: what else the quad shows.
@@ -22,15 +22,9 @@ void add_to_brick(ivec3 cell, int face, int code, vec2 look) {
     imageAtomicAdd(face_tally, ivec2(index, 0), sum);
 }
 
-/// Frames since an edit of the light or the blocks.
-int frames_since_edit() {
-    return frameCounter - int(imageLoad(face_memory, memory_last).r);
-}
-
 /// Is the face among those of this frame? All are when they are new or the light has changed.
 bool is_due(ivec3 cell, int face) {
-    int since = frames_since_edit();
-    if (entered(cell) || (since >= 0 && since <= face_hurry_frames)) return true;
+    if (entered(cell) || light_changes(imageLoad(face_memory, memory_last).r)) return true;
     ivec3 place = store_cell(cell);
     uint turn = hash(uvec3(place.x * 6 + face, place.yz)).x >> 8;
     return (turn + uint(frameCounter)) % uint(FACE_SHARE) == 0u;

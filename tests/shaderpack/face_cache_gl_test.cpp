@@ -1,0 +1,273 @@
+// The face cache against closed forms, and how it follows changes.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "face_field.h"
+
+namespace orris::test {
+namespace {
+
+constexpr int kVolume = 32;
+
+OptionValues options(OptionValues more = {}) {
+  more.insert({{"GI_METHOD", "FACE_CACHE"}, {"VOXEL_SIZE", std::to_string(kVolume)}});
+  return more;
+}
+
+/// A closed room of `wall` blocks at night with a lamp in the middle of its ceiling.
+std::string room(const std::string& wall, glm::ivec3 inside, const std::string& events = "") {
+  const glm::ivec3 end = inside + 1;
+  return fmt::format(
+      R"({{"size": [{0}, {1}, {2}],
+      "blocks": [{{"hollow": "{3}", "min": [0, 0, 0], "max": [{4}, {5}, {6}]}},
+                 {{"block": "glowstone", "at": [{7}, {5}, {8}]}}],
+      "cameras": [{{"name": "eye", "position": [{7}.5, 1.5, {8}.5]}}],
+      "environment": {{"time": 18000}}, "events": [{9}]}})",
+      end.x + 1, end.y + 1, end.z + 1, wall, end.x, end.y, end.z, (end.x) / 2, (end.z) / 2, events);
+}
+
+constexpr double kLamp = 16;  // radiance of glowstone, red: EMISSION_STRENGTH
+
+/// Albedo of a block as the voxels have it, red.
+double albedo(PackSession& pack, glm::ivec3 block, glm::ivec3 eye) {
+  const float stored =
+      pack.voxels({.volume = kVolume, .columns = 32}).red(cellOf(block, eye, kVolume));
+  return stored * stored;
+}
+
+/// Share of the light of one unit square that reaches another, parallel and right opposite.
+double oppositeSquares(double distance) {
+  const double x = 1 / distance, s = std::sqrt(1 + x * x);
+  return 2 / (std::numbers::pi * x * x) *
+         (std::log(s * s / std::sqrt(1 + 2 * x * x)) + 2 * x * s * std::atan(x / s) -
+          2 * x * std::atan(x));
+}
+
+/// 49 shafts of this height, one block wide, under a lamp each; the eye is in the middle one.
+std::string shafts(const std::string& wall, int height) {
+  std::string world = fmt::format(
+      R"({{"size": [15, {0}, 15],
+      "blocks": [{{"box": "{1}", "min": [0, 0, 0], "max": [14, {2}, 14]}})",
+      height + 2, wall, height + 1);
+  for (int i = 0; i < 49; ++i) {
+    const int x = 1 + i % 7 * 2, z = 1 + i / 7 * 2;
+    world += fmt::format(R"(,
+      {{"box": "air", "min": [{0}, 1, {1}], "max": [{0}, {2}, {1}]}},
+      {{"block": "glowstone", "at": [{0}, {3}, {1}]}})",
+                         x, z, height, height + 1);
+  }
+  return world + R"(],
+      "cameras": [{"name": "eye", "position": [7.5, 1.5, 7.5]}],
+      "environment": {"time": 18000}})";
+}
+
+/// Mean red of the floors of all shafts, offset to another face; over `frames` frames.
+double meanOfShafts(const FaceField& field, glm::ivec3 offset, Face face) {
+  double sum = 0;
+  for (int i = 0; i < 49; ++i)
+    sum += field.red(glm::ivec3(1 + i % 7 * 2, 0, 1 + i / 7 * 2) + offset, face);
+  return sum / 49;
+}
+
+// Six faces see each other, one of them a lamp: a system of two unknowns by symmetry.
+TEST(face_cache, one_cell_room_is_the_radiosity_solution) {
+  PackSession pack(shafts("white_concrete", 1),
+                   options({{"FACE_SHARE", "1"}, {"FACE_WINDOW", "128"}}));
+  pack.renderFrames(300);
+  const double rho = albedo(pack, {7, 0, 7}, {7, 1, 7});
+  const double opposite = oppositeSquares(1), beside = (1 - opposite) / 4;
+  // floor = opposite * lamp + 4 beside rho wall
+  // wall = beside lamp + beside rho floor + (opposite + 2 beside) rho wall
+  const double inner = 1 - (opposite + 2 * beside) * rho;
+  const double wall =
+      (beside + beside * rho * opposite) * kLamp / (inner - 4 * beside * beside * rho * rho);
+  const double floor = opposite * kLamp + 4 * beside * rho * wall;
+  double floorMean = 0, wallMean = 0;
+  for (int i = 0; i < 4; ++i) {
+    pack.renderFrames(100);
+    const FaceField field = faceField(pack, kVolume);
+    floorMean += meanOfShafts(field, {0, 0, 0}, kUp) / 4;
+    wallMean += (meanOfShafts(field, {-1, 1, 0}, kEast) + meanOfShafts(field, {1, 1, 0}, kWest) +
+                 meanOfShafts(field, {0, 1, -1}, kSouth) + meanOfShafts(field, {0, 1, 1}, kNorth)) /
+                4 / 4;
+  }
+  EXPECT_GT(rho, 0.5);
+  EXPECT_NEAR(floorMean / floor, 1, .01);
+  EXPECT_NEAR(wallMean / wall, 1, .01);
+}
+
+/// Share of the light of unit squares that reach each other across a gap: the lower at the origin,
+/// the upper moved by `x` and `z`. Midpoint rule.
+double squaresAcross(double gap, int x, int z) {
+  constexpr int kSteps = 8;
+  double sum = 0;
+  for (int i = 0; i < kSteps * kSteps * kSteps * kSteps; ++i) {
+    const double dx = x + (i % kSteps - i / kSteps % kSteps) / double(kSteps);
+    const double dz = z + (i / 64 % kSteps - i / 512) / double(kSteps);
+    const double squared = dx * dx + dz * dz + gap * gap;
+    sum += gap * gap / (std::numbers::pi * squared * squared);
+  }
+  return sum / (kSteps * kSteps * kSteps * kSteps);
+}
+
+// Near lamps are found by rays, far ones sampled: no light is counted twice or lost between.
+TEST(face_cache, lamps_at_any_distance_give_their_form_factor) {
+  for (const int height : {1, 2, 5}) {
+    std::string world = fmt::format(
+        R"({{"size": [13, {0}, 13], "cameras": [{{"name": "eye", "position": [6.5, 1.5, 6.5]}}],
+        "environment": {{"time": 18000}},
+        "blocks": [{{"hollow": "black_concrete", "min": [0, 0, 0], "max": [12, {1}, 12]}})",
+        height + 2, height + 1);
+    for (int i = 0; i < 9; ++i)
+      world += fmt::format(R"(, {{"block": "glowstone", "at": [{}, {}, {}]}})", 4 + i % 3 * 2,
+                           height + 1, 4 + i / 3 * 2);
+    PackSession pack(world + "]}",
+                     options({{"FACE_SHARE", "1"}, {"FACE_WINDOW", "128"}, {"FACE_GAIN", "1.0"}}));
+    pack.renderFrames(400);
+    double expected = 0;
+    for (int i = 0; i < 9 * 81; ++i)
+      expected +=
+          kLamp / 81 *
+          squaresAcross(height, 4 + i % 3 * 2 - (2 + i / 9 % 9), 4 + i / 3 % 3 * 2 - (2 + i / 81));
+    const double mean = faceField(pack, kVolume).meanRed({2, 0, 2}, {10, 0, 10}, kUp);
+    EXPECT_NEAR(mean / expected, 1, .015) << height;
+  }
+}
+
+TEST(face_cache, removed_lamp_fades_and_a_placed_one_fills_the_room) {
+  PackSession pack(room("white_concrete", {12, 12, 12},
+                        R"({"frame": 100, "set": {"at": [6, 13, 6], "block": "white_concrete"}},
+                           {"frame": 250, "set": {"at": [6, 13, 6], "block": "glowstone"}})"),
+                   options());
+  const auto floor = [&pack] {
+    return faceField(pack, kVolume).meanRed({1, 0, 1}, {12, 0, 12}, kUp);
+  };
+  pack.renderFrames(100);
+  const double lit = floor();
+  int fading = 0;
+  for (double now = lit; now > 0.01 * lit && fading < 200; ++fading) {
+    pack.renderFrames(1);
+    now = floor();
+  }
+  EXPECT_LE(fading, 50);
+  pack.renderFrames(150 - fading);
+  EXPECT_LT(floor(), 0.005 * lit);
+  pack.renderFrames(2);
+  EXPECT_GT(floor(), 0.2 * lit) << "the frame after";
+  int filling = 2;
+  for (; floor() < 0.9 * lit && filling < 200; ++filling) pack.renderFrames(1);
+  EXPECT_LE(filling, 30);
+}
+
+// The picture, with the default means over frames.
+TEST(face_cache, picture_follows_a_removed_lamp) {
+  const std::string event = R"({"frame": 130, "set": {"at": [6, 13, 6], "block": "air"}})";
+  PackSession pack(room("light_gray_concrete", {12, 12, 12}, event),
+                   options({{"AMBIENT_MINIMUM", "0.0"}}));
+  pack.renderFrames(130);
+  const double lit = pack.meanRadiance().r;
+  pack.renderFrames(60);
+  EXPECT_LT(pack.meanRadiance().r, 0.01 * lit);
+}
+
+TEST(face_cache, closed_wall_lets_nothing_through) {
+  const char* const world = R"({
+    "size": [13, 8, 8],
+    "blocks": [{"hollow": "white_concrete", "min": [0, 0, 0], "max": [12, 7, 7]},
+               {"box": "white_concrete", "min": [6, 0, 0], "max": [6, 7, 7]},
+               {"block": "glowstone", "at": [3, 7, 3]}],
+    "cameras": [{"name": "eye", "position": [9.5, 3.5, 3.5]}],
+    "environment": {"time": 18000}
+  })";
+  PackSession pack(world, options());
+  pack.renderFrames(60);
+  const FaceField field = faceField(pack, kVolume);
+  EXPECT_GT(field.meanRed({6, 1, 1}, {6, 6, 6}, kWest), 0.1);
+  EXPECT_EQ(field.meanRed({6, 1, 1}, {6, 6, 6}, kEast), 0);
+  EXPECT_EQ(field.meanRed({7, 0, 1}, {11, 0, 6}, kUp), 0);
+  EXPECT_GT(field.updates({9, 0, 3}, kUp), 10);
+}
+
+// Two rooms one volume apart have the same texels.
+const char* const kTwoRooms = R"({
+  "size": [42, 10, 10],
+  "blocks": [{"hollow": "white_concrete", "min": [0, 0, 0], "max": [9, 9, 9]},
+             {"hollow": "white_concrete", "min": [32, 0, 0], "max": [41, 9, 9]},
+             {"block": "glowstone", "at": [4, 9, 4]}],
+  "cameras": [{"name": "eye", "position": [4.5, 4.5, 4.5]}],
+  "environment": {"time": 18000, "skyColor": [0, 0, 0]},
+  "events": [{"frame": 40, "camera": {"position": [36.5, 4.5, 4.5]}}]
+})";
+
+TEST(face_cache, teleport_leaves_no_old_light) {
+  PackSession pack(kTwoRooms, options({{"SKY_STRENGTH", "0.0"}, {"SUN_STRENGTH", "2.0"}}));
+  pack.renderFrames(40);
+  EXPECT_GT(faceField(pack, kVolume).meanRed({1, 0, 1}, {8, 0, 8}, kUp), 0.1);
+  pack.renderFrames(1);
+  const FaceField field = faceField(pack, kVolume);
+  EXPECT_EQ(field.meanRed({33, 0, 1}, {40, 0, 8}, kUp), 0);
+  EXPECT_EQ(field.updates({36, 0, 4}, kUp), 1) << "new faces are all updated";
+  EXPECT_LT(field.brightest(), 0.01f) << "only moonlight outside";
+  EXPECT_LT(lastEdit(pack), 5) << "moving is no edit";
+}
+
+TEST(face_cache, faces_keep_their_light_while_the_volume_moves) {
+  // A hall along x; the eye walks a block a frame, through 0.
+  std::string events;
+  for (int i = 0; i < 12; ++i)
+    events += fmt::format(R"({}{{"frame": {}, "camera": {{"position": [{}.5, 3.5, 4.5]}}}})",
+                          i > 0 ? "," : "", 60 + i, i - 5);
+  const std::string world = fmt::format(R"({{
+    "origin": [-12, 0, 0], "size": [24, 8, 9],
+    "blocks": [{{"hollow": "white_concrete", "min": [-12, 0, 0], "max": [11, 7, 8]}},
+               {{"block": "glowstone", "at": [0, 7, 4]}}],
+    "cameras": [{{"name": "eye", "position": [-6.5, 3.5, 4.5]}}],
+    "environment": {{"time": 18000}}, "events": [{}]}})",
+                                        events);
+  PackSession pack(world, options({{"FACE_SHARE", "1"}}));
+  pack.renderFrames(60);
+  const FaceField before = faceField(pack, kVolume);
+  pack.renderFrames(12);
+  const FaceField after = faceField(pack, kVolume);
+  const glm::ivec3 low(-9, 0, 1), high(8, 0, 7);
+  EXPECT_NEAR(after.meanRed(low, high, kUp) / before.meanRed(low, high, kUp), 1, .05);
+  EXPECT_EQ(after.updates({0, 0, 4}, kUp), before.updates({0, 0, 4}, kUp) + 12);
+  EXPECT_LT(lastEdit(pack), 5);
+}
+
+TEST(face_cache, edits_are_noticed_while_the_volume_moves) {
+  const char* const world = R"({
+    "size": [16, 8, 8],
+    "blocks": [{"hollow": "white_concrete", "min": [0, 0, 0], "max": [15, 7, 7]}],
+    "cameras": [{"name": "eye", "position": [6.5, 3.5, 3.5]}],
+    "environment": {"time": 18000},
+    "events": [{"frame": 20, "camera": {"position": [7.5, 3.5, 3.5]}},
+               {"frame": 20, "set": {"at": [6, 1, 3], "block": "red_concrete"}},
+               {"frame": 30, "set": {"at": [6, 1, 3], "block": "lime_concrete"}}]
+  })";
+  PackSession pack(world, options());
+  pack.renderFrames(20);
+  const int before = lastEdit(pack);
+  pack.renderFrames(1);
+  const int first = lastEdit(pack);
+  pack.renderFrames(9);
+  EXPECT_EQ(lastEdit(pack), first);
+  pack.renderFrames(1);
+  EXPECT_LT(before, first);
+  EXPECT_EQ(lastEdit(pack), first + 10) << "another block of the same shape";
+}
+
+TEST(face_cache, repeated_runs_give_the_same_bits) {
+  const auto picture = [] {
+    PackSession pack = PackSession::ofWorld("corridor", options(), 48, 27);
+    pack.renderFrames(40);
+    return pack.dump("colortex0").pixels;
+  };
+  EXPECT_EQ(picture(), picture());
+}
+
+}  // namespace
+}  // namespace orris::test

@@ -1,0 +1,36 @@
+// The face cache of our pack read back: light and number of updates by block and face.
+#pragma once
+
+#include <array>
+#include <utility>
+
+#include "pack_session.h"
+
+namespace orris::test {
+
+/// Faces of a block as the cache numbers them (include/faces/face_cache.glsl).
+enum Face { kWest, kEast, kDown, kUp, kNorth, kSouth };
+
+class FaceField {
+ public:
+  FaceField(ImageF light, int volume) : light_(std::move(light)), volume_(volume) {}
+  /// Red, green, blue and number of updates of a face, by world block.
+  std::array<float, 4> at(glm::ivec3 block, Face face) const;
+  float red(glm::ivec3 block, Face face) const { return at(block, face)[0]; }
+  int updates(glm::ivec3 block, Face face) const { return static_cast<int>(at(block, face)[3]); }
+  /// Mean red of the same face of a box of blocks, corners included.
+  double meanRed(glm::ivec3 low, glm::ivec3 high, Face face) const;
+  float brightest() const;  ///< largest red
+
+ private:
+  ImageF light_;
+  int volume_ = 0;
+};
+
+/// The cache after the last frame; `volume` is VOXEL_SIZE.
+FaceField faceField(PackSession& pack, int volume);
+
+/// Frame of the last edit that the cache noticed.
+int lastEdit(PackSession& pack);
+
+}  // namespace orris::test
