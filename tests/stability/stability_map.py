@@ -16,14 +16,11 @@ from matplotlib.colors import TwoSlopeNorm  # noqa: E402
 
 def measure(program):
     """{gamma: {alpha: gain of a step}}"""
-    output = subprocess.run(
-        [program, "--gtest_also_run_disabled_tests", "--gtest_filter=map.*"],
-        check=True, text=True, stdout=subprocess.PIPE).stdout
+    output = subprocess.run([program], check=True, text=True, stdout=subprocess.PIPE).stdout
     gains = {}
     for line in output.splitlines():
-        if line.startswith("gain,"):
-            gamma, alpha, gain = map(float, line.split(",")[1:])
-            gains.setdefault(gamma, {})[alpha] = gain
+        gamma, alpha, gain = map(float, line.split(","))
+        gains.setdefault(gamma, {})[alpha] = gain
     return gains
 
 
@@ -47,7 +44,7 @@ def draw(gains, path):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("program", help="test_stability_gl")
+    parser.add_argument("program", help="the program stability_map")
     parser.add_argument("out", help="picture, .png or .svg")
     args = parser.parse_args()
     gains = measure(args.program)
