@@ -18,7 +18,7 @@ BUFFERS = "include/buffers.glsl"
 TO_POWER = "vec3 to_power(vec3 light) { return pow(max(light, vec3(1e-14)), vec3(FLOODFILL_GAMMA)); }"
 FROM_POWER = "vec3 from_power(vec3 sum) { return pow(sum, vec3(1.0 / FLOODFILL_GAMMA)); }"
 GAIN = "(FLOODFILL_ALPHA / 6.0)"
-RESULT = "vec3 light = step_now ? propagate(cell, scroll) : light_at(cell + scroll);"
+RESULT = "vec3 light = step_now ? propagate(cell, own, scroll) : light_at(cell + scroll);"
 NO_VALUE = "light.r >= 0.0 && light.r <= light_max, light.g >= 0.0 && light.g <= light_max,\n" \
            "                     light.b >= 0.0 && light.b <= light_max"
 SOLID = "if (is_opaque_voxel(v.code)) return vec3(0.0);"
@@ -57,15 +57,15 @@ MUTANTS = [
      power("return pow(max(x, vec3(1e-14)), vec3(2.2));", "return pow(x, vec3(1.0 / 2.2));")),
     ("A2 cell keeps half of its own light", "A2.*",
      [(RULE, RESULT, "vec3 light = light_at(cell + scroll);\n"
-                     "    if (step_now) light = mix(propagate(cell, scroll), light, 0.5);")]),
+                     "    if (step_now) light = mix(propagate(cell, own, scroll), light, 0.5);")]),
     ("A3 light fades slower than it comes", "A3.*",
      [(RULE, RESULT, "vec3 light = light_at(cell + scroll);\n"
-                     "    if (step_now) light = max(propagate(cell, scroll), 0.95 * light);")]),
+                     "    if (step_now) light = max(propagate(cell, own, scroll), 0.95 * light);")]),
     ("A4 two steps a frame", "A4.front*",
      [(RULE, NEIGHBOURS, NEIGHBOURS + far("0.4 * ", "2 * offset"))]),
     ("A4 cell keeps half of its own light", "A4.light*",
      [(RULE, RESULT, "vec3 light = light_at(cell + scroll);\n"
-                     "    if (step_now) light = mix(propagate(cell, scroll), light, 0.5);")]),
+                     "    if (step_now) light = mix(propagate(cell, own, scroll), light, 0.5);")]),
     ("A5 diagonal neighbours, too", "A5.*",
      [(RULE, NEIGHBOURS, NEIGHBOURS +
        far("0.25 * ", "offset + offset.yzx"))]),
@@ -107,7 +107,7 @@ MUTANTS = [
     ("A13 in place, ascending order", "A13.*",
      [(RULE, NEIGHBOURS, "        if ((i & 1) == 1)\n"
                          "            light = max(light, before(cell + offset, scroll));\n" + NEIGHBOURS),
-      (RULE, "/// `scroll`: a cell was",
+      (RULE, "/// `self`: the cell's voxel. `scroll`: a cell was",
        "vec3 before(ivec3 cell, ivec3 scroll) {\n"
        "    vec3 sum = vec3(0.0);\n"
        "    for (int i = 0; i < 6; ++i) {\n"
@@ -116,15 +116,15 @@ MUTANTS = [
        "    }\n"
        "    return from_power(sum) * 0.4;\n"
        "}\n\n"
-       "/// `scroll`: a cell was")]),
+       "/// `self`: the cell's voxel. `scroll`: a cell was")]),
     ("A14 a step in every frame", "A14.*",
      [(STEP, "frameCounter % FLOODFILL_INTERVAL == 0", "true")]),
     ("A14 darkness between the steps", "A14.*",
-     [(RULE, RESULT, "vec3 light = step_now ? propagate(cell, scroll) : vec3(0.0);"),
+     [(RULE, RESULT, "vec3 light = step_now ? propagate(cell, own, scroll) : vec3(0.0);"),
       (STEP, "if (!step_now && scroll == ivec3(0)) discard;", "")]),
     ("A14 previous light shown every other frame", "A14.*",
      [(STEP, "if (!step_now && scroll == ivec3(0)) discard;", ""),
-      (RULE, RESULT, "vec3 light = step_now ? propagate(cell, scroll) : light_at(cell + scroll);\n"
+      (RULE, RESULT, "vec3 light = step_now ? propagate(cell, own, scroll) : light_at(cell + scroll);\n"
                      "    if (frameCounter % FLOODFILL_INTERVAL == 1) light *= 1.0 - 0.082;\n"
                      "    if (frameCounter % FLOODFILL_INTERVAL == 2) light /= 1.0 - 0.082;")]),
     ("A15 emission limited", "A15.*",
@@ -149,6 +149,10 @@ MUTANTS = [
                           "if (is_opaque_voxel(own.code)) light *= 0.01;")]),
     ("A18 eighteen neighbours", "A18.wall*",
      [(RULE, NEIGHBOURS, NEIGHBOURS + far("0.1 * ", "offset + offset.yzx"))]),
+    ("A18 slabs do not close their own side", "A18.slab*",
+     [(RULE, "if (closes(self.code, offset)) v = Voxel(self.color, voxel_solid);", "")]),
+    ("A18 slabs close no side to their neighbours", "A18.slab*",
+     [(RULE, "if (closes(v.code, -offset)) v.code = voxel_solid;", "")]),
     ("A18 bend darker than the straight", "A18.bend*", [(RULE, GAIN, "(0.9 * FLOODFILL_ALPHA / 6.0)")]),
     ("A18 published lookup stays in its cell", "A18.published*",
      [(FIELD, "position + 0.5 * hemisphere_direction(normal, u)", "position + 0.5 * normal")]),

@@ -52,6 +52,12 @@ vec3 to_power(vec3 light) { return pow(max(light, vec3(1e-14)), vec3(FLOODFILL_G
 
 vec3 from_power(vec3 sum) { return pow(sum, vec3(1.0 / FLOODFILL_GAMMA)); }
 
+/// Does a slab close the side of its cell that looks towards `offset`? Then a wall is there.
+bool closes(int code, ivec3 offset) {
+    return offset.y == (code == voxel_slab_bottom ? -1 : 1) &&
+           (code == voxel_slab_bottom || code == voxel_slab_top);
+}
+
 /// Light a neighbour sends: selected by what it is, never multiplied, as infinity times 0 is not 0.
 vec3 light_from(Voxel v, ivec3 before, vec3 own) {
     if (is_lamp_voxel(v.code)) return lamp_radiance(v);
@@ -63,8 +69,8 @@ vec3 light_from(Voxel v, ivec3 before, vec3 own) {
     return light_at(before);
 }
 
-/// `scroll`: a cell was at cell + scroll when the light was stored.
-vec3 propagate(ivec3 cell, ivec3 scroll) {
+/// `self`: the cell's voxel. `scroll`: a cell was at cell + scroll when the light was stored.
+vec3 propagate(ivec3 cell, Voxel self, ivec3 scroll) {
     vec3 own = vec3(0.0);
 #if FLOODFILL_RULE == CONSERVING
     own = light_at(cell + scroll);
@@ -77,6 +83,8 @@ vec3 propagate(ivec3 cell, ivec3 scroll) {
         int axis = i >> 1;
         ivec3 offset = ivec3(axis == 0, axis == 1, axis == 2) * (1 - 2 * (i & 1));
         Voxel v = voxel_at(cell + offset);
+        if (closes(v.code, -offset)) v.code = voxel_solid;
+        if (closes(self.code, offset)) v = Voxel(self.color, voxel_solid);
         vec3 light = light_from(v, cell + offset + scroll, own);
 #if FLOODFILL_SKY == PUBLISHED
         light += daylight_from(v, offset, day);
@@ -97,7 +105,7 @@ vec3 propagate(ivec3 cell, ivec3 scroll) {
 /// What is stored of a cell in a frame; without a step what was stored of it before.
 vec3 next_light(ivec3 cell, ivec3 scroll, bool step_now) {
     Voxel own = voxel_at(cell);
-    vec3 light = step_now ? propagate(cell, scroll) : light_at(cell + scroll);
+    vec3 light = step_now ? propagate(cell, own, scroll) : light_at(cell + scroll);
     if (step_now && own.code == voxel_translucent) light *= own.color;
     if (is_opaque_voxel(own.code)) light = vec3(0.0);
     if (is_lamp_voxel(own.code)) light = lamp_radiance(own);
