@@ -191,11 +191,12 @@ TEST(face_cache, closed_wall_lets_nothing_through) {
   EXPECT_GT(field.updates({9, 0, 3}, kUp), 10);
 }
 
-// Two rooms one volume apart have the same texels.
+// Two rooms one volume apart have the same texels; what is floor here is buried there.
 const char* const kTwoRooms = R"({
   "size": [42, 10, 10],
   "blocks": [{"hollow": "white_concrete", "min": [0, 0, 0], "max": [9, 9, 9]},
              {"hollow": "white_concrete", "min": [32, 0, 0], "max": [41, 9, 9]},
+             {"box": "white_concrete", "min": [32, 0, 0], "max": [41, 2, 9]},
              {"block": "glowstone", "at": [4, 9, 4]}],
   "cameras": [{"name": "eye", "position": [4.5, 4.5, 4.5]}],
   "environment": {"time": 18000, "skyColor": [0, 0, 0]},
@@ -208,9 +209,9 @@ TEST(face_cache, teleport_leaves_no_old_light) {
   EXPECT_GT(faceField(pack, kVolume).meanRed({1, 0, 1}, {8, 0, 8}, kUp), 0.1);
   pack.renderFrames(1);
   const FaceField field = faceField(pack, kVolume);
-  EXPECT_EQ(field.meanRed({33, 0, 1}, {40, 0, 8}, kUp), 0);
-  EXPECT_EQ(field.updates({36, 0, 4}, kUp), 1) << "new faces are all updated";
-  EXPECT_LT(field.brightest(), 0.01f) << "only moonlight outside";
+  EXPECT_EQ(field.meanRed({33, 2, 1}, {40, 2, 8}, kUp), 0);
+  EXPECT_EQ(field.updates({36, 2, 4}, kUp), 1) << "new faces are all updated";
+  EXPECT_LT(field.brightest(), 0.01f) << "buried faces too; outside is the moon";
   EXPECT_LT(lastEdit(pack), 5) << "moving is no edit";
 }
 
@@ -258,6 +259,22 @@ TEST(face_cache, edits_are_noticed_while_the_volume_moves) {
   pack.renderFrames(1);
   EXPECT_LT(before, first);
   EXPECT_EQ(lastEdit(pack), first + 10) << "another block of the same shape";
+}
+
+TEST(face_cache, only_a_share_of_the_faces_is_updated_while_nothing_changes) {
+  const std::string event = R"({"frame": 70, "set": {"at": [2, 1, 2], "block": "oak_planks"}})";
+  PackSession pack(room("white_concrete", {6, 6, 6}, event), options({{"FACE_SHARE", "4"}}));
+  pack.renderFrames(30);
+  const int all = updatedFaces(pack);
+  EXPECT_EQ(all, 6 * 6 * 6 + 6 * 8 * 8 - 2) << "both sides of the walls but those of the lamp";
+  pack.renderFrames(30);
+  int sum = 0;
+  for (int i = 0; i < 4; ++i, sum += updatedFaces(pack)) pack.renderFrames(1);
+  EXPECT_EQ(sum, all) << "each once in four frames";
+  pack.renderFrames(8);
+  EXPECT_EQ(updatedFaces(pack), all + 4) << "after the edit, which has five faces and hides one";
+  pack.renderFrames(60);
+  EXPECT_LT(updatedFaces(pack), all / 3);
 }
 
 TEST(face_cache, repeated_runs_give_the_same_bits) {

@@ -34,9 +34,11 @@ float FaceField::brightest() const {
 
 FaceField faceField(PackSession& pack, int volume) { return {pack.dump("face_light"), volume}; }
 
-int lastEdit(PackSession& pack) {
-  const ImageF memory = pack.dump("face_memory");
-  return static_cast<int>(memory.at(0, memory.height - 2)[0]);  // row 1 from the bottom
+// Texel 0 of row 1, counted from the bottom.
+int lastEdit(PackSession& pack) { return static_cast<int>(pack.dump("face_memory").at(0, 0)[0]); }
+
+int updatedFaces(PackSession& pack) {
+  return static_cast<int>(pack.dump("face_tally").at(0, 0)[0]);
 }
 
 }  // namespace orris::test

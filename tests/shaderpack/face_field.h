@@ -33,4 +33,7 @@ FaceField faceField(PackSession& pack, int volume);
 /// Frame of the last edit that the cache noticed.
 int lastEdit(PackSession& pack);
 
+/// Faces that the last frame updated.
+int updatedFaces(PackSession& pack);
+
 }  // namespace orris::test

@@ -68,6 +68,25 @@ TEST(pack, programs_follow_the_methods) {
   EXPECT_FALSE(has({{"GI_METHOD", "NONE"}, {"SHADOW_METHOD", "NONE"}}, "shadow"));
 }
 
+TEST(pack, face_cache_has_images_of_the_size_of_its_volume) {
+  const auto images = [](const OptionValues& values) {
+    const std::optional<ShaderPack> pack = loadReferencePack({.values = values});
+    std::map<std::string, std::vector<float>> sizes;
+    for (const CustomImage& image : pack.value().properties.images)
+      sizes[image.name] = {image.size[0], image.size[1], image.size[2]};
+    return sizes;
+  };
+  for (const char* method : {"NONE", "BOUNCE_1", "BOUNCE_4", "FLOODFILL"})
+    EXPECT_TRUE(images({{"GI_METHOD", method}}).empty()) << method;
+  for (const float volume : {32, 48, 64, 96}) {
+    const auto sizes = images({{"GI_METHOD", "FACE_CACHE"},
+                               {"SHADOW_RESOLUTION", "2048"},
+                               {"VOXEL_SIZE", std::to_string(static_cast<int>(volume))}});
+    EXPECT_THAT(sizes.at("face_light"), ElementsAre(6 * volume, volume, volume));
+    EXPECT_THAT(sizes.at("face_seen"), ElementsAre(volume, volume, volume));
+  }
+}
+
 TEST(pack, floodfill_buffer_has_the_size_of_its_atlas) {
   const auto size = [](const OptionValues& values) {
     return loadReferencePack({.values = values})->properties.bufferSize.at("colortex4").size;
