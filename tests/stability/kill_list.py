@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""Puts each mistake of mutants.py into a copy of the reference pack and runs the tests that must find it.
+"""Puts each mistake of a table into a copy of the reference pack and runs the tests that must find it.
 
 Prints a line for each; fails when a mistake stays unfound, or when the pack without it fails the same
 tests."""
 
 import argparse
 import concurrent.futures
+import importlib.util
 import os
 import pathlib
 import shutil
@@ -13,7 +14,12 @@ import subprocess
 import sys
 import tempfile
 
-from mutants import MUTANTS
+
+def read_table(path):
+    spec = importlib.util.spec_from_file_location("table", path)
+    table = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(table)
+    return table.MUTANTS
 
 
 def run_tests(program, filters, pack):
@@ -60,12 +66,14 @@ def try_mutant(program, source, mutant):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("program", help="test_stability_gl")
+    parser.add_argument("program", help="the tests, test_stability_gl for the default table")
     parser.add_argument("pack", type=pathlib.Path, help="shaderpack/")
+    parser.add_argument("--table", type=pathlib.Path,
+                        default=pathlib.Path(__file__).with_name("mutants.py"))
     parser.add_argument("--only", default="", help="mutants whose name contains this")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     args = parser.parse_args()
-    chosen = [mutant for mutant in MUTANTS if args.only in mutant[0]]
+    chosen = [mutant for mutant in read_table(args.table) if args.only in mutant[0]]
     program = os.path.abspath(args.program)
 
     code, output = run_tests(program, ":".join(filters for _, filters, _ in chosen), args.pack)
