@@ -1,2 +1,2 @@
 #version 430 compatibility
-#include "/program/p1_floodfill_step.glsl"
+#include "/program/p1_floodfill_list.glsl"

@@ -76,7 +76,7 @@ def main():
     chosen = [mutant for mutant in read_table(args.table) if args.only in mutant[0]]
     program = os.path.abspath(args.program)
 
-    code, output = run_tests(program, ":".join(filters for _, filters, _ in chosen), args.pack)
+    code, output = run_tests(program, ":".join(dict.fromkeys(filters for _, filters, _ in chosen)), args.pack)
     if code != 0:
         print(output, "the pack itself fails", sep="\n")
         return 1

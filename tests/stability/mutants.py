@@ -5,8 +5,9 @@ shaders/, text that stands there exactly once, what replaces it.
 """
 
 STEP = "program/p0_floodfill_step.glsl"
-IMAGE_STEP = "program/p1_floodfill_step.glsl"
-IMAGE_COMMIT = "program/p2_floodfill_commit.glsl"
+IMAGE_STEP = "program/p2_floodfill_step.glsl"
+IMAGE_LIST = "program/p1_floodfill_list.glsl"
+IMAGE_COMMIT = "program/p3_floodfill_commit.glsl"
 GI = "program/d0_gi.glsl"
 RULE = "include/voxel/propagation.glsl"
 FIELD = "include/voxel/light_field.glsl"
@@ -186,9 +187,16 @@ MUTANTS = [
      [(FIELD, "uniform readonly image3D flood_light;", "uniform image3D flood_light;"),
       (IMAGE_STEP, "layout(FLOODFILL_FORMAT) uniform writeonly image3D flood_next;", ""),
       (IMAGE_STEP, "imageStore(flood_next", "imageStore(flood_light"),
-      (IMAGE_COMMIT, "changed ? VOLUME * VOLUME * VOLUME : 0", "0")]),
+      (IMAGE_COMMIT, "flood_list_length).r) * 512", "flood_list_length).r) * 0")]),
     ("storage: image does not scroll between steps", "storage.*",
-     [(IMAGE_STEP, "step_now || scroll != ivec3(0)", "step_now")]),
+     [(IMAGE_LIST, "step_in_frame() || scrolled ?", "step_in_frame() ?")]),
+    ("storage: image scrolls resting bricks not", "storage.*",
+     [(IMAGE_LIST, "bool all = scrolled || ", "bool all = ")]),
+    ("storage: edits wake nothing", "storage.*", [(IMAGE_LIST, "all || edited || ", "all || ")]),
+    ("storage: light wakes no neighbours", "storage.*",
+     [(IMAGE_LIST, " || changed_before(place + offset) || changed_before(place - offset)", "")]),
+    ("storage: nothing rests", "storage.*",
+     [(IMAGE_STEP, "if (light != stored_light(cell)) ", "")]),
     ("storage: image with y and z exchanged", "storage.*",
      [(IMAGE_STEP, "imageStore(flood_next, cell,", "imageStore(flood_next, cell.xzy,")]),
 ]

@@ -120,18 +120,20 @@ TEST(A12, bad_value_is_forgotten_after_sixty_steps) {
   }
 }
 
-// Walls, lamps, coloured glass, a slab; and an eye that moves between the steps.
+// Walls, lamps, coloured glass, a slab; edits; and an eye that moves between the steps.
 TEST(storage, image_holds_the_same_bits_as_the_atlas) {
-  for (const char* rule : {"PUBLISHED", "CONSERVING"}) {
-    const auto lab = [rule](const char* storage) {
+  for (const auto& [rule, sky] : {std::pair("PUBLISHED", "NONE"), {"CONSERVING", "PUBLISHED"}}) {
+    const auto lab = [&](const char* storage) {
       return Lab({.blocks = R"({"hollow": "red_concrete", "min": [6, 6, 6], "max": [26, 20, 26]},
                                {"block": "glowstone", "at": [[9, 18, 9], [20, 10, 22]]},
                                {"box": "blue_stained_glass", "min": [15, 7, 7], "max": [15, 19, 25]},
                                {"block": "stone_slab", "at": [12, 10, 12]},
                                {"block": "redstone_torch", "at": [12, 11, 12]})",
+                  .events = R"({"frame": 7, "set": {"at": [9, 18, 9], "block": "air"}},
+                               {"frame": 14, "set": {"at": [12, 12, 20], "block": "sea_lantern"}})",
                   .options = {{"FLOODFILL_STORAGE", storage},
                               {"FLOODFILL_RULE", rule},
-                              {"FLOODFILL_SKY", "PUBLISHED"},
+                              {"FLOODFILL_SKY", sky},
                               {"FLOODFILL_INTERVAL", "2"}}});
     };
     Lab atlas = lab("ATLAS_2D"), image = lab("IMAGE_3D");
@@ -146,6 +148,41 @@ TEST(storage, image_holds_the_same_bits_as_the_atlas) {
     }
     EXPECT_GT(image.light().countLit(), 4000) << rule;
   }
+}
+
+/// Bricks that the last frame's step reckoned.
+int activeBricks(Lab& lab) {
+  return static_cast<int>(*lab.pack().dump("flood_list").at(0, 0));  // row 1 lies above row 0
+}
+
+TEST(storage, image_rests_when_settled_and_wakes_for_edits_and_moves) {
+  const auto lab = [](const char* storage) {
+    return Lab({.blocks = R"({"block": "glowstone", "at": [12, 13, 12]})",
+                .events = R"({"frame": 150, "set": {"at": [18, 12, 18], "block": "sea_lantern"}})",
+                .options = {{"FLOODFILL_STORAGE", storage}}});
+  };
+  Lab atlas = lab("ATLAS_2D"), image = lab("IMAGE_3D");
+  image.step(1);
+  EXPECT_EQ(activeBricks(image), 64) << "all of them in the first step";
+  image.step(1);
+  EXPECT_EQ(activeBricks(image), 7) << "the lamp's and the six beside it";
+  image.step(148);
+  EXPECT_EQ(activeBricks(image), 0);
+  image.step(1);
+  EXPECT_EQ(activeBricks(image), 1) << "the new lamp's";
+  image.step(149);
+  EXPECT_EQ(activeBricks(image), 0);
+  atlas.step(300);
+  EXPECT_TRUE(image.light() == atlas.light());
+
+  Camera eye = atlas.pack().session().camera();
+  eye.position += glm::dvec3(1, 0, -2);
+  for (Lab* one : {&atlas, &image}) {
+    one->pack().session().setCamera(eye);
+    one->step();
+  }
+  EXPECT_EQ(activeBricks(image), 64);
+  EXPECT_TRUE(image.light() == atlas.light()) << "after a move";
 }
 
 }  // namespace

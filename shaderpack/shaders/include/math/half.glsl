@@ -2,10 +2,12 @@
 #if !defined INCLUDED_MATH_HALF
 #define INCLUDED_MATH_HALF
 
-/// Drivers may cut a half float off instead of rounding it, and a loop amplifies that loss: round to
-/// its 10 bits here.
+/// The half float next to a number that is not negative: 10 bits, below 2^-14 steps of 2^-24. Drivers
+/// may cut a half float off instead of rounding it, and a loop amplifies that loss.
 vec3 round_to_half(vec3 x) {
-    return uintBitsToFloat((floatBitsToUint(x) + 0x1000u) & 0xFFFFE000u);
+    vec3 normal = uintBitsToFloat((floatBitsToUint(x) + 0x1000u) & 0xFFFFE000u);
+    vec3 small = floor(x * 16777216.0 + 0.5) / 16777216.0;
+    return mix(normal, small, lessThan(x, vec3(1.0 / 16384.0)));
 }
 
 #endif

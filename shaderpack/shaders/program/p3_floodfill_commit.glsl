@@ -5,16 +5,16 @@
 layout(local_size_x = 64) in;
 const ivec3 workGroups = ivec3(64, 1, 1);
 
-#include "/include/voxel/volume.glsl"
+#include "/include/voxel/active_bricks.glsl"
 
 layout(FLOODFILL_FORMAT) uniform readonly image3D flood_next;
 layout(FLOODFILL_FORMAT) uniform writeonly image3D flood_light;
+layout(r32ui) uniform readonly uimage2D flood_list;
 
 void main() {
-    bool changed = frameCounter % FLOODFILL_INTERVAL == 0 || volume_scroll() != ivec3(0);
-    int cells = changed ? VOLUME * VOLUME * VOLUME : 0;
-    for (int i = int(gl_GlobalInvocationID.x); i < cells; i += 64 * 64) {
-        ivec3 cell = ivec3(i % VOLUME, i / (VOLUME * VOLUME), i / VOLUME % VOLUME);
+    int cells = int(imageLoad(flood_list, flood_list_length).r) * 512;
+    for (int i = int(gl_GlobalInvocationID.x); i < cells; i += flood_threads) {
+        ivec3 cell = brick_cell(int(imageLoad(flood_list, ivec2(i / 512, 0)).r), i % 512);
         imageStore(flood_light, cell, imageLoad(flood_next, cell));
     }
 }

@@ -1,0 +1,2 @@
+#version 430 compatibility
+#include "/program/p3_floodfill_commit.glsl"
