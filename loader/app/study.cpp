@@ -172,10 +172,12 @@ ChartData Study::chart() const {
   for (const auto& [size, reference] : input_.references)
     request.noiseFloor = std::max(request.noiseFloor, noiseFloor(reference));
   const MeasurePlan& plan = options_.plan;
-  request.facts = {{"driver", context_->driver().renderer},
-                   {"frames before the first that counts", std::to_string(plan.warmUp)},
-                   {"frames whose error is measured", std::to_string(plan.frames)},
-                   {"frames a visit, two visits a pair", std::to_string(plan.visit)}};
+  request.facts = {
+      {"driver", context_->driver().renderer},
+      {"clock", plan.clock == FrameClock::Wall ? "passing time" : "processor time of all threads"},
+      {"frames before the first that counts", std::to_string(plan.warmUp)},
+      {"frames whose error is measured", std::to_string(plan.frames)},
+      {"frames a visit, two visits a pair", std::to_string(plan.visit)}};
   std::vector<const SettingResult*> results;
   for (const SettingJob& job : jobs_) results.push_back(&job.result);
   return makeChart(std::move(request), settings(), results);

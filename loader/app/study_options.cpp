@@ -36,6 +36,14 @@ void addPlanFlags(CLI::App& command, MeasurePlan& plan) {
   command.add_option("--visit", plan.visit, "frames in a row, twice a round")
       ->capture_default_str()
       ->check(CLI::Range(1, 1000));
+  command
+      .add_option_function<std::string>(
+          "--clock",
+          [&plan](const std::string& name) {
+            plan.clock = name == "cpu" ? FrameClock::Processor : FrameClock::Wall;
+          },
+          "what times frames: wall, or cpu, for software rasterisers on busy machines")
+      ->check(CLI::IsMember({"wall", "cpu"}));
   command.add_option("--alive", plan.alive, "settings kept loaded at the same time")
       ->capture_default_str()
       ->check(CLI::Range(1, 512));

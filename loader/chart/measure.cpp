@@ -14,6 +14,9 @@ constexpr double kShareOfErrors = 0.6;
 // A session that does not fit any more would make the machine swap, and all times with it.
 constexpr std::size_t kSpareMemory = std::size_t{1} << 30;
 
+// Writing files between rounds would show in the times of the first setting.
+constexpr std::chrono::seconds kKeepInterval{20};
+
 void addVisit(SettingResult& result, const Visit& visit) {
   result.frames.insert(result.frames.end(), visit.frames.begin(), visit.frames.end());
   for (const auto& [name, milliseconds] : visit.passes) {
@@ -43,7 +46,7 @@ int framesLeft(const std::vector<SettingJob*>& jobs, const MeasurePlan& plan) {
   int frames = 0;
   for (const SettingJob* job : jobs) {
     const int rounds = std::max(0, plan.rounds - int(job->result.pairs.size()));
-    if (!job->done(plan)) frames += plan.warmUp + 2 * plan.visit * rounds;
+    if (!job->done(plan)) frames += plan.warmUp + 2 * (plan.visit + 1) * rounds;
     if (!job->errorDone()) frames += plan.frames;
   }
   return frames;
@@ -64,10 +67,12 @@ bool Measuring::draw(SettingSession& session, int frames, Diagnostics& diagnosti
   return true;
 }
 
-std::unique_ptr<SettingSession> Measuring::open(SettingJob& job, Diagnostics& diagnostics) {
-  auto session = SettingSession::open(context_, job.request, world_, diagnostics);
-  if (session && draw(*session, plan_.warmUp, diagnostics)) return session;
-  return nullptr;
+std::unique_ptr<SettingSession> Measuring::openSettled(const SessionRequest& request,
+                                                       Diagnostics& diagnostics) {
+  auto session = SettingSession::open(context_, request, world_, diagnostics);
+  if (!session || !draw(*session, plan_.warmUp, diagnostics)) return nullptr;
+  session->stopClock();
+  return session;
 }
 
 bool Measuring::measureError(Member& member, Diagnostics& diagnostics) {
@@ -99,7 +104,7 @@ std::size_t Measuring::fillGroup(Group& group, const std::vector<SettingJob*>& j
     const std::size_t opened = group.size() - alone;
     const bool known = now && before && opened > 0 && *before > *now;
     if (known && *now < kSpareMemory + 2 * (*before - *now) / opened) break;
-    Member member{jobs[next], open(*jobs[next], diagnostics)};
+    Member member{jobs[next], openSettled(jobs[next]->request, diagnostics)};
     if (!member.session) continue;
     if (!member.job->errorDone() && !measureError(member, diagnostics)) continue;
     hooks_.changed(*member.job);
@@ -111,15 +116,13 @@ std::size_t Measuring::fillGroup(Group& group, const std::vector<SettingJob*>& j
 void Measuring::round(Group& group, Diagnostics& diagnostics) {
   std::vector<double> sums(group.size());
   for (const std::size_t turn : turns(group.size())) {
-    const Visit visit = group[turn].session->visit(plan_.visit, diagnostics);
-    hooks_.drew(plan_.visit);
+    const Visit visit = group[turn].session->visit(plan_.visit, plan_.clock, diagnostics);
+    hooks_.drew(plan_.visit + 1);
     addVisit(group[turn].job->result, visit);
     sums[turn] += visit.mean() / 2;
   }
-  for (std::size_t i = 0; i < group.size(); ++i) {
+  for (std::size_t i = 0; i < group.size(); ++i)
     group[i].job->result.pairs.push_back({sums[i], sums[0]});
-    hooks_.changed(*group[i].job);
-  }
 }
 
 void Measuring::measureTimes(Group& group, Diagnostics& diagnostics) {
@@ -128,7 +131,17 @@ void Measuring::measureTimes(Group& group, Diagnostics& diagnostics) {
                        [&](const Member& member) { return !member.job->done(plan_); }) ||
            (group.size() == 1 && !group.front().job->done(plan_));
   };
-  while (lacks() && timeLeft()) round(group, diagnostics);
+  const auto keep = [&] {
+    for (const Member& member : group) hooks_.changed(*member.job);
+  };
+  Clock::time_point kept = Clock::now();
+  while (lacks() && timeLeft()) {
+    round(group, diagnostics);
+    if (Clock::now() - kept < kKeepInterval) continue;
+    keep();
+    kept = Clock::now();
+  }
+  keep();
 }
 
 void Measuring::beginErrors(std::size_t groupsLeft) {
@@ -158,8 +171,8 @@ void Measuring::run(const std::vector<SettingJob*>& jobs, Diagnostics& diagnosti
 std::optional<ReferencePicture> Measuring::drawReference(const SessionRequest& request, int frames,
                                                          Diagnostics& diagnostics) {
   errorsEnd_ = end_;
-  const auto session = SettingSession::open(context_, request, world_, diagnostics);
-  if (!session || !draw(*session, plan_.warmUp + plan_.frames, diagnostics)) return std::nullopt;
+  const auto session = openSettled(request, diagnostics);
+  if (!session || !draw(*session, plan_.frames, diagnostics)) return std::nullopt;
   ReferencePicture reference;
   const int half = std::max(frames / 2, 1);
   for (ImageF* part : {&reference.first, &reference.second}) {

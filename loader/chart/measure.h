@@ -15,10 +15,11 @@
 namespace orris {
 
 struct MeasurePlan {
-  int warmUp = 180;        ///< frames before the first that counts
-  int frames = 64;         ///< whose error is measured
-  int rounds = 30;         ///< pairs of times
-  int visit = 6;           ///< frames in a row, twice a round
+  int warmUp = 180;  ///< frames before the first that counts
+  int frames = 64;   ///< whose error is measured
+  int rounds = 30;   ///< pairs of times
+  int visit = 6;     ///< frames in a row, twice a round
+  FrameClock clock = FrameClock::Wall;
   std::string buffer;      ///< "" for the screen
   std::size_t alive = 64;  ///< settings kept loaded at the same time, the baseline not counted
 };
@@ -72,7 +73,8 @@ class Measuring {
   bool timeLeft() const;
   void beginErrors(std::size_t groupsLeft);
   bool draw(SettingSession& session, int frames, Diagnostics& diagnostics);
-  std::unique_ptr<SettingSession> open(SettingJob& job, Diagnostics& diagnostics);
+  std::unique_ptr<SettingSession> openSettled(const SessionRequest& request,
+                                              Diagnostics& diagnostics);
   bool measureError(Member& member, Diagnostics& diagnostics);
   std::size_t fillGroup(Group& group, const std::vector<SettingJob*>& jobs, std::size_t next,
                         Diagnostics& diagnostics);

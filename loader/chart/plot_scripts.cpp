@@ -40,9 +40,30 @@ class LogScale {
     return std::isnan(value) ? bottom() : std::clamp(value, bottom(), most_ * 3);
   }
   double bottom() const { return least_ / 3; }
-  std::string range() const { return fmt::format("[{}:{}]", least_ / 1.6, most_ * 1.6); }
+  /// Range and labels of an axis, "x" or "y".
+  std::string axis(const char* name) const {
+    const double low = least_ / 1.6, high = most_ * 1.6;
+    return fmt::format("set {0}range [{1}:{2}]\nset {0}tics ({3})\n", name, low, high,
+                       labels(low, high));
+  }
 
  private:
+  /// gnuplot labels powers of ten only, of which there may be none.
+  static std::string labels(double low, double high) {
+    const double decades = std::log10(high / low);
+    std::vector<double> steps = {1};
+    if (decades < 4) steps = {1, 2, 5};
+    if (decades < 1.2) steps = {1, 1.5, 2, 3, 4, 5, 6, 8};
+    std::string text;
+    for (int power = int(std::floor(std::log10(low))); std::pow(10, power) <= high; ++power) {
+      for (const double step : steps) {
+        const double at = step * std::pow(10, power);
+        if (at >= low && at <= high)
+          text += fmt::format("{}'{:.4g}' {}", text.empty() ? "" : ", ", at, at);
+      }
+    }
+    return text;
+  }
   double least_ = 1, most_ = 1;
   bool any_ = false;
 };
@@ -64,6 +85,13 @@ std::string againText(const ChartData& chart) {
   if (!chart.again) return "A/A not measured";
   return fmt::format("A/A {:.4f} [{:.4f}, {:.4f}]", chart.again->ratio,
                      chart.again->ratioInterval.low, chart.again->ratioInterval.high);
+}
+
+std::string metricText(const ChartData& chart) {
+  const ErrorMetric& metric = *chart.request.metric;
+  if (metric.name != std::string_view("error")) return metric.label;
+  const int frames = chart.points.front().result->error->after(chart.request.accumulated).frames;
+  return fmt::format("{}, of the mean of {} frame{}", metric.label, frames, frames == 1 ? "" : "s");
 }
 
 /// The part of a label that its series does not say.
@@ -146,9 +174,8 @@ std::string costErrorScript(const ChartData& chart) {
   text += fmt::format(
       "set logscale xy\nset xlabel '{}' noenhanced\nset ylabel '{}' noenhanced\n",
       plain(fmt::format("milliseconds a frame, with 95 % interval, {}", againText(chart))),
-      plain(fmt::format("{} (of {} frames)", chart.request.metric->label,
-                        chart.request.accumulated)));
-  text += fmt::format("set xrange {}\nset yrange {}\nplot \\\n", times.range(), scale.range());
+      plain(metricText(chart)));
+  text += times.axis("x") + scale.axis("y") + "plot \\\n";
   if (chart.request.noiseFloor > 0)
     text += fmt::format(
         "  {} with lines dashtype 2 linecolor rgb '#888888' title '{}', \\\n",
@@ -188,7 +215,7 @@ std::string accumulatedScript(const ChartData& chart) {
     plots += fmt::format("{}  $line{} using 1:2:3:4 with yerrorlines linetype {} title '{}'",
                          i == 0 ? "" : ", \\\n", i, i + 1, plain(chart.points[i].setting->label));
   }
-  return text + fmt::format("set yrange {}\n", scale.range()) +
+  return text + scale.axis("y") +
          "set logscale xy\nset logscale x 2\nset xlabel 'frames averaged'\n"
          "set ylabel 'relative error, rms'\nplot \\\n" +
          plots + "\n";

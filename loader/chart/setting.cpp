@@ -134,7 +134,7 @@ std::optional<std::vector<Setting>> combine(const std::vector<Axis>& axes, Image
       for (const std::string& value : axis.values) {
         next.push_back(setting);
         assign(next.back(), axis.name, value);
-        if (&axis == &axes.front()) next.back().series = value;
+        if (&axis == &axes.front()) next.back().series = next.back().label;
       }
     }
     settings = std::move(next);

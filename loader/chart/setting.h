@@ -31,7 +31,7 @@ struct Setting {
   std::string profile;  ///< "": that of the command line
   OptionValues values;  ///< of its axes only
   ImageSize size;
-  std::string series;  ///< value of the first axis
+  std::string series;  ///< what a curve holds together: "GI_METHOD=BOUNCE_1", the first axis
   std::string label;   ///< "GI_METHOD=BOUNCE_1 size=160x90"; "as it is" without axes
 };
 

@@ -1,7 +1,8 @@
 #include "chart/setting_session.h"
 
+#include <time.h>
+
 #include <algorithm>
-#include <chrono>
 #include <fstream>
 #include <numeric>
 
@@ -9,6 +10,12 @@
 
 namespace orris {
 namespace {
+
+double millisecondsOf(FrameClock clock) {
+  timespec time{};
+  clock_gettime(clock == FrameClock::Wall ? CLOCK_MONOTONIC : CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
+}
 
 void addPass(Visit& visit, const StepTime& step, int frames) {
   const double milliseconds = step.seconds * 1e3 / frames;
@@ -38,13 +45,13 @@ std::unique_ptr<SettingSession> SettingSession::open(gl::Context& context, Sessi
   return std::unique_ptr<SettingSession>(new SettingSession(std::move(session)));
 }
 
-Visit SettingSession::visit(int frames, Diagnostics& diagnostics) {
+Visit SettingSession::visit(int frames, FrameClock clock, Diagnostics& diagnostics) {
   Visit visit;
+  draw(diagnostics);
   for (int frame = 0; frame < frames; ++frame) {
-    const auto start = std::chrono::steady_clock::now();
+    const double start = millisecondsOf(clock);
     draw(diagnostics);  // ends with its last pass finished
-    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
-    visit.frames.push_back(took.count());
+    visit.frames.push_back(millisecondsOf(clock) - start);
     for (const StepTime& step : renderer().stepTimes()) addPass(visit, step, frames);
   }
   return visit;

@@ -11,6 +11,10 @@
 
 namespace orris {
 
+/// What times frames: passing time, or the processor time of all threads, which other programs on a
+/// busy machine do not add to and which says nothing about a graphics card.
+enum class FrameClock { Wall, Processor };
+
 /// A few frames in a row.
 struct Visit {
   std::vector<double> frames;                          ///< milliseconds of each
@@ -26,13 +30,20 @@ class SettingSession {
                                               World world, Diagnostics& diagnostics);
 
   void draw(Diagnostics& diagnostics) { session_->renderFrame(diagnostics); }
-  Visit visit(int frames, Diagnostics& diagnostics);
+  /// From now on clouds, water and all that moves with time stand still, so that frames differ by their
+  /// noise only.
+  void stopClock() { session_->setFrameTime(kStill); }
+  /// Draws one frame more than it times: the first finds the processor's caches full of another
+  /// setting's pictures.
+  Visit visit(int frames, FrameClock clock, Diagnostics& diagnostics);
   /// Three channels, linear: the screen decoded from sRGB, or a buffer as it is. nullopt when there is
   /// no such buffer, or it is not as large as the screen.
   std::optional<ImageF> picture(const std::string& buffer) const;
   const FrameRenderer& renderer() const { return session_->renderer(); }
 
  private:
+  /// Not 0: packs divide by the time of a frame.
+  static constexpr float kStill = 1e-6f;  // seconds
   explicit SettingSession(std::unique_ptr<RenderSession> session) : session_(std::move(session)) {}
   std::unique_ptr<RenderSession> session_;
 };

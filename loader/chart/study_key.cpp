@@ -56,7 +56,7 @@ Digest studyDigest(const FileSource& pack, const World& world, const gl::DriverI
 
 std::string settingKey(Digest study, const SettingJob& job, const MeasurePlan& plan) {
   addRequest(study, job.request);
-  study.add(plan.warmUp).add(plan.visit);
+  study.add(plan.warmUp).add(plan.visit).add(int(plan.clock));
   if (job.reference != nullptr)
     study.add(plan.frames).add(plan.buffer).add(fingerprint(*job.reference));
   return text(study);

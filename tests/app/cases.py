@@ -379,7 +379,7 @@ CHARTS = [
     Case("chart_unknown_baseline", [f"{CHART} --axis MODE=1,2 --baseline MODE=0"], 2, MODES,
          ["--baseline MODE=0: none of the settings is that"]),
     Case("chart_wrong_flags", [f"{CHART} {flags}" for flags in (
-        "--metric beauty", "--frames 1", "--rounds 0", "--budget soon", "--shard 3/2")], 2, MODES,
+        "--metric beauty", "--frames 1", "--rounds 0", "--budget soon", "--clock sun", "--shard 3/2")], 2, MODES,
         ["orris chart: error: "]),
     Case("chart_unwritable", [CHART.replace("-o out", "-o pack/shaders/final.fsh")], 2, MODES,
          ["the folder cannot be made"]),

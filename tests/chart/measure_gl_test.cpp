@@ -151,16 +151,16 @@ TEST_F(MeasureTest, OneSettingThatCannotBeDrawnEndsOnlyItself) {
 TEST_F(MeasureTest, WhatIsKnownIsNotMeasuredAgain) {
   SettingJob baseline = job("a", {}), other = job("b", {{"LEVEL", "2.0"}});
   run({&baseline, &other});
-  EXPECT_EQ(drawn_, 2 * (2 + 8 + 3 * 4));
+  EXPECT_EQ(drawn_, 2 * (2 + 8 + 3 * 2 * 3));
   drawn_ = 0;
   run({&baseline, &other});
   EXPECT_EQ(drawn_, 0);
   EXPECT_EQ(framesLeft({&baseline, &other}, plan_), 0);
 
   other.result.pairs.resize(1);
-  EXPECT_EQ(framesLeft({&baseline, &other}, plan_), 2 + 2 * 4);
+  EXPECT_EQ(framesLeft({&baseline, &other}, plan_), 2 + 2 * 2 * 3);
   run({&baseline, &other});
-  EXPECT_EQ(drawn_, 2 * 2 + 2 * 2 * 4);  // the baseline again beside it
+  EXPECT_EQ(drawn_, 2 * 2 + 2 * 2 * 2 * 3);  // the baseline again beside it
   EXPECT_THAT(other.result.pairs, SizeIs(3));
   EXPECT_THAT(baseline.result.pairs, SizeIs(5));
 }
@@ -204,6 +204,27 @@ TEST_F(MeasureTest, AReferenceIsTheMeanOfTwoHalves) {
   EXPECT_NEAR(std::abs(drawn->first.pixels[0] - 1), 0.5 / 3, 1e-6);
   EXPECT_NEAR(drawn->first.pixels[0] + drawn->second.pixels[0], 2, 1e-6);
   EXPECT_NEAR(drawn->mean.pixels[0], 1, 1e-6);
+}
+
+// Clouds that drift between the frames of a setting and those of its reference would be taken for its
+// error.
+TEST_F(MeasureTest, WhatMovesWithTimeStandsStill) {
+  files_ = memorySource({{"/final.vsh", kVertex},
+                         {"/final.fsh",
+                          "#version 330 compatibility\nuniform float frameTimeCounter;\n"
+                          "uniform float frameTime;\nvoid main() { gl_FragColor = "
+                          "vec4(vec3(frameTimeCounter * 0.5 + 0.0 / frameTime), 1.0); }\n"}});
+  plan_ = {.warmUp = 30, .frames = 16, .rounds = 1, .visit = 1};
+  const MeasureHooks callbacks = hooks();
+  Measuring measuring(*context_, world_, plan_, callbacks, {});
+  const auto drawn = measuring.drawReference(request({}), 16, diagnostics_);
+  ASSERT_TRUE(drawn);
+  EXPECT_LT(noiseFloor(*drawn), 1e-4);
+  reference_ = *drawn;
+  SettingJob same = job("same", {});
+  run({&same});
+  EXPECT_LT(same.result.error->after(1).error, 1e-3);
+  EXPECT_GT(mean_.pixels[0], 0.01);
 }
 
 TEST_F(MeasureTest, TheScreenIsDecoded) {
