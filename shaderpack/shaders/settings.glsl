@@ -44,7 +44,7 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 #define SHADOW_DISTANCE 64.0 // [32.0 48.0 64.0 96.0 128.0]
 
 // Global illumination
-#define GI_METHOD FLOODFILL // [NONE BOUNCE_1 BOUNCE_2 BOUNCE_4 FLOODFILL FACE_CACHE]
+#define GI_METHOD FACE_CACHE // [NONE BOUNCE_1 BOUNCE_2 BOUNCE_4 FLOODFILL FACE_CACHE]
 #define GI_SAMPLES 1 // [1 2 4]
 #define VOXEL_SIZE 64 // [32 48 64 96]
 
@@ -77,12 +77,14 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 #define VOXELS (GI_METHOD != NONE)
 #define SHADOW_MAP (SHADOW_METHOD != NONE)
 
-// Without images and compute shaders the face cache is one bounce.
-#if GI_METHOD == FACE_CACHE && defined IRIS_FEATURE_CUSTOM_IMAGES && defined IRIS_FEATURE_COMPUTE_SHADERS
+// Where the light of the cache is: on faces, or in the air. OptiFine has no images, macOS neither
+// images nor compute shaders; there FACE_CACHE means FLOODFILL, in shaders.properties too.
+#if GI_METHOD == FACE_CACHE && defined IS_IRIS && !defined MC_OS_MAC
 #define FACES 1
 #else
 #define FACES 0
 #endif
+#define AIR_LIGHT (GI_METHOD == FLOODFILL || (GI_METHOD == FACE_CACHE && !FACES))
 
 // Of the light by cell, as an image.
 #if FLOODFILL_RULE == CONSERVING

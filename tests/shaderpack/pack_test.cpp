@@ -55,7 +55,7 @@ TEST(pack, programs_follow_the_methods) {
   const auto has = [](const OptionValues& values, const char* program) {
     return loadReferencePack({.values = values})->find(program) != nullptr;
   };
-  EXPECT_TRUE(has({}, "prepare"));
+  EXPECT_TRUE(has({{"GI_METHOD", "FLOODFILL"}}, "prepare"));
   EXPECT_FALSE(has({{"GI_METHOD", "BOUNCE_4"}}, "prepare"));
   for (const char* program : {"shadowcomp", "shadowcomp1"}) {
     EXPECT_TRUE(has({{"GI_METHOD", "FACE_CACHE"}}, program)) << program;

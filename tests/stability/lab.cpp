@@ -56,6 +56,7 @@ SessionSetup Lab::sessionOf(const LabSetup& setup) {
   session.width = session.height = setup.width;
   session.options = setup.options;
   session.options.emplace("VOXEL_SIZE", std::to_string(kLabSize));
+  session.options.emplace("GI_METHOD", "FLOODFILL");
   session.options.emplace("FLOODFILL_INTERVAL", "1");
   session.change = [setup](PackTexts& files) {
     for (const auto& [option, value] : setup.constants) setDefault(files, option, value);

@@ -55,7 +55,7 @@ const vec4 shadowcolor0ClearColor = vec4(0.0, 0.0, 0.0, 0.0);
 */
 #endif
 
-#if GI_METHOD == FLOODFILL && FLOODFILL_STORAGE == ATLAS_2D
+#if AIR_LIGHT && FLOODFILL_STORAGE == ATLAS_2D
 #if FLOODFILL_RULE == CONSERVING
 /*
 const int colortex4Format = RGBA32F;

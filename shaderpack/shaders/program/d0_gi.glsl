@@ -14,7 +14,7 @@ void main() { gl_Position = ftransform(); }
 #include "/include/plane.glsl"
 #include "/include/math/random.glsl"
 #include "/include/lighting/hit.glsl"
-#if GI_METHOD == FLOODFILL
+#if AIR_LIGHT
 #include "/include/voxel/light_field.glsl"
 #endif
 #if FACES
@@ -64,7 +64,7 @@ vec3 gather(Surface s, vec3 light) {
         origin = hit.position + normal * ray_offset;
         throughput *= hit.voxel.color;
         radiance += throughput * sun_at(hit, light, s.light.y);
-#if GI_METHOD == FLOODFILL
+#if AIR_LIGHT
         radiance += throughput * light_at_face(hit.position, normal, next_random().xy) *
                     FLOODFILL_STRENGTH;
 #elif FACES
@@ -100,7 +100,7 @@ vec4 history(Surface s) {
 
 // While the cache still fills, early frames are wrong rather than noisy: let them fade as the
 // frames' number cubed instead of keeping them in a plain mean.
-#if GI_METHOD == FLOODFILL || FACES
+#if AIR_LIGHT || FACES
 const float history_ramp = 3.0;
 #else
 const float history_ramp = 1.0;

@@ -36,7 +36,7 @@ void main() {
 #include "/include/lighting/ambient.glsl"
 #include "/include/lighting/direct.glsl"
 #include "/include/lighting/shadow.glsl"
-#if GI_METHOD == FLOODFILL
+#if AIR_LIGHT
 #define READ_VOXELS
 #include "/include/voxel/light_field.glsl"
 #endif
@@ -55,7 +55,7 @@ layout(location = 0) out vec4 out_color;
 
 /// Mean radiance over the hemisphere: with floodfill, lamps from its cells instead of the lightmap.
 vec3 indirect_radiance(vec3 n) {
-#if GI_METHOD == FLOODFILL
+#if AIR_LIGHT
     vec3 position = to_volume(player);
     if (in_volume(ivec3(floor(position))))
         return ambient_radiance(vec2(0.0, light.y), n) +
