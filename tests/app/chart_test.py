@@ -20,7 +20,7 @@ COMPOSITE = VERSION + """/*
 const int colortex0Format = RGBA32F;
 */
 #define SHARE 1.0 // [0.5 0.8 1.0]
-#define WORK 50 // [50 200]
+#define WORK 200 // [200 800]
 in vec2 uv;
 void main() {
   float sum = 0.0;
@@ -34,11 +34,11 @@ void main() { gl_FragColor = texture2D(colortex0, uv); }
 """
 FILES = {"composite.vsh": VERTEX, "composite.fsh": COMPOSITE, "final.vsh": VERTEX,
          "final.fsh": FINAL,
-         "shaders.properties": "profile.FAST = SHARE=0.5 WORK=50\nprofile.FINE = SHARE=1.0 WORK=200\n"}
+         "shaders.properties": "profile.FAST = SHARE=0.5 WORK=200\nprofile.FINE = SHARE=1.0 WORK=800\n"}
 WORLD = {"size": [2, 2, 2], "blocks": [{"box": "stone", "min": [0, 0, 0], "max": [1, 0, 1]}]}
 MEASURE = ("--size 96x64 --warm-up 2 --frames 4 --rounds 5 --visit 2 --buffer colortex0 "
-           "--reference SHARE=1.0 --reference-frames 4")
-CHART = f"chart pack world -o out {MEASURE} --axis SHARE --axis WORK --baseline SHARE=1.0,WORK=50"
+           "--clock cpu --reference SHARE=1.0 --reference-frames 4")
+CHART = f"chart pack world -o out {MEASURE} --axis SHARE --axis WORK --baseline SHARE=1.0,WORK=200"
 
 
 def orris(program, folder, command, status=0):
@@ -56,9 +56,9 @@ def rows(path):
 def check_numbers(folder):
     settings = rows(folder / "settings.csv")
     assert len(settings) == 6, list(settings)
-    assert list(settings)[0] == "SHARE=1.0 WORK=50"
+    assert list(settings)[0] == "SHARE=1.0 WORK=200"
     for share in ("0.5", "0.8", "1.0"):
-        cheap, dear = (settings[f"SHARE={share} WORK={work}"] for work in (50, 200))
+        cheap, dear = (settings[f"SHARE={share} WORK={work}"] for work in (200, 800))
         for row in (cheap, dear):
             assert abs(float(row["bias"]) - (1 - float(share)) / 1.02) < 1e-5, row
             assert abs(float(row["signed_bias"]) + (1 - float(share)) / 1.02) < 1e-5, row
@@ -66,12 +66,12 @@ def check_numbers(folder):
             assert float(row["ms_low"]) <= float(row["ms"]) <= float(row["ms_high"])
         assert float(dear["ms"]) > float(cheap["ms"]), (cheap, dear)
         assert (cheap["front"], dear["front"]) == ("1", "0"), (cheap, dear)
-    baseline, dear = settings["SHARE=1.0 WORK=50"], settings["SHARE=1.0 WORK=200"]
+    baseline, dear = settings["SHARE=1.0 WORK=200"], settings["SHARE=1.0 WORK=800"]
     assert baseline["ratio"] == "1.0000" and float(dear["ratio_low"]) > 1.2, dear
     with open(folder / "passes.csv", newline="") as file:
         passes = {(row["setting"], row["pass"]): float(row["ms"]) for row in csv.DictReader(file)}
-    assert (passes["SHARE=1.0 WORK=200", "composite"]
-            > 2 * passes["SHARE=1.0 WORK=50", "composite"]), passes
+    assert (passes["SHARE=1.0 WORK=800", "composite"]
+            > 2 * passes["SHARE=1.0 WORK=200", "composite"]), passes
 
 
 def check_page(folder, scratch):
@@ -104,8 +104,8 @@ def test_chart(program, folder):
     out = folder / "out"
     check_numbers(out)
     settings = rows(out / "settings.csv")
-    assert settings["SHARE=0.8 WORK=50"]["published_ratio"] == "0.75"
-    assert settings["SHARE=0.5 WORK=50"]["published_ratio"] == ""
+    assert settings["SHARE=0.8 WORK=200"]["published_ratio"] == "0.75"
+    assert settings["SHARE=0.5 WORK=200"]["published_ratio"] == ""
     if shutil.which("gnuplot"):
         for name in ("cost-error", "frames", "passes"):
             assert (out / f"{name}.svg").read_text().rstrip().endswith("</svg>")
@@ -169,15 +169,15 @@ def test_tune(program, folder):
     tune = f"tune pack world -o pack.txt {MEASURE} --axis SHARE --axis WORK "
     result = orris(program, folder, tune + "--error 0.3")
     text = (folder / "pack.txt").read_text()
-    assert text == "SHARE=0.8\n", text  # WORK=50 is the default
-    assert result.stdout.startswith("SHARE=0.8 WORK=50: "), result.stdout
+    assert text == "SHARE=0.8\n", text  # WORK=200 is the default
+    assert result.stdout.startswith("SHARE=0.8 WORK=200: "), result.stdout
     assert "the cheapest found with an error of at most 0.3" in result.stdout
-    assert re.search(r"SHARE=0\.5 WORK=50: .*too wrong", result.stdout), result.stdout
-    assert re.search(r"SHARE=0\.8 WORK=200: .* times the cost", result.stdout), result.stdout
+    assert re.search(r"SHARE=0\.5 WORK=200: .*too wrong", result.stdout), result.stdout
+    assert re.search(r"SHARE=0\.8 WORK=800: .* times the cost", result.stdout), result.stdout
     orris(program, folder, "render pack world -o tuned.exr --size 8x8 --frames 1 "
                            "--settings pack.txt")
 
-    milliseconds = 1.3 * float(rows(folder / "out/settings.csv")["SHARE=1.0 WORK=50"]["ms"])
+    milliseconds = 1.3 * float(rows(folder / "out/settings.csv")["SHARE=1.0 WORK=200"]["ms"])
     answer = json.loads(orris(program, folder, tune + f"--ms {milliseconds} --json").stdout)
     assert answer["values"]["SHARE"] == "1.0", answer
     result = orris(program, folder, tune.replace("pack.txt", "none.txt") + "--ms 0.000001", 1)
@@ -188,7 +188,7 @@ def test_tune(program, folder):
 
 def test_tune_takes_the_profiles(program, folder):
     orris(program, folder, f"tune pack world -o profile.txt {MEASURE} --error 0.001")
-    assert (folder / "profile.txt").read_text() == "WORK=200\n"
+    assert (folder / "profile.txt").read_text() == "WORK=800\n"
 
 
 def main():

@@ -21,7 +21,7 @@ const int colortex0Format = RGBA32F;
 */
 #define LEVEL 1.0 // [1.0 1.5 2.0]
 #define NOISE 0.0 // [0.0 0.5]
-#define WORK 1 // [1 400 2]
+#define WORK 1 // [1 6000 2]
 uniform int frameCounter;
 in vec2 uv;
 void main() {
@@ -118,7 +118,7 @@ TEST_F(MeasureTest, BiasAndNoiseAreThoseOfThePicture) {
 }
 
 TEST_F(MeasureTest, CostsAreTimedInTurnsAndByPass) {
-  SettingJob baseline = job("cheap", {}), dear = job("dear", {{"WORK", "400"}}), again;
+  SettingJob baseline = job("cheap", {}), dear = job("dear", {{"WORK", "6000"}}), again;
   again.request = baseline.request;
   run({&baseline, &dear, &again});
   for (const SettingJob* measured : {&baseline, &dear, &again}) {
@@ -134,6 +134,7 @@ TEST_F(MeasureTest, CostsAreTimedInTurnsAndByPass) {
     return 0.0;
   };
   EXPECT_GT(composite(dear), 2 * composite(baseline));
+  EXPECT_GT(pairedCost(dear.result.pairs).ratio, 1);
   EXPECT_GT(composite(baseline), 0);
   EXPECT_FALSE(again.result.error);
 }
@@ -242,6 +243,7 @@ TEST_F(MeasureTest, TheKeyTellsWhatTheNumbersDependOn) {
   const auto keyOf = [&](const SettingJob& measured) {
     return settingKey(studyDigest(*files_, world_, context_->driver()), measured, plan_);
   };
+  const std::uint32_t stone = world_.blocks.paletteIndex(*parseBlockState("minecraft:stone"));
   SettingJob plain = job("a", {});
   const std::string key = keyOf(plain);
   plain.result.label = "other name";
@@ -254,7 +256,7 @@ TEST_F(MeasureTest, TheKeyTellsWhatTheNumbersDependOn) {
   reference_.mean.pixels[7] = 3;
   others.push_back(keyOf(plain));
   reference_.mean.pixels[7] = 1;
-  world_.blocks.set({1, 1, 1}, world_.blocks.paletteIndex(*parseBlockState("minecraft:stone")));
+  world_.blocks.set({1, 1, 1}, stone);
   others.push_back(keyOf(plain));
   plan_.frames = 9;
   others.push_back(keyOf(plain));
