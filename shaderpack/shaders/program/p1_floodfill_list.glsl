@@ -13,9 +13,12 @@ layout(r32ui) uniform uimage2D flood_memory;
 
 uint hash_of_blocks(int brick) {
     uint sum = 1u;  // air is not 0
-    for (int i = 0; i < flood_brick * flood_brick * flood_brick; ++i) {
-        uint voxel = packUnorm4x8(texelFetch(shadowcolor0, atlas_texel(brick_cell(brick, i)), 0));
-        sum = (sum ^ voxel) * 16777619u;
+    for (uint column = 0u; column < 64u; ++column) {
+        ivec3 cell = brick_column(brick, column);
+        for (int y = 0; y < flood_brick; ++y) {
+            ivec2 texel = atlas_texel(cell + ivec3(0, y, 0));
+            sum = (sum ^ packUnorm4x8(texelFetch(shadowcolor0, texel, 0))) * 16777619u;
+        }
     }
     return sum;
 }
@@ -42,7 +45,7 @@ void main() {
     // The numbers of steps begin anew after many hours.
     bool all = scrolled || step_stamp() == 1u || FLOODFILL_SKY != NONE;
     int bricks = step_in_frame() || scrolled ? flood_brick_count : 0;
-    for (int brick = int(gl_GlobalInvocationID.x); brick < bricks; brick += flood_threads) {
+    for (int brick = int(gl_GlobalInvocationID.x); brick < bricks; brick += int(flood_groups) * 64) {
         uint blocks = hash_of_blocks(brick);
         bool edited = imageLoad(flood_memory, ivec2(brick, 1)).r != blocks;
         imageStore(flood_memory, ivec2(brick, 1), uvec4(blocks));

@@ -17,13 +17,17 @@ layout(r32ui) uniform writeonly uimage2D flood_memory;
 void main() {
     bool step_now = step_in_frame();
     ivec3 scroll = volume_scroll();
-    // Every invocation of a group has cells of the same brick.
-    int cells = int(imageLoad(flood_list, flood_list_length).r) * 512;
-    for (int i = int(gl_GlobalInvocationID.x); i < cells; i += flood_threads) {
-        int brick = int(imageLoad(flood_list, ivec2(i / 512, 0)).r);
-        ivec3 cell = brick_cell(brick, i % 512);
-        vec3 light = next_light(cell, scroll, step_now);
-        imageStore(flood_next, cell, vec4(light, 1.0));
-        if (light != stored_light(cell)) imageStore(flood_memory, ivec2(brick, 0), uvec4(step_stamp()));
+    uint bricks = imageLoad(flood_list, flood_list_length).r;
+    for (uint i = gl_WorkGroupID.x; i < bricks; i += flood_groups) {
+        int brick = int(imageLoad(flood_list, ivec2(i, 0)).r);
+        ivec3 column = brick_column(brick, gl_LocalInvocationIndex);
+        bool changed = false;
+        for (int y = 0; y < flood_brick; ++y) {
+            ivec3 cell = column + ivec3(0, y, 0);
+            vec3 light = next_light(cell, scroll, step_now);
+            changed = changed || light != stored_light(cell);
+            imageStore(flood_next, cell, vec4(light, 1.0));
+        }
+        if (changed) imageStore(flood_memory, ivec2(brick, 0), uvec4(step_stamp()));
     }
 }

@@ -12,9 +12,12 @@ layout(FLOODFILL_FORMAT) uniform writeonly image3D flood_light;
 layout(r32ui) uniform readonly uimage2D flood_list;
 
 void main() {
-    int cells = int(imageLoad(flood_list, flood_list_length).r) * 512;
-    for (int i = int(gl_GlobalInvocationID.x); i < cells; i += flood_threads) {
-        ivec3 cell = brick_cell(int(imageLoad(flood_list, ivec2(i / 512, 0)).r), i % 512);
-        imageStore(flood_light, cell, imageLoad(flood_next, cell));
+    uint bricks = imageLoad(flood_list, flood_list_length).r;
+    for (uint i = gl_WorkGroupID.x; i < bricks; i += flood_groups) {
+        ivec3 column = brick_column(int(imageLoad(flood_list, ivec2(i, 0)).r), gl_LocalInvocationIndex);
+        for (int y = 0; y < flood_brick; ++y) {
+            ivec3 cell = column + ivec3(0, y, 0);
+            imageStore(flood_light, cell, imageLoad(flood_next, cell));
+        }
     }
 }

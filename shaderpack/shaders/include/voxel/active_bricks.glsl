@@ -15,7 +15,8 @@ const int flood_bricks = VOLUME / flood_brick;  // along an axis
 const int flood_brick_count = flood_bricks * flood_bricks * flood_bricks;
 const ivec2 flood_list_length = ivec2(0, 1);
 
-const int flood_threads = 64 * 64;  // of each program: work groups times their size
+// Of each program: the invocations of a group share a brick and have a column of 8 cells each.
+const uint flood_groups = 64u;
 
 bool step_in_frame() { return frameCounter % FLOODFILL_INTERVAL == 0; }
 
@@ -31,9 +32,9 @@ int brick_index(ivec3 place) {
     return (place.y * flood_bricks + place.z) * flood_bricks + place.x;
 }
 
-/// Cell 0..511 of a brick.
-ivec3 brick_cell(int brick, int i) {
-    return brick_place(brick) * flood_brick + ivec3(i & 7, i >> 6, (i >> 3) & 7);
+/// Lowest cell of the column of invocation 0..63.
+ivec3 brick_column(int brick, uint invocation) {
+    return brick_place(brick) * flood_brick + ivec3(invocation & 7u, 0, invocation >> 3);
 }
 
 #endif
