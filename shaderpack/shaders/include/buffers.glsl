@@ -23,6 +23,7 @@
 // shadowtex1   depth     shadow  1      shadow                        deferred, deferred4, translucent
 //   shadow map without translucent blocks, above the rows of the voxels
 //
+// The images of the face cache are told in include/faces/face_cache.glsl.
 // colortex3..6 and the shadow targets exist only while an option uses them.
 #if !defined INCLUDED_BUFFERS
 #define INCLUDED_BUFFERS
