@@ -7,18 +7,16 @@
 
 #include "app/inputs.h"
 #include "app/progress.h"
+#include "chart/combine.h"
 #include "chart/display.h"
 #include "chart/measure.h"
 #include "chart/study_key.h"
+#include "pack/text.h"
 
 namespace orris {
 namespace {
 
 constexpr const char* kAgain = " (again)";
-
-std::string referenceName(ImageSize size) {
-  return fmt::format("reference-{}x{}", size.width, size.height);
-}
 
 void writePicture(const std::string& path, const Image8& image, Report& report, int& status) {
   Diagnostics diagnostics;
@@ -57,10 +55,19 @@ bool Study::prepare() {
 bool Study::timeLeft() const { return !end_ || Measuring::Clock::now() < *end_; }
 
 void Study::measure(const std::vector<std::size_t>& indices) {
-  std::vector<SettingJob*> jobs = {&jobs_.front()};
-  for (const std::size_t index : indices)
-    if (index != 0) jobs.push_back(&jobs_[index]);
-  jobs.push_back(&again_);
+  for (std::size_t camera = 0; camera < input_.cameras.size(); ++camera) {
+    std::vector<SettingJob*> jobs = {&job(0, camera)};
+    for (const std::size_t index : indices)
+      if (index != 0) jobs.push_back(&job(index, camera));
+    if (camera == 0) jobs.push_back(&again_);
+    measure(jobs);
+  }
+  const std::vector<std::string> errors = context_->takeErrors();
+  for (const std::string& message : errors) report_.error("gl-error", message);
+  if (status_ == kClean) status_ = errors.empty() ? int(report_.status()) : int(kHostFailed);
+}
+
+void Study::measure(const std::vector<SettingJob*>& jobs) {
   Progress progress("measuring frames", framesLeft(jobs, options_.plan), report_.output());
   int drawn = 0;
   const MeasureHooks hooks = {
@@ -73,40 +80,58 @@ void Study::measure(const std::vector<std::size_t>& indices) {
   Diagnostics diagnostics;
   measuring.run(jobs, diagnostics);
   report_.add(diagnostics);
-  const std::vector<std::string> errors = context_->takeErrors();
-  for (const std::string& message : errors) report_.error("gl-error", message);
-  if (status_ == kClean) status_ = errors.empty() ? int(report_.status()) : int(kHostFailed);
+}
+
+std::string Study::referenceName(const View& view) const {
+  const std::string name = fmt::format("reference-{}x{}", view.size.width, view.size.height);
+  return view.camera == 0 ? name
+                          : fmt::format("{}-{}", name, fileStem(input_.cameras[view.camera].name));
+}
+
+/// The first camera's files bear the setting's name alone.
+std::string Study::jobLabel(const Setting& setting, std::size_t camera) const {
+  return camera == 0 ? setting.label
+                     : fmt::format("{} from {}", setting.label, input_.cameras[camera].name);
+}
+
+SessionRequest Study::request(const Setting& setting, std::size_t camera) const {
+  SessionRequest request = requestFor(input_.request, setting);
+  request.camera = input_.cameras[camera];
+  return request;
 }
 
 /// The references that are a setting, from the folder or drawn now; each as people see it.
 bool Study::drawReferences() {
   for (const Setting& setting : settings()) {
-    if (input_.references.contains(setting.size)) continue;
-    auto drawn = reference(setting.size);
-    if (!drawn) return false;
-    input_.references[setting.size] = std::move(*drawn);
+    for (std::size_t camera = 0; camera < input_.cameras.size(); ++camera) {
+      const View view{camera, setting.size};
+      if (input_.references.contains(view)) continue;
+      auto drawn = reference(view);
+      if (!drawn) return false;
+      input_.references[view] = std::move(*drawn);
+    }
   }
-  for (const auto& [size, reference] : input_.references) {
-    writePicture(files_.path(referenceName(size), ".png"),
+  for (const auto& [view, reference] : input_.references) {
+    writePicture(files_.path(referenceName(view), ".png"),
                  displayed(reference.mean, displayExposure(reference)), report_, status_);
   }
   return status_ == kClean;
 }
 
-std::optional<ReferencePicture> Study::reference(ImageSize size) {
+std::optional<ReferencePicture> Study::reference(const View& view) {
   Setting setting = *input_.reference;
-  setting.size = size;
-  const SessionRequest request = requestFor(input_.request, setting);
-  const std::string name = referenceName(size), picture = files_.path(name, ".exr");
+  setting.size = view.size;
+  const SessionRequest wanted = request(setting, view.camera);
+  const std::string name = referenceName(view), picture = files_.path(name, ".exr");
   const std::string keyFile = files_.path(name, ".key");
   const std::string key =
-      referenceKey(digest_, request, options_.plan, options_.referenceFrames) + "\n";
+      referenceKey(digest_, wanted, options_.plan, options_.referenceFrames) + "\n";
   int ignored = kClean;
   if (std::filesystem::exists(keyFile) && readWholeFile(keyFile, report_, ignored) == key) {
     Diagnostics unread;  // it is drawn again
     if (auto known = readReference(picture, unread)) return known;
   }
-  auto drawn = drawReference(request);
+  auto drawn = drawReference(wanted);
   Diagnostics diagnostics;
   const bool written = drawn && writeReference(picture, *drawn, diagnostics);
   report_.add(diagnostics);
@@ -135,16 +160,20 @@ std::optional<ReferencePicture> Study::drawReference(const SessionRequest& reque
 }
 
 void Study::makeJobs() {
-  for (const Setting& setting : settings()) {
-    SettingJob& job = jobs_.emplace_back();
-    job.request = requestFor(input_.request, setting);
-    job.reference = &input_.references.at(setting.size);
-    job.exposure = displayExposure(*job.reference);
-    job.result = files_.read(setting.label, settingKey(digest_, job, options_.plan), report_);
-  }
+  for (const Setting& setting : settings())
+    for (std::size_t camera = 0; camera < input_.cameras.size(); ++camera) makeJob(setting, camera);
   again_.request = jobs_.front().request;
   again_.result = files_.read(settings().front().label + kAgain,
                               settingKey(digest_, again_, options_.plan), report_);
+}
+
+void Study::makeJob(const Setting& setting, std::size_t camera) {
+  SettingJob& job = jobs_.emplace_back();
+  job.request = request(setting, camera);
+  job.reference = &referenceOf(setting, camera);
+  job.exposure = displayExposure(*job.reference);
+  job.result =
+      files_.read(jobLabel(setting, camera), settingKey(digest_, job, options_.plan), report_);
 }
 
 void Study::writePictures(const SettingJob& job, const ImageF& frame, const ImageF& mean) {
@@ -157,19 +186,27 @@ void Study::writePictures(const SettingJob& job, const ImageF& frame, const Imag
 }
 
 std::size_t Study::measured() const {
-  return std::size_t(std::count_if(jobs_.begin(), jobs_.end(),
-                                   [&](const SettingJob& job) { return job.done(options_.plan); }));
+  const std::size_t cameras = input_.cameras.size();
+  std::size_t count = 0;
+  for (auto first = jobs_.begin(); first != jobs_.end(); first += std::ptrdiff_t(cameras)) {
+    count += std::size_t(std::all_of(first, first + std::ptrdiff_t(cameras),
+                                     [&](const auto& job) { return job.done(options_.plan); }));
+  }
+  return count;
 }
 
-ChartData Study::chart() const {
+ChartData Study::chart() {
   ChartRequest request;
-  request.title = fmt::format("{} on {}, camera {}", lastName(options_.pack.path),
-                              lastName(options_.scene.path), input_.request.camera.name);
+  std::vector<std::string> names;
+  for (const Camera& camera : input_.cameras) names.push_back(camera.name);
+  request.title =
+      fmt::format("{} on {}, camera{} {}", lastName(options_.pack.path),
+                  lastName(options_.scene.path), names.size() > 1 ? "s" : "", joinNames(names));
   request.metric = findErrorMetric(options_.metric);
   request.accumulated = options_.accumulate;
   request.marks = input_.marks;
   request.again = &again_.result;
-  for (const auto& [size, reference] : input_.references)
+  for (const auto& [view, reference] : input_.references)
     request.noiseFloor = std::max(request.noiseFloor, noiseFloor(reference));
   const MeasurePlan& plan = options_.plan;
   request.facts = {
@@ -178,8 +215,15 @@ ChartData Study::chart() const {
       {"frames before the first that counts", std::to_string(plan.warmUp)},
       {"frames whose error is measured", std::to_string(plan.frames)},
       {"frames a visit, two visits a pair", std::to_string(plan.visit)}};
+  combined_.clear();
+  for (std::size_t setting = 0; setting < settings().size(); ++setting) {
+    std::vector<const SettingResult*> cameras;
+    for (std::size_t camera = 0; camera < input_.cameras.size(); ++camera)
+      cameras.push_back(&job(setting, camera).result);
+    combined_.push_back(combine(cameras));
+  }
   std::vector<const SettingResult*> results;
-  for (const SettingJob& job : jobs_) results.push_back(&job.result);
+  for (const SettingResult& result : combined_) results.push_back(&result);
   return makeChart(std::move(request), settings(), results);
 }
 

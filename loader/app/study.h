@@ -30,14 +30,26 @@ class Study {
   bool timeLeft() const;
 
   std::size_t measured() const;  ///< settings of which all is known
-  ChartData chart() const;
+  /// Of all cameras together. Holds until the next call.
+  ChartData chart();
 
  private:
   Study(const StudyOptions& options, const StudyFiles& files, Report& report, int& status)
       : options_(options), files_(files), report_(report), status_(status) {}
   bool prepare();
   bool drawReferences();
-  std::optional<ReferencePicture> reference(ImageSize size);
+  std::optional<ReferencePicture> reference(const View& view);
+  std::string referenceName(const View& view) const;
+  std::string jobLabel(const Setting& setting, std::size_t camera) const;
+  SessionRequest request(const Setting& setting, std::size_t camera) const;
+  SettingJob& job(std::size_t setting, std::size_t camera) {
+    return jobs_[setting * input_.cameras.size() + camera];
+  }
+  const ReferencePicture& referenceOf(const Setting& setting, std::size_t camera) const {
+    return input_.references.at({camera, setting.size});
+  }
+  void makeJob(const Setting& setting, std::size_t camera);
+  void measure(const std::vector<SettingJob*>& jobs);
   std::optional<ReferencePicture> drawReference(const SessionRequest& request);
   void makeJobs();
   void writePictures(const SettingJob& job, const ImageF& frame, const ImageF& mean);
@@ -49,8 +61,9 @@ class Study {
   StudyInput input_;
   std::unique_ptr<gl::Context> context_;
   Digest digest_;
-  std::vector<SettingJob> jobs_;  ///< of the settings
-  SettingJob again_;              ///< the first once more
+  std::vector<SettingJob> jobs_;         ///< of each setting, one for each camera
+  SettingJob again_;                     ///< the first once more
+  std::vector<SettingResult> combined_;  ///< of each setting, over the cameras
   std::optional<Measuring::Clock::time_point> end_;
 };
 

@@ -6,6 +6,7 @@
 //   settings/NAME.mean.png    the mean of all
 //   settings/NAME.error.png   where the mean is too bright and too dark
 //   settings/reference-WxH.*  a reference that was drawn, and each as displayed
+// NAME is the setting's; with "from CAMERA" behind it for all cameras but the first.
 #pragma once
 
 #include <optional>

@@ -51,25 +51,58 @@ std::vector<ImageSize> sizesOf(const std::vector<Setting>& settings) {
   return sizes;
 }
 
-bool readReferenceFiles(const StudyOptions& options, StudyInput& study, Report& report,
+/// "CAMERA=FILE", or a file for the only camera. nullopt: reported.
+std::optional<std::pair<std::size_t, std::string>> splitReference(const std::string& text,
+                                                                  const StudyInput& input,
+                                                                  Report& report, int& status) {
+  if (input.cameras.size() == 1) return std::pair(std::size_t{0}, text);
+  const std::string name = text.substr(0, text.find('='));
+  for (std::size_t i = 0; i < input.cameras.size() && name.size() < text.size(); ++i)
+    if (input.cameras[i].name == name) return std::pair(i, text.substr(name.size() + 1));
+  report.error("reference-camera",
+               fmt::format("--reference {}: which of the cameras is this of?", text),
+               "write --reference CAMERA=FILE for each");
+  status = kUsage;
+  return std::nullopt;
+}
+
+/// The first view that has no reference.
+void reportMissing(const StudyInput& input, Report& report, int& status) {
+  for (std::size_t camera = 0; camera < input.cameras.size(); ++camera) {
+    for (const ImageSize size : sizesOf(input.settings)) {
+      if (input.references.contains({camera, size})) continue;
+      report.error("reference-size",
+                   fmt::format("no --reference is {}x{} pixels large, from camera {}", size.width,
+                               size.height, input.cameras[camera].name),
+                   fmt::format("orris trace WORLD -o truth.exr --size {}x{} --camera {}",
+                               size.width, size.height, input.cameras[camera].name));
+      status = kUsage;
+    }
+  }
+}
+
+bool readReferenceFiles(const StudyOptions& options, StudyInput& input, Report& report,
                         int& status) {
   Diagnostics diagnostics;
-  for (const std::string& path : options.references) {
-    auto reference = readReference(path, diagnostics);
+  for (const std::string& text : options.references) {
+    const auto named = splitReference(text, input, report, status);
+    if (!named) return false;
+    auto reference = readReference(named->second, diagnostics);
     if (!reference) continue;
     const ImageSize size{reference->mean.width, reference->mean.height};
-    study.references[size] = std::move(*reference);
+    input.references[{named->first, size}] = std::move(*reference);
   }
   if (!take(diagnostics, report, status)) return false;
-  for (const ImageSize size : sizesOf(study.settings)) {
-    if (study.references.contains(size)) continue;
-    report.error(
-        "reference-size",
-        fmt::format("no --reference is {}x{} pixels large", size.width, size.height),
-        fmt::format("orris trace WORLD -o truth.exr --size {}x{}", size.width, size.height));
-    status = kUsage;
-  }
+  reportMissing(input, report, status);
   return status == kClean;
+}
+
+/// Is it a setting, and not CAMERA=FILE or a file?
+bool isSetting(const std::string& text, const StudyInput& input) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || std::filesystem::exists(text)) return false;
+  const std::string name = text.substr(0, equals);
+  return input.cameras.size() == 1 || input.world.camera(name) == nullptr;
 }
 
 bool readReferences(const StudyOptions& options, StudyInput& input, Report& report, int& status) {
@@ -80,9 +113,8 @@ bool readReferences(const StudyOptions& options, StudyInput& input, Report& repo
     return false;
   }
   const std::string& first = options.references.front();
-  const bool isSetting = options.references.size() == 1 && !std::filesystem::exists(first) &&
-                         first.find('=') != std::string::npos;
-  if (!isSetting) return readReferenceFiles(options, input, report, status);
+  if (options.references.size() > 1 || !isSetting(first, input))
+    return readReferenceFiles(options, input, report, status);
   Diagnostics diagnostics;
   input.reference = parseSetting(first, *input.pack, {}, diagnostics);
   return take(diagnostics, report, status);
@@ -122,6 +154,21 @@ bool readSettings(const StudyOptions& options, StudyInput& study, Report& report
   return take(diagnostics, report, status);
 }
 
+bool readCameras(const StudyOptions& options, StudyInput& input, Report& report, int& status) {
+  std::vector<std::string> names;
+  for (const std::string& name : options.cameras)
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  if (names.empty()) names = {options.scene.camera};
+  if (names == std::vector<std::string>{"all"}) {
+    input.cameras = input.world.cameras;
+  } else {
+    for (const std::string& name : names)
+      if (const auto camera = chooseCamera(input.world, name, report, status))
+        input.cameras.push_back(*camera);
+  }
+  return status == kClean;
+}
+
 }  // namespace
 
 std::optional<StudyInput> readStudyInput(const StudyOptions& options, Report& report, int& status) {
@@ -136,9 +183,7 @@ std::optional<StudyInput> readStudyInput(const StudyOptions& options, Report& re
   LoadRequest optionsOnly = *load;
   optionsOnly.buildSources = false;
   auto pack = loadPack(files, optionsOnly, report, status);
-  const auto camera =
-      pack ? chooseCamera(*world, options.scene.camera, report, status) : std::nullopt;
-  if (!camera) return std::nullopt;
+  if (!pack) return std::nullopt;
 
   StudyInput input;
   input.world = std::move(*world);
@@ -146,7 +191,8 @@ std::optional<StudyInput> readStudyInput(const StudyOptions& options, Report& re
   input.pack = std::make_shared<const ShaderPack>(std::move(*pack));
   input.request.openPack = [files](Diagnostics&) { return files; };
   input.request.load = *load;
-  input.request.camera = *camera;
+  if (!readCameras(options, input, report, status)) return std::nullopt;
+  input.request.camera = input.cameras.front();
   input.request.seed = options.scene.seed;
   if (!readSettings(options, input, report, status)) return std::nullopt;
   if (!readReferences(options, input, report, status)) return std::nullopt;

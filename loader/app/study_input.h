@@ -13,15 +13,23 @@
 
 namespace orris {
 
+/// A place and how many pixels it is seen with.
+struct View {
+  std::size_t camera = 0;  ///< index
+  ImageSize size;
+  auto operator<=>(const View&) const = default;
+};
+
 struct StudyInput {
   World world;
   std::shared_ptr<const FileSource> files;
   std::shared_ptr<const ShaderPack> pack;  ///< options only, those of the command line in force
-  SessionRequest request;                  ///< of the command line, without any setting
-  std::vector<Setting> settings;           ///< the baseline first
+  SessionRequest request;         ///< of the command line, without any setting; the first camera
+  std::vector<Camera> cameras;    ///< at least one
+  std::vector<Setting> settings;  ///< the baseline first
   std::vector<PublishedMark> marks;
-  std::map<ImageSize, ReferencePicture> references;  ///< read from files
-  std::optional<Setting> reference;                  ///< the setting that is to be drawn instead
+  std::map<View, ReferencePicture> references;  ///< read from files
+  std::optional<Setting> reference;             ///< the setting that is to be drawn instead
 };
 
 /// nullopt: reported, `status` is set.

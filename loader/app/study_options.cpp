@@ -10,8 +10,8 @@ namespace {
 void addReferenceFlags(CLI::App& command, StudyOptions& options) {
   command
       .add_option("--reference", options.references,
-                  "what errors are measured against: a picture of orris trace, one for each size, "
-                  "or a setting NAME=VALUE,...")
+                  "what errors are measured against: a picture of orris trace, one for each size "
+                  "(and camera: CAMERA=FILE), or a setting NAME=VALUE,...")
       ->type_name("FILE|SETTING")
       ->allow_extra_args(false);
   command
@@ -65,11 +65,18 @@ void addMetricFlags(CLI::App& command, StudyOptions& options) {
 }  // namespace
 
 void addStudyFlags(CLI::App& command, StudyOptions& options) {
+  addSceneFlags(command, options.scene);
   command
       .add_option("--axis", options.axes,
                   "what is varied: an option, profile or size, all values or NAME=A,B,...")
       ->type_name("NAME[=A,B,...]")
       ->allow_extra_args(false);
+  command
+      .add_option("--cameras", options.cameras,
+                  "cameras of the world that are judged together, or all: NAME,...")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->excludes("--camera");
   command
       .add_option("--baseline", options.baseline,
                   "the setting that costs are told as multiples of; default the first")
@@ -79,7 +86,6 @@ void addStudyFlags(CLI::App& command, StudyOptions& options) {
   addPlanFlags(command, options.plan);
   addBudgetFlag(command, options.budget, "end after this time, 90s or 10m; the next run goes on");
   addPackFlags(command, options.pack);
-  addSceneFlags(command, options.scene);
   addSizeFlag(command, options.image);
   addBackendFlag(command, options.image.backend);
   addOutputFlags(command, options.output);

@@ -16,6 +16,7 @@ struct StudyOptions {
   OutputOptions output;
   std::string folder;  ///< for everything that is measured
   std::vector<std::string> axes, marks;
+  std::vector<std::string> cameras;     ///< of the world, seen together; none: that of --camera
   std::string baseline;                 ///< a setting; "": the first
   std::vector<std::string> references;  ///< files, or one setting
   int referenceFrames = 1024;

@@ -35,7 +35,9 @@ void main() { gl_FragColor = texture2D(colortex0, uv); }
 FILES = {"composite.vsh": VERTEX, "composite.fsh": COMPOSITE, "final.vsh": VERTEX,
          "final.fsh": FINAL,
          "shaders.properties": "profile.FAST = SHARE=0.5 WORK=200\nprofile.FINE = SHARE=1.0 WORK=800\n"}
-WORLD = {"size": [2, 2, 2], "blocks": [{"box": "stone", "min": [0, 0, 0], "max": [1, 0, 1]}]}
+WORLD = {"size": [2, 2, 2], "blocks": [{"box": "stone", "min": [0, 0, 0], "max": [1, 0, 1]}],
+         "cameras": [{"name": "front", "position": [1, 1.5, 4], "yaw": 180, "pitch": 0},
+                     {"name": "above", "position": [1, 5, 1], "yaw": 0, "pitch": 90}]}
 MEASURE = ("--size 96x64 --warm-up 2 --frames 4 --rounds 5 --visit 2 --buffer colortex0 "
            "--clock cpu --reference SHARE=1.0 --reference-frames 4")
 CHART = f"chart pack world -o out {MEASURE} --axis SHARE --axis WORK --baseline SHARE=1.0,WORK=200"
@@ -163,6 +165,15 @@ def test_budget_is_kept_and_the_next_run_goes_on(program, folder):
     assert "settings are measured whole" in result.stderr, result.stderr
     orris(program, folder, CHART.replace("-o out", "-o slow"))
     assert len(rows(folder / "slow/settings.csv")) == 6
+
+
+def test_cameras_are_judged_together(program, folder):
+    command = CHART.replace("-o out", "-o cameras") + " --cameras front,above,front --json"
+    answer = json.loads(orris(program, folder, command).stdout)
+    assert answer["measured"] == 6
+    check_numbers(folder / "cameras")  # the picture is the same from everywhere
+    files = [path.name for path in (folder / "cameras/settings").glob("*.json")]
+    assert len(files) == 2 * 6 + 1 and sum("_from_above" in name for name in files) == 6, files
 
 
 def test_tune(program, folder):
