@@ -1,5 +1,5 @@
 // How far the pictures of one setting are from the truth: what stays however many frames are averaged
-// (bias), and what changes from frame to frame (noise). failure-modes G1 to G3.
+// (bias), and what changes from frame to frame (noise).
 #pragma once
 
 #include <cstddef>

@@ -49,7 +49,7 @@ class SettingSession {
 };
 
 /// In which order `count` sessions take their turns in one round: there and back, so that a steady
-/// drift of the machine is the same for all. failure-modes G5: A B B A.
+/// drift of the machine is the same for all. With two: A B B A.
 std::vector<std::size_t> turns(std::size_t count);
 
 /// Bytes that this machine can still give without swapping; nullopt where it does not say.

@@ -26,7 +26,7 @@ struct TimePair {
 };
 
 /// Drift and spikes of the machine meet both times of a pair; what is left of them in the ratios goes
-/// by the median. failure-modes G5: 100 pairs of 3 % jitter leave a standard error of 0.6 %.
+/// by the median. 100 pairs of 3 % jitter leave a standard error of 0.6 %.
 struct PairedCost {
   double ratio = 1;        ///< median of own / baseline
   Interval ratioInterval;  ///< 95 %

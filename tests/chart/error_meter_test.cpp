@@ -33,7 +33,7 @@ ReferencePicture exact(int width, int height, float value) {
 /// Over a reference of 1 the relative error is the error / 1.02.
 constexpr double kScale = 1 / 1.02;
 
-// failure-modes G3: K = 16, variance 1, bias 0.05, 20000 pixels give .0030 +- .0006 for the squared
+// K = 16, variance 1, bias 0.05, 20000 pixels give .0030 +- .0006 for the squared
 // bias; without taking off the noise of the mean .065.
 TEST(ErrorMeter, TakesTheNoiseOfTheMeanOffTheBias) {
   std::mt19937 random(3);
@@ -65,7 +65,7 @@ TEST(ErrorMeter, ErrorAfterNFramesIsBiasAndNoiseOverN) {
   EXPECT_GE(summary.biasInterval.high / kScale, 0.3);
 }
 
-// failure-modes G2: the product of the errors against two halves holds no noise of the reference.
+// The product of the errors against two halves holds no noise of the reference.
 TEST(ErrorMeter, NoiseOfTheReferenceIsNoError) {
   std::mt19937 random(7);
   ReferencePicture reference;

@@ -43,7 +43,7 @@ TEST(Statistics, TheSameValuesGiveTheSameInterval) {
   EXPECT_EQ(bootstrapMedian({4}), (Interval{4, 4}));
 }
 
-/// The noise of failure-modes G5: 3 % jitter, 7 % slow drift, 2 % of spikes.
+/// The noise of a shared machine: 3 % jitter, 7 % slow drift, 2 % of spikes.
 class Machine {
  public:
   explicit Machine(unsigned seed) : random_(seed) {}
