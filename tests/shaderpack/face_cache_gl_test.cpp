@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -189,6 +190,36 @@ TEST(face_cache, closed_wall_lets_nothing_through) {
   EXPECT_EQ(field.meanRed({6, 1, 1}, {6, 6, 6}, kEast), 0);
   EXPECT_EQ(field.meanRed({7, 0, 1}, {11, 0, 6}, kUp), 0);
   EXPECT_GT(field.updates({9, 0, 3}, kUp), 10);
+}
+
+// Two rooms with a wall between them, and a lamp in one.
+TEST(face_cache, opened_wall_lights_the_dark_room) {
+  const char* const world = R"({
+    "size": [27, 14, 14],
+    "blocks": [{"hollow": "light_gray_concrete", "min": [0, 0, 0], "max": [26, 13, 13]},
+               {"box": "light_gray_concrete", "min": [13, 0, 0], "max": [13, 13, 13]},
+               {"block": "glowstone", "at": [6, 13, 6]}],
+    "cameras": [{"name": "eye", "position": [15.5, 6.5, 6.5]}],
+    "environment": {"time": 18000},
+    "events": [{"frame": 60, "set": {"at": [13, 6, 6], "block": "air"}},
+               {"frame": 60, "set": {"at": [13, 6, 7], "block": "air"}},
+               {"frame": 60, "set": {"at": [13, 7, 6], "block": "air"}},
+               {"frame": 60, "set": {"at": [13, 7, 7], "block": "air"}}]
+  })";
+  PackSession pack(world, options());
+  const auto floor = [&pack] {
+    return faceField(pack, kVolume).meanRed({14, 0, 1}, {25, 0, 12}, kUp);
+  };
+  pack.renderFrames(60);
+  EXPECT_EQ(floor(), 0);
+  std::array<double, 61> after{};
+  for (double& light : after) {
+    pack.renderFrames(1);
+    light = floor();
+  }
+  pack.renderFrames(240);
+  EXPECT_GT(after[60] / floor(), 0.9);
+  EXPECT_GT(after[1], 0.1 * after[60]) << "first light";
 }
 
 // Two rooms one volume apart have the same texels; what is floor here is buried there.
