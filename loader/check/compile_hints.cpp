@@ -180,6 +180,7 @@ class StageHints {
 
   // A type or macro that is not there reads as a syntax error: some word of the line is the cause.
   void explainSyntax(std::size_t index) {
+    if (!found_[index].hint.empty()) return;
     const std::string line = found_[index].sourceLine;
     bool done = false;
     forEachWord(line, [&](std::string_view word) {

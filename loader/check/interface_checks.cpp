@@ -86,6 +86,7 @@ class StagePair {
         compare(*out, in);
       } else if (in.used) {
         reportMissing(in);
+        missing_.push_back(&in);
       }
     }
     for (const StageGlobal& out : from_.globals) reportUnread(out);
@@ -222,13 +223,25 @@ class StagePair {
     if (out.storage != Storage::Out || isBuiltin(out) || !out.used) return;
     const StageGlobal* in = find(to_, Storage::In, out);
     if (in && in->used) return;
+    const StageGlobal* meant = in ? nullptr : missingLike(out);
+    const char* to = stageName(to_.stage->stage);
     report_.add(from_, out.place,
-                {Severity::Note,
+                {meant ? Severity::Warning : Severity::Note,
                  "varying-unread",
-                 fmt::format("'{}' is written, and the {} stage does not read it", spoken(out),
-                             stageName(to_.stage->stage)),
-                 "",
+                 fmt::format("'{}' is written, and the {} stage does not read it", spoken(out), to),
+                 meant ? fmt::format("the {} stage reads '{}', which nothing writes: use one name",
+                                     to, spoken(*meant))
+                       : "",
                  {note()}});
+  }
+
+  /// What the next stage reads, nobody writes and `out` could be: one of the two has a wrong name.
+  const StageGlobal* missingLike(const StageGlobal& out) const {
+    const auto found = std::find_if(missing_.begin(), missing_.end(), [&](const StageGlobal* in) {
+      return !in->block && !out.block && in->type == out.type &&
+             !sizesDiffer(sizesOf(from_, out), sizesOf(to_, *in));
+    });
+    return found == missing_.end() ? nullptr : *found;
   }
 
   std::string note() const { return "in " + program_.name(); }
@@ -237,6 +250,7 @@ class StagePair {
   const StageInterface& from_;
   const StageInterface& to_;
   DeclarationReport& report_;
+  std::vector<const StageGlobal*> missing_;  ///< read by the next stage, written by none
 };
 
 }  // namespace

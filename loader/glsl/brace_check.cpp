@@ -107,15 +107,61 @@ std::vector<Part> splitByFunction(Part tokens) {
   return parts;
 }
 
+/// The word that begins the statement of the block at `at`: "if", "for", "else"; "" for functions,
+/// types and values.
+std::string_view headOf(Part part, std::size_t at) {
+  if (at == 0) return "";
+  std::size_t head = at - 1;
+  if (is(part[head], ")")) {
+    int depth = 0;
+    for (std::size_t i = at; i-- > 1;) {
+      depth += is(part[i], ")") ? 1 : is(part[i], "(") ? -1 : 0;
+      head = i - 1;
+      if (depth == 0) break;
+    }
+  }
+  const std::string& word = part[head].token->text;
+  return isFlowWord(word) || word == "do" ? std::string_view(word) : "";
+}
+
+/// The least indent of the lines of each file in a stretch without braces.
+class Lowest {
+ public:
+  void add(const LaidOut& entry) {
+    if (!entry.firstOfLine || is(entry, "{") || is(entry, "}")) return;
+    int& lowest = indents_.try_emplace(entry.file, kNoLines).first->second;
+    lowest = std::min(lowest, entry.indent);
+  }
+  int of(int file) const {
+    const auto found = indents_.find(file);
+    return found == indents_.end() ? kNoLines : found->second;
+  }
+  void clear() { indents_.clear(); }
+
+ private:
+  std::map<int, int> indents_;
+};
+
 std::vector<NestingMark> marksOf(Part part) {
   std::vector<NestingMark> marks;
-  for (const LaidOut& entry : part) {
-    const NestingMark mark{.indent = entry.statement, .group = entry.file, .line = entry.row};
-    if (is(entry, "{")) marks.push_back(mark);
-    if (!is(entry, "}")) continue;
-    marks.push_back(mark);
-    marks.back().kind = NestingMark::Kind::Close;
-    marks.back().indent = entry.firstOfLine ? entry.indent : -1;
+  Lowest lowest;
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    const LaidOut& entry = part[i];
+    lowest.add(entry);
+    const bool close = is(entry, "}");
+    if (!close && !is(entry, "{")) continue;
+    const std::string_view head = close ? "" : headOf(part, i);
+    marks.push_back({.kind = close ? NestingMark::Kind::Close : NestingMark::Kind::Open,
+                     .indent = !close              ? entry.statement
+                               : entry.firstOfLine ? entry.indent
+                                                   : -1,
+                     .group = entry.file,
+                     .line = entry.row,
+                     .inner = !head.empty(),
+                     .mayElse = head == "if",
+                     .hasElse = close && i + 1 < part.size() && is(part[i + 1], "else"),
+                     .lowest = lowest.of(entry.file)});
+    lowest.clear();
   }
   return marks;
 }
@@ -134,6 +180,20 @@ struct Candidates {
 // What speaks for a place beside the pairs.
 constexpr int kBeforeElse = -6, kBehindHead = -6, kHeadInLine = -2, kNoHint = 2;
 
+/// Completes the places with what stands between them and the next brace.
+void addLinesBelow(Candidates& found, Part part) {
+  Lowest lowest;
+  std::size_t place = found.places.size();
+  for (std::size_t i = part.size(); i-- > 0;) {
+    for (; place > 0 && found.after[place - 1] == i; --place) {
+      NestingPlace& above = found.places[place - 1];
+      above.below = lowest.of(above.group);
+    }
+    lowest.add(part[i]);
+    if (is(part[i], "{") || is(part[i], "}")) lowest.clear();
+  }
+}
+
 /// Ends of lines where a block may end: the text goes back to the left, or goes on with an "else"
 /// that stands below the head of the block.
 Candidates placesToClose(Part part) {
@@ -142,6 +202,7 @@ Candidates placesToClose(Part part) {
   std::map<int, int> indents;          // of the last line of each file
   std::vector<const LaidOut*> blocks;  // that are open
   bool opened = false;                 // in the last line
+  Lowest lowest;
   for (std::size_t i = 0; i < part.size(); ++i) {
     const LaidOut& entry = part[i];
     if (entry.firstOfLine && i > 0) {
@@ -150,7 +211,13 @@ Candidates placesToClose(Part part) {
                           blocks.back()->statement == entry.indent;
       const auto last = indents.find(entry.file);
       if (opened || orElse || last == indents.end() || entry.indent < last->second) {
-        found.add({braces, entry.indent, entry.file, entry.row, orElse ? kBeforeElse : 0}, i - 1);
+        found.add({.before = braces,
+                   .indent = entry.indent,
+                   .group = entry.file,
+                   .line = entry.row,
+                   .cost = orElse ? kBeforeElse : 0,
+                   .above = lowest.of(entry.file)},
+                  i - 1);
       }
     }
     if (entry.firstOfLine) {
@@ -158,11 +225,14 @@ Candidates placesToClose(Part part) {
       opened = false;
     }
     opened = opened || is(entry, "{");
+    lowest.add(entry);
+    if (is(entry, "{") || is(entry, "}")) lowest.clear();
     braces += is(entry, "{") || is(entry, "}") ? 1 : 0;
     if (is(entry, "{")) blocks.push_back(&entry);
     if (is(entry, "}") && !blocks.empty()) blocks.pop_back();
   }
   found.add({.before = braces, .line = part.back().row}, part.size() - 1);
+  addLinesBelow(found, part);
   return found;
 }
 
@@ -229,13 +299,24 @@ SourceLocation placeOfBrace(const MappedText& text, const MissingBrace& missing,
                             const SourceLines& lines) {
   SourceLocation at = placeAfter(text, missing.after);
   if (missing.brace == '{' || !lines) return at;
-  for (;;) {
-    const std::string line = lines(at.file, at.line + 1);
-    const bool inside = line.find('#') == line.find_first_not_of(" \t") &&
-                        indentWidth(line) > missing.indent && !line.empty();
-    if (!inside) return at;
-    at = {at.file, at.line + 1, int(line.size()) + 1};
+  constexpr int kMostBlank = 8;  // the end of a file reads as blank
+  SourceLocation next = at;
+  for (int blank = 0; blank < kMostBlank;) {
+    const std::string line = lines(next.file, ++next.line);
+    next.column = int(line.size()) + 1;
+    const std::size_t first = line.find_first_not_of(" \t\r");
+    if (first == std::string::npos) {
+      ++blank;
+      // White space as wide as the block is indented is what is left of a line without its brace.
+      if (missing.indent > 0 && indentWidth(line) == missing.indent) return next;
+    } else if (line[first] == '#' && indentWidth(line) > missing.indent) {
+      at = next;
+      blank = 0;
+    } else {
+      break;
+    }
   }
+  return at;
 }
 
 std::optional<MissingBrace> findMissingBrace(const MappedText& text, const SourceLines& lines) {

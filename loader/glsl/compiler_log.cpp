@@ -208,16 +208,27 @@ std::string macroNote(const MappedText& text, int macro) {
                      at.line);
 }
 
-// The compiler names the token after the gap, which may stand lines below or in another file.
-bool locateGap(Diagnostic& d, const Token& before, const MappedText& text,
-               const SourceLines& lines) {
-  const SourceLocation at = placeAfter(text, before);
+// The compiler names the token after the mistake, which may stand lines below or in another file.
+bool moveTo(Diagnostic& d, const Token& token, const SourceLocation& at, std::string hint,
+            const MappedText& text, const SourceLines& lines) {
   if (at.file.empty()) return false;
   d.at = at;
-  d.includedFrom = text.includedFrom(before.origin.line, before.origin.column);
-  d.hint = fmt::format("something is missing after '{}'", before.text);
+  d.includedFrom = text.includedFrom(token.origin.line, token.origin.column);
+  d.hint = std::move(hint);
   if (lines) d.sourceLine = lines(at.file, at.line);
   return true;
+}
+
+bool moveToMistake(Diagnostic& d, const LogEntry& entry, const MappedText& text,
+                   const SourceLines& lines) {
+  if (const auto before = tokenBeforeGap(text, entry.line, entry.message)) {
+    const std::string hint = fmt::format("something is missing after '{}'", before->text);
+    if (moveTo(d, *before, placeAfter(text, *before), hint, text, lines)) return true;
+  }
+  const auto open = unclosedParenthesis(text, entry.line, entry.message);
+  if (!open || open->origin.line == entry.line) return false;
+  return moveTo(d, *open, text.locate(open->origin.line, open->origin.column),
+                "no ')' of this line closes it", text, lines);
 }
 
 // What a macro's body holds is wrong where the author wrote it, whatever the number of its uses.
@@ -276,8 +287,7 @@ Diagnostic locateLogEntry(const LogEntry& entry, std::string id, const StageText
   d.message = entry.message;
   d.notes = entry.notes;
   const int column = entry.column > 0 ? entry.column : columnOfQuotedWord(text, entry);
-  const auto before = tokenBeforeGap(text, entry.line, entry.message);
-  if (before && locateGap(d, *before, text, lines)) return d;
+  if (moveToMistake(d, entry, text, lines)) return d;
   if (entry.line > 0) d.at = text.locate(entry.line, column);
   if (d.at.file.empty()) {
     if (!text.sites.empty()) d.at = {text.sites.front().file, 0, 0};

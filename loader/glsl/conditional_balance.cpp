@@ -1,6 +1,7 @@
 #include "glsl/conditional_balance.h"
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <optional>
 #include <string_view>
@@ -74,6 +75,59 @@ std::string codeOf(const std::string& line, bool& inComment) {
   return code;
 }
 
+/// "#ifdef FRAGMENT_SHADER", "#if defined VSH".
+bool namesStage(std::string_view code) {
+  constexpr std::string_view kWords[] = {"VERT", "FRAG", "GEOM", "COMPUTE", "TESS",
+                                         "VSH",  "FSH",  "GSH",  "CSH"};
+  std::string upper(code);
+  std::ranges::transform(upper, upper.begin(), [](unsigned char c) { return std::toupper(c); });
+  return std::ranges::any_of(
+      kWords, [&](std::string_view word) { return upper.find(word) != std::string::npos; });
+}
+
+/// The text between two conditionals. A branch begins and ends at one depth of braces, so that of the
+/// text before or behind it only what keeps to that depth can be in it.
+class TextBetween {
+ public:
+  void restart(int line) {
+    start_ = depth_;
+    texts_ = 0;
+    left_ = false;
+    first_ = follows_ = line;
+    textsBefore_ = {{depth_, 0}};
+  }
+  void addDirective(int line) { addText(line); }
+  void add(char c, int line) {
+    if (c == ' ' || c == '\t' || c == '\r') return;
+    if (c == '{') textsBefore_.try_emplace(++depth_, texts_ + 1);
+    if (c == '}') {
+      --depth_;
+      textsBefore_.erase(textsBefore_.upper_bound(depth_), textsBefore_.end());
+      textsBefore_.try_emplace(depth_, texts_ + 1);
+    }
+    addText(line);
+  }
+
+  int depth() const { return depth_; }
+  /// The last line of a branch that begins with the conditional before, 0 when it would be empty.
+  int follows() const { return follows_ > first_ ? follows_ : 0; }
+  /// May a branch that ends here have begun after the conditional before, and hold text?
+  bool canPrecede() const { return texts_ > textsBefore_.at(depth_); }
+
+ private:
+  void addText(int line) {
+    ++texts_;
+    left_ = left_ || depth_ < start_;
+    if (!left_ && depth_ == start_) follows_ = line;
+  }
+
+  int depth_ = 0, start_ = 0;
+  int texts_ = 0;
+  bool left_ = false;
+  int first_ = 0, follows_ = 0;
+  std::map<int, int> textsBefore_ = {{0, 0}};  ///< the first place of each depth that still goes on
+};
+
 /// The conditionals of one file.
 class FileConditionals {
  public:
@@ -81,21 +135,25 @@ class FileConditionals {
     const std::string code = codeOf(line.text, inComment_);
     const std::string_view directive = directiveOf(code);
     const Origin at{line.site, line.line, int(code.find('#')) + 1};
-    if (!directive.empty() && !kindOf(directive)) codeSince_ = true;
+    // The line of an #include is not among those of its file.
+    if (line.line > lastLine_ + 1) text_.addDirective(line.line - 1);
+    lastLine_ = line.line;
+    if (!directive.empty() && !kindOf(directive)) text_.addDirective(line.line);
     if (const auto kind = kindOf(directive)) {
       marks_.push_back(
-          {.kind = *kind, .indent = indentWidth(code), .depth = depth_, .line = line.line});
+          {.kind = *kind, .indent = indentWidth(code), .depth = text_.depth(), .line = line.line});
       marks_.back().whole = marks_.size() == 1 && !sawCode_ && *kind == Kind::Open &&
                             (directive == "ifndef" || code.find("!defined") != std::string::npos ||
                              code.find("! defined") != std::string::npos);
-      codeBefore_.push_back(codeSince_);
-      codeSince_ = false;
+      marks_.back().ofStages = *kind == Kind::Open && namesStage(code);
+      before_.push_back(room());
+      text_.restart(line.line);
       origins_.push_back(at);
       names_.emplace_back(directive);
     } else if (directive.empty()) {
-      for (const char c : code) depth_ += c == '{' ? 1 : c == '}' ? -1 : 0;
-      codeSince_ = codeSince_ || code.find_first_not_of(" \t\r") != std::string::npos;
-      sawCode_ = sawCode_ || codeSince_;
+      if (code.find("void main") != std::string::npos) addMain(at);
+      for (const char c : code) text_.add(c, line.line);
+      sawCode_ = sawCode_ || code.find_first_not_of(" \t\r") != std::string::npos;
     } else if (slip_.at.line == 0 && !conditionalMeant(directive).empty()) {
       slip_ = {UnbalancedConditional::Kind::Misspelt, at, std::string(directive),
                std::string(conditionalMeant(directive))};
@@ -112,9 +170,11 @@ class FileConditionals {
     const Kind missing = open > 0 ? Kind::Close : Kind::Open;
     std::vector<NestingPlace> places;
     for (std::size_t i = 0; i <= marks_.size(); ++i) {
-      const int line = i == 0 ? 0 : marks_[i - 1].line;
+      const Room room = i == marks_.size() ? this->room() : before_[i];
+      const bool close = missing == Kind::Close;
+      const int line = close ? room.follows : i == 0 ? 0 : marks_[i - 1].line;
       // Nobody writes a branch of nothing.
-      const bool empty = i == marks_.size() ? !codeSince_ : !codeBefore_[i];
+      const bool empty = close ? room.follows == 0 : !room.precedes;
       places.push_back({.before = i, .line = line, .cost = empty ? kEmptyBranch : 0});
     }
     const auto found = findMissingMark(marks_, places, missing);
@@ -125,13 +185,27 @@ class FileConditionals {
   }
 
  private:
+  struct Room {
+    int follows = 0;  ///< the last line of what can follow the mark before
+    bool precedes = false;
+  };
+  Room room() const { return {text_.follows(), text_.canPrecede()}; }
+
+  void addMain(const Origin& at) {
+    marks_.push_back({.kind = Kind::Main, .line = at.line});
+    before_.push_back(room());
+    origins_.push_back(at);
+    names_.emplace_back("main");
+  }
+
   std::vector<NestingMark> marks_;
   std::vector<Origin> origins_;
   std::vector<std::string> names_;
   UnbalancedConditional slip_;
-  int depth_ = 0;
-  std::vector<bool> codeBefore_;  ///< of each mark: is there text since the one before?
-  bool inComment_ = false, sawCode_ = false, codeSince_ = false;
+  TextBetween text_;          ///< since the last mark
+  std::vector<Room> before_;  ///< of each mark: for a branch since the one before
+  int lastLine_ = 0;
+  bool inComment_ = false, sawCode_ = false;
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "glsl/nesting.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -12,31 +13,44 @@ using Kind = NestingMark::Kind;
 // Packs are untrusted: each place is tried with all marks.
 constexpr std::size_t kMostSteps = 100'000'000;
 constexpr int kAlone = 40, kOtherIndent = 4, kOtherDepth = 2, kOtherGroup = 8, kPartOfGuard = 20;
+constexpr int kOutside = 4, kElseOfNothing = 20, kMainOutside = 20;
 
 int misfit(const NestingMark& open, const NestingMark& close) {
   if (open.group != close.group) return kOtherGroup;
   const bool known = open.indent >= 0 && close.indent >= 0;
   return (known && open.indent != close.indent ? kOtherIndent : 0) +
-         (open.depth != close.depth ? kOtherDepth : 0);
+         (open.depth != close.depth ? kOtherDepth : 0) +
+         (close.hasElse && !open.mayElse ? kElseOfNothing : 0);
 }
 
 /// Pairs the marks with one more among them.
 class Trial {
  public:
   Trial(std::span<const NestingMark> marks, const NestingPlace& place, Kind kind)
-      : marks_(marks), place_(place), added_{kind, place.indent, -1, place.group, place.line} {}
+      : marks_(marks),
+        place_(place),
+        added_{.kind = kind,
+               .indent = place.indent,
+               .depth = -1,
+               .group = place.group,
+               .line = place.line} {}
 
-  /// Cost and length of all pairs; the partner of the added mark is marks.size() when it has none.
+  /// Cost and lengths of all pairs; the partner of the added mark is marks.size() when it has none.
   void run() {
     cost_ = place_.cost;
     for (std::size_t i = 0; i <= marks_.size(); ++i) {
-      if (i == place_.before) take(kAdded);
-      if (i < marks_.size()) take(int(i));
+      if (i == place_.before) {
+        judgeLines(place_.above, place_.group);
+        take(kAdded);
+      }
+      if (i == marks_.size()) break;
+      judgeLines(i == place_.before ? place_.below : marks_[i].lowest, marks_[i].group);
+      take(int(i));
     }
     cost_ += kAlone * int(open_.size());
   }
 
-  std::pair<int, long> cost() const { return {cost_, length_}; }
+  std::pair<int, double> cost() const { return {cost_, length_}; }
   std::optional<std::size_t> partner() const { return partner_; }
 
  private:
@@ -45,26 +59,50 @@ class Trial {
 
   void take(int i) {
     const NestingMark& mark = at(i);
-    if (mark.kind == Kind::Open) return open_.push_back(i);
+    if (mark.kind == Kind::Main) {
+      const auto ofStages = [this](int open) { return at(open).ofStages; };
+      cost_ += std::ranges::any_of(open_, ofStages) ? 0 : kMainOutside;
+      return;
+    }
+    if (mark.kind == Kind::Open) {
+      if (mark.inner && open_.empty()) cost_ += kAlone;
+      return open_.push_back(i);
+    }
     if (open_.empty()) {
       cost_ += kAlone;
       return;
     }
     const int other = open_.back();
     const NestingMark& open = at(other);
-    // Of the added mark only what its place says is known.
-    if (i != kAdded && other != kAdded)
-      cost_ += misfit(open, mark);
-    else if (mark.indent >= 0 && open.indent >= 0 && mark.group == open.group &&
-             mark.indent != open.indent)
-      cost_ += kOtherIndent;
+    cost_ += i == kAdded       ? misfitOfClose(open)
+             : other == kAdded ? misfitOfOpen(mark)
+                               : misfit(open, mark);
     if (mark.kind == Kind::Middle) return;
     const bool last = i == int(marks_.size()) - 1;
     if (open.whole && !last) cost_ += kPartOfGuard;
-    length_ += mark.line - open.line;
+    // As short blocks are common and long ones rare, a short one in a long one is likelier than two
+    // of middle length.
+    length_ += std::log(std::max(1, mark.line - open.line));
     if (i == kAdded) partner_ = std::size_t(other);
     if (other == kAdded) partner_ = std::size_t(i);
     open_.pop_back();
+  }
+
+  // Of the added mark only what its place says is known: the indent of the head that it would open,
+  // or of the line behind it, which may lie further out.
+  int misfitOfOpen(const NestingMark& close) const {
+    const bool known = added_.indent >= 0 && close.indent >= 0 && added_.group == close.group;
+    return known && added_.indent != close.indent ? kOtherIndent : 0;
+  }
+  int misfitOfClose(const NestingMark& open) const {
+    return added_.group == open.group && added_.indent > open.indent ? kOtherIndent : 0;
+  }
+
+  /// Lines do not stand further out than the block that they are in.
+  void judgeLines(int lowest, int group) {
+    if (open_.empty()) return;
+    const NestingMark& open = at(open_.back());
+    if (open.group == group && lowest < open.indent) cost_ += kOutside;
   }
 
   std::span<const NestingMark> marks_;
@@ -72,9 +110,17 @@ class Trial {
   NestingMark added_;
   std::vector<int> open_;
   int cost_ = 0;
-  long length_ = 0;
+  double length_ = 0;
   std::optional<std::size_t> partner_;
 };
+
+using Cost = std::pair<int, double>;
+
+// Of places beside each other, as in a row of closing braces, the last.
+bool isLess(const Cost& a, const Cost& b) {
+  constexpr double kSame = 0.05;
+  return a.first != b.first ? a.first < b.first : a.second < b.second + kSame;
+}
 
 }  // namespace
 
@@ -82,11 +128,11 @@ std::optional<MissingMark> findMissingMark(std::span<const NestingMark> marks,
                                            std::span<const NestingPlace> places, Kind kind) {
   const std::size_t most = std::min(places.size(), kMostSteps / (marks.size() + 1));
   std::optional<MissingMark> best;
-  std::pair<int, long> least;
+  std::pair<int, double> least;
   for (std::size_t i = 0; i < most; ++i) {
     Trial trial(marks, places[i], kind);
     trial.run();
-    if (!trial.partner() || (best && trial.cost() >= least)) continue;
+    if (!trial.partner() || (best && !isLess(trial.cost(), least))) continue;
     least = trial.cost();
     best = {i, *trial.partner()};
   }

@@ -8,14 +8,23 @@
 
 namespace orris {
 
+/// The indent of a stretch without lines.
+inline constexpr int kNoLines = 1 << 20;
+
 struct NestingMark {
-  enum class Kind { Open, Middle, Close };
+  /// Main is no part of the nesting: main() stands inside a conditional of stages, if there are any.
+  enum class Kind { Open, Middle, Close, Main };
   Kind kind = Kind::Open;
-  int indent = -1;     ///< -1: the layout says nothing
-  int depth = 0;       ///< of another nesting around it; a pair is at one depth
-  int group = 0;       ///< the text it stands in; layouts of two texts are not compared
-  int line = 0;        ///< within all texts
-  bool whole = false;  ///< an include guard: its partner is the last mark
+  int indent = -1;        ///< -1: the layout says nothing
+  int depth = 0;          ///< of another nesting around it; a pair is at one depth
+  int group = 0;          ///< the text it stands in; layouts of two texts are not compared
+  int line = 0;           ///< within all texts
+  bool whole = false;     ///< an include guard: its partner is the last mark
+  bool ofStages = false;  ///< a conditional that tells stages apart
+  bool inner = false;     ///< of an open one: only inside another
+  bool mayElse = false;   ///< of an open one: an "else" can follow its partner
+  bool hasElse = false;   ///< of a close one: an "else" follows
+  int lowest = kNoLines;  ///< least indent of the lines of its group since the mark before
 };
 
 /// A place where the missing mark may be put.
@@ -24,7 +33,9 @@ struct NestingPlace {
   int indent = -1;
   int group = 0;
   int line = 0;
-  int cost = 0;  ///< what speaks against it, or for it when negative
+  int cost = 0;          ///< what speaks against it, or for it when negative
+  int above = kNoLines;  ///< least indent of the lines of its group since the mark before
+  int below = kNoLines;  ///< the same up to the mark behind
 };
 
 struct MissingMark {
@@ -32,7 +43,7 @@ struct MissingMark {
   std::size_t partner = 0;  ///< index of the mark that has no other
 };
 
-/// The place whose pairs fit best, and of these the one with the shortest. `kind` is Open or Close.
+/// The place whose pairs fit best, and of these the one with the shortest (by the sum of logarithms). `kind` is Open or Close.
 std::optional<MissingMark> findMissingMark(std::span<const NestingMark> marks,
                                            std::span<const NestingPlace> places,
                                            NestingMark::Kind kind);

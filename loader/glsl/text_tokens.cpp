@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <iterator>
+#include <map>
 #include <string>
 
 namespace orris {
@@ -103,6 +105,28 @@ std::optional<Token> tokenBeforeGap(const MappedText& text, int line, std::strin
   const bool gap = found->origin.line == line && mayBe(unexpectedWord(message), *found) &&
                    mayEndStatement(tokens, before);
   return gap ? std::optional(tokens[before]) : std::nullopt;
+}
+
+std::optional<Token> unclosedParenthesis(const MappedText& text, int line,
+                                         std::string_view message) {
+  if (message.find("syntax error") == std::string_view::npos) return std::nullopt;
+  const std::vector<Token> tokens = tokensOf(text);
+  const auto ends = [](const Token& token) { return isOneOf(token.text, {";", "{", "}"}); };
+  const auto end = std::ranges::find_if(
+      tokens, [&](const Token& token) { return token.origin.line >= line && ends(token); });
+  if (end == tokens.end() || end->origin.line != line) return std::nullopt;
+  const auto begin = std::find_if(std::make_reverse_iterator(end), tokens.rend(), ends).base();
+  // Where one line of many has more that open than that close, it lacks the one that closes.
+  std::map<int, std::vector<Token>> open;
+  for (auto token = begin; token != end; ++token) {
+    std::vector<Token>& ofLine = open[token->origin.line];
+    if (token->text == "(") ofLine.push_back(*token);
+    if (token->text != ")") continue;
+    if (ofLine.empty()) return std::nullopt;
+    ofLine.pop_back();
+  }
+  std::erase_if(open, [](const auto& entry) { return entry.second.empty(); });
+  return open.size() == 1 ? std::optional(open.begin()->second.front()) : std::nullopt;
 }
 
 }  // namespace orris

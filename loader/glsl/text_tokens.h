@@ -23,4 +23,9 @@ SourceLocation placeAfter(const MappedText& text, const Token& token);
 /// the compiler's. nullopt when nothing is missing there.
 std::optional<Token> tokenBeforeGap(const MappedText& text, int line, std::string_view message);
 
+/// The "(" that has no ")" in the statement whose end in `line` a compiler did not expect, when only
+/// one line of the statement lacks one. nullopt otherwise.
+std::optional<Token> unclosedParenthesis(const MappedText& text, int line,
+                                         std::string_view message);
+
 }  // namespace orris

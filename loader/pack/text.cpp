@@ -132,9 +132,12 @@ std::string nearestName(std::string_view name, const std::vector<std::string>& n
     if (candidate.size() > kLongest) continue;
     const std::string lowerCandidate = lowerCase(candidate);
     const size_t distance = editDistance(lower, lowerCandidate);
-    // In a short name two changed letters are a half: swapped ones at best, seldom the first.
-    const bool atLimit = nearest.empty() && distance == best && best > 1 &&
-                         (lower.size() > kShort || lowerCandidate.starts_with(lower.front()));
+    // In a short name two changed letters are a half: swapped ones at best, seldom the first; of a
+    // name of two letters nothing but one more.
+    const bool likely = lower.size() == 2 ? lowerCandidate.starts_with(lower)
+                                          : lowerCandidate.starts_with(lower.front());
+    const bool atLimit = nearest.empty() && distance == best && lower.size() > 1 &&
+                         (lower.size() > kShort || likely);
     if (distance < best || atLimit) {
       best = distance;
       nearest = candidate;

@@ -54,9 +54,9 @@ TEST(conditionalBalance, an_include_guard_closes_at_the_end) {
 }
 
 TEST(conditionalBalance, each_file_is_judged_alone) {
-  EXPECT_EQ(unbalanced({{"/a.glsl", "#ifdef A\n#include \"/b.glsl\"\n#endif\n#endif\n"},
+  EXPECT_EQ(unbalanced({{"/a.glsl", "#ifdef A\n#include \"/b.glsl\"\n#endif\nx\n#endif\n"},
                         {"/b.glsl", "#ifdef B\n"}}),
-            "/a.glsl:4 stray endif\n/b.glsl:1 unclosed ifdef\n");
+            "/a.glsl:5 stray endif\n/b.glsl:1 unclosed ifdef\n");
 }
 
 TEST(conditionalBalance, a_misspelt_endif_is_the_cause_also_where_nothing_is_read) {
