@@ -168,6 +168,15 @@ TEST(Varyings, one_that_nobody_reads_is_a_note) {
                           "fragment stage does not read it"));
 }
 
+TEST(Varyings, one_renamed_in_one_stage_is_told_in_both) {
+  EXPECT_THAT(messages(packOf("out vec3 a;\nout vec2 c;\nvoid main() { a = vec3(1); c = a.xy; }",
+                              "in vec3 b;\nvoid main() { gl_FragColor = b.xyzx; }")),
+              ElementsAre("varying-missing /composite.fsh:2:9: warning: 'b' is read here, and the "
+                          "vertex stage does not write it",
+                          "varying-unread /composite.vsh:2:10: warning: 'a' is written, and the "
+                          "fragment stage does not read it"));
+}
+
 // ---- names
 
 TEST(Names, known_and_own_names_are_silent) {

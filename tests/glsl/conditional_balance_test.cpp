@@ -46,6 +46,36 @@ TEST(conditionalBalance, braces_tell_where_nothing_is_indented) {
             "/a.glsl:3 unclosed ifdef\n");
 }
 
+TEST(conditionalBalance, a_branch_does_not_end_in_the_middle_of_a_block) {
+  EXPECT_EQ(unbalanced({{"/a.glsl",
+                         "#ifdef A\nx;\n#else\nfloat f() {\ny;\n}\n#endif\nvoid g() {\n"
+                         "#ifdef B\nz;\n#endif\n}\n#else\nw;\n#endif\n"}}),
+            "/a.glsl:7 stray endif\n");
+}
+
+TEST(conditionalBalance, an_included_file_is_text) {
+  EXPECT_EQ(unbalanced({{"/a.glsl",
+                         "#ifdef A\nx;\n#endif\n\n#include \"/b.glsl\"\n#endif\n"
+                         "#ifdef B\ny;\n#endif\n"},
+                        {"/b.glsl", "b;\n"}}),
+            "/a.glsl:6 stray endif\n");
+}
+
+TEST(conditionalBalance, short_blocks_in_long_ones_are_likelier_than_two_of_middle_length) {
+  std::string text;
+  for (int i = 0; i < 20; ++i) text += "x;\n";
+  EXPECT_EQ(unbalanced({{"/a.glsl", "#ifdef A\n" + text + "#ifdef B\ny;\n#ifdef C\nz;\n#endif\n" +
+                                        text + "#endif\n"}}),
+            "/a.glsl:22 unclosed ifdef\n");
+}
+
+TEST(conditionalBalance, each_main_stands_in_a_conditional_of_its_stage) {
+  EXPECT_EQ(unbalanced({{"/a.glsl",
+                         "#ifdef VSH\nvoid main() {}\n#else\n#if A\nx;\n#else\ny;\n#endif\n"
+                         "void main() {}\n"}}),
+            "/a.glsl:1 unclosed ifdef\n");
+}
+
 TEST(conditionalBalance, an_include_guard_closes_at_the_end) {
   EXPECT_EQ(
       unbalanced({{"/a.glsl",

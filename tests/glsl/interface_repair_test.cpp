@@ -154,7 +154,8 @@ TEST(textEdits, places_move_with_their_tokens) {
   edits.insert(text.find("int a"), "made ");
   edits.rename(text.find('a', 20), 1, "long_name");
   const MappedText out = edits.apply(stage.text);
-  EXPECT_EQ(out.text, "#version 450 compatibility\nmade int long_name = 0; int b = 0;\nint c = 0;\n");
+  EXPECT_EQ(out.text,
+            "#version 450 compatibility\nmade int long_name = 0; int b = 0;\nint c = 0;\n");
   EXPECT_EQ(out.locate(2, 1).file, "");
   EXPECT_EQ(out.locate(2, 6).column, 1);
   EXPECT_EQ(out.locate(2, 10).column, 5);

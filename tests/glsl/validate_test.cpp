@@ -180,6 +180,83 @@ TEST(validate, blocks_that_are_indented_oddly_are_no_missing_brace) {
             "                ^\n");
 }
 
+TEST(validate, an_else_cannot_follow_an_else) {
+  EXPECT_EQ(fragmentMessages("float f(float x) {\n"
+                             "  if (x > 0.0) {\n"
+                             "  if (x > 1.0) {\n"
+                             "    x = 1.0;\n"
+                             "  } else {\n"
+                             "    x = 2.0;\n"
+                             "  } else {\n"
+                             "    x = 3.0;\n"
+                             "  }\n"
+                             "  return x;\n"
+                             "}\n" +
+                             kLater),
+            "/a.fsh:7:13: error: expected '}' after ';': nothing closes the '{' at /a.fsh:6\n"
+            "      x = 2.0;\n"
+            "              ^\n");
+}
+
+TEST(validate, a_line_does_not_stand_further_out_than_its_block) {
+  EXPECT_EQ(fragmentMessages("float f(float x) {\n"
+                             "    if (x > 0.0) {\n"
+                             "      x = 1.0;\n"
+                             "  x += 1.0;\n"
+                             "    if (x > 2.0) {\n"
+                             "      x = 3.0;\n"
+                             "    }\n"
+                             "  return x;\n"
+                             "}\n" +
+                             kLater),
+            "/a.fsh:4:15: error: expected '}' after ';': nothing closes the '{' at /a.fsh:3\n"
+            "        x = 1.0;\n"
+            "                ^\n");
+}
+
+TEST(validate, what_is_left_of_a_function_is_not_outside_it) {
+  EXPECT_EQ(fragmentMessages("float f(float x) {\n"
+                             "  x += 1.0;\n"
+                             "if (x > 0.0) {\n"
+                             "  x = 1.0;\n"
+                             "} else {\n"
+                             "  x = 3.0;\n"
+                             "}\n" +
+                             kLater),
+            "/a.fsh:8:2: error: expected '}' after '}': nothing closes the '{' at /a.fsh:2\n"
+            "  }\n"
+            "   ^\n");
+}
+
+TEST(validate, a_line_left_blank_tells_where_its_brace_was) {
+  EXPECT_EQ(fragmentMessages("float f(float x) {\n"
+                             "  if (x > 0.0) {\n"
+                             "    x = 1.0;\n"
+                             "\n"
+                             "  \n"
+                             "  return x;\n"
+                             "}\n" +
+                             kLater),
+            "/a.fsh:6:3: error: expected '}' after ';': nothing closes the '{' at /a.fsh:3\n"
+            "    \n"
+            "    ^\n");
+}
+
+TEST(validate, the_line_that_lacks_a_parenthesis_is_told_and_not_the_end_of_its_statement) {
+  EXPECT_EQ(fragmentMessages("float f(float x) {\n"
+                             "  return (x + 1.0) *\n"
+                             "         (x + 2.0 *\n"
+                             "         (x + 3.0) *\n"
+                             "         (x + 4.0);\n"
+                             "}\n"
+                             "void main() { f(1.0); }\n"),
+            "/a.fsh:4:10: error: '' :  syntax error, unexpected SEMICOLON, expecting RIGHT_PAREN or "
+            "COMMA\n"
+            "           (x + 2.0 *\n"
+            "           ^\n"
+            "  hint: no ')' of this line closes it\n");
+}
+
 TEST(validate, the_end_of_a_function_without_brace_is_before_the_next_function) {
   EXPECT_EQ(fragmentMessages("float f(float x) {\n  return x;\n\n" + kLater),
             "/a.fsh:3:12: error: expected '}' after ';': nothing closes the '{' at /a.fsh:2\n"
