@@ -33,16 +33,23 @@ class Layout {
 
   std::vector<LaidOut> read(const std::vector<Token>& tokens) {
     std::vector<LaidOut> result;
+    std::vector<int> blocks;  // indents of those that are open
     int parentheses = 0;
     bool starts = true;
     for (const Token& token : tokens) {
       LaidOut& entry = result.emplace_back(place(token));
+      // "} else" without its brace: what is left stands one blank further in.
+      if (entry.firstOfLine && token.text == "else" && !blocks.empty() &&
+          entry.indent == blocks.back() + 1)
+        entry.indent = indent_ = blocks.back();
       if (starts) statement_ = entry.indent;
       entry.statement = statement_;
       if (token.text == "(") ++parentheses;
       if (token.text == ")") parentheses = std::max(0, parentheses - 1);
       const bool brace = token.text == "{" || token.text == "}";
       if (brace) parentheses = 0;
+      if (token.text == "{") blocks.push_back(statement_);
+      if (token.text == "}" && !blocks.empty()) blocks.pop_back();
       starts = brace || (token.text == ";" && parentheses == 0);
     }
     return result;

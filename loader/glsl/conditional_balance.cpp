@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "glsl/brace_check.h"
+#include "glsl/branch_room.h"
 #include "glsl/nesting.h"
 
 namespace orris {
@@ -85,49 +86,6 @@ bool namesStage(std::string_view code) {
       kWords, [&](std::string_view word) { return upper.find(word) != std::string::npos; });
 }
 
-/// The text between two conditionals. A branch begins and ends at one depth of braces, so that of the
-/// text before or behind it only what keeps to that depth can be in it.
-class TextBetween {
- public:
-  void restart(int line) {
-    start_ = depth_;
-    texts_ = 0;
-    left_ = false;
-    first_ = follows_ = line;
-    textsBefore_ = {{depth_, 0}};
-  }
-  void addDirective(int line) { addText(line); }
-  void add(char c, int line) {
-    if (c == ' ' || c == '\t' || c == '\r') return;
-    if (c == '{') textsBefore_.try_emplace(++depth_, texts_ + 1);
-    if (c == '}') {
-      --depth_;
-      textsBefore_.erase(textsBefore_.upper_bound(depth_), textsBefore_.end());
-      textsBefore_.try_emplace(depth_, texts_ + 1);
-    }
-    addText(line);
-  }
-
-  int depth() const { return depth_; }
-  /// The last line of a branch that begins with the conditional before, 0 when it would be empty.
-  int follows() const { return follows_ > first_ ? follows_ : 0; }
-  /// May a branch that ends here have begun after the conditional before, and hold text?
-  bool canPrecede() const { return texts_ > textsBefore_.at(depth_); }
-
- private:
-  void addText(int line) {
-    ++texts_;
-    left_ = left_ || depth_ < start_;
-    if (!left_ && depth_ == start_) follows_ = line;
-  }
-
-  int depth_ = 0, start_ = 0;
-  int texts_ = 0;
-  bool left_ = false;
-  int first_ = 0, follows_ = 0;
-  std::map<int, int> textsBefore_ = {{0, 0}};  ///< the first place of each depth that still goes on
-};
-
 /// The conditionals of one file.
 class FileConditionals {
  public:
@@ -138,25 +96,18 @@ class FileConditionals {
     // The line of an #include is not among those of its file.
     if (line.line > lastLine_ + 1) text_.addDirective(line.line - 1);
     lastLine_ = line.line;
-    if (!directive.empty() && !kindOf(directive)) text_.addDirective(line.line);
     if (const auto kind = kindOf(directive)) {
-      marks_.push_back(
-          {.kind = *kind, .indent = indentWidth(code), .depth = text_.depth(), .line = line.line});
-      marks_.back().whole = marks_.size() == 1 && !sawCode_ && *kind == Kind::Open &&
-                            (directive == "ifndef" || code.find("!defined") != std::string::npos ||
-                             code.find("! defined") != std::string::npos);
-      marks_.back().ofStages = *kind == Kind::Open && namesStage(code);
-      before_.push_back(room());
-      text_.restart(line.line);
-      origins_.push_back(at);
-      names_.emplace_back(directive);
-    } else if (directive.empty()) {
+      addMark(*kind, directive, code, at);
+    } else if (!directive.empty()) {
+      text_.addDirective(line.line);
+      takeSlip(directive, at);
+    } else {
+      const bool blank = line.text.find_first_not_of(" \t\r") == std::string::npos;
+      if (isFirst_ && !marks_.empty()) marks_.back().airy = blank;
+      isFirst_ = false;
       if (code.find("void main") != std::string::npos) addMain(at);
-      for (const char c : code) text_.add(c, line.line);
+      text_.addLine(code, blank, line.line);
       sawCode_ = sawCode_ || code.find_first_not_of(" \t\r") != std::string::npos;
-    } else if (slip_.at.line == 0 && !conditionalMeant(directive).empty()) {
-      slip_ = {UnbalancedConditional::Kind::Misspelt, at, std::string(directive),
-               std::string(conditionalMeant(directive))};
     }
   }
 
@@ -169,14 +120,7 @@ class FileConditionals {
     if (slip_.at.line > 0) return slip_;
     const Kind missing = open > 0 ? Kind::Close : Kind::Open;
     std::vector<NestingPlace> places;
-    for (std::size_t i = 0; i <= marks_.size(); ++i) {
-      const Room room = i == marks_.size() ? this->room() : before_[i];
-      const bool close = missing == Kind::Close;
-      const int line = close ? room.follows : i == 0 ? 0 : marks_[i - 1].line;
-      // Nobody writes a branch of nothing.
-      const bool empty = close ? room.follows == 0 : !room.precedes;
-      places.push_back({.before = i, .line = line, .cost = empty ? kEmptyBranch : 0});
-    }
+    for (std::size_t i = 0; i <= marks_.size(); ++i) places.push_back(placeBefore(i, missing));
     const auto found = findMissingMark(marks_, places, missing);
     if (!found) return std::nullopt;
     return UnbalancedConditional{
@@ -185,26 +129,61 @@ class FileConditionals {
   }
 
  private:
-  struct Room {
-    int follows = 0;  ///< the last line of what can follow the mark before
-    bool precedes = false;
-  };
-  Room room() const { return {text_.follows(), text_.canPrecede()}; }
+  NestingPlace placeBefore(std::size_t i, Kind missing) const {
+    const BranchRoom room = i == marks_.size() ? text_.room() : rooms_[i];
+    const bool close = missing == Kind::Close;
+    const bool wraps = close ? i > 0 && marks_[i - 1].kind == Kind::Close
+                             : i < marks_.size() && marks_[i].kind == Kind::Open;
+    const int line = close ? room.ends : room.begins;
+    const std::size_t neighbour = close ? i - 1 : i;
+    const int nearest = neighbour < marks_.size() ? marks_[neighbour].line : 0;
+    // Nobody writes a branch of nothing.
+    return {.before = i,
+            .line = line > 0 ? line : nearest,
+            .cost = line == 0 && !wraps ? kEmptyBranch : 0};
+  }
+
+  void addMark(Kind kind, std::string_view directive, const std::string& code, const Origin& at) {
+    const BranchRoom room = text_.room();
+    const bool isGuard = marks_.empty() && !sawCode_ && kind == Kind::Open &&
+                         (directive == "ifndef" || code.find("!defined") != std::string::npos ||
+                          code.find("! defined") != std::string::npos);
+    marks_.push_back({.kind = kind,
+                      .indent = indentWidth(code),
+                      .depth = text_.depth(),
+                      .line = at.line,
+                      .whole = isGuard,
+                      .ofStages = kind == Kind::Open && namesStage(code),
+                      .airy = kind == Kind::Close && room.blankBefore,
+                      .shallowest = room.shallowest});
+    rooms_.push_back(room);
+    origins_.push_back(at);
+    names_.emplace_back(directive);
+    text_.addConditional(at.line);
+    isFirst_ = kind == Kind::Open;
+  }
 
   void addMain(const Origin& at) {
     marks_.push_back({.kind = Kind::Main, .line = at.line});
-    before_.push_back(room());
+    rooms_.push_back(text_.room());
     origins_.push_back(at);
     names_.emplace_back("main");
+  }
+
+  void takeSlip(std::string_view directive, const Origin& at) {
+    if (slip_.at.line > 0 || conditionalMeant(directive).empty()) return;
+    slip_ = {UnbalancedConditional::Kind::Misspelt, at, std::string(directive),
+             std::string(conditionalMeant(directive))};
   }
 
   std::vector<NestingMark> marks_;
   std::vector<Origin> origins_;
   std::vector<std::string> names_;
   UnbalancedConditional slip_;
-  TextBetween text_;          ///< since the last mark
-  std::vector<Room> before_;  ///< of each mark: for a branch since the one before
+  std::vector<BranchRoom> rooms_;  ///< of each mark: the text before it
+  BranchText text_;
   int lastLine_ = 0;
+  bool isFirst_ = false;  ///< is the next line the first of a block?
   bool inComment_ = false, sawCode_ = false;
 };
 

@@ -13,13 +13,14 @@ using Kind = NestingMark::Kind;
 // Packs are untrusted: each place is tried with all marks.
 constexpr std::size_t kMostSteps = 100'000'000;
 constexpr int kAlone = 40, kOtherIndent = 4, kOtherDepth = 2, kOtherGroup = 8, kPartOfGuard = 20;
-constexpr int kOutside = 4, kElseOfNothing = 20, kMainOutside = 20;
+constexpr int kOutside = 4, kElseOfNothing = 20, kMainAstray = 20, kOtherSpacing = 1;
 
 int misfit(const NestingMark& open, const NestingMark& close) {
   if (open.group != close.group) return kOtherGroup;
   const bool known = open.indent >= 0 && close.indent >= 0;
   return (known && open.indent != close.indent ? kOtherIndent : 0) +
          (open.depth != close.depth ? kOtherDepth : 0) +
+         (close.kind == Kind::Close && open.airy != close.airy ? kOtherSpacing : 0) +
          (close.hasElse && !open.mayElse ? kElseOfNothing : 0);
 }
 
@@ -33,7 +34,8 @@ class Trial {
                .indent = place.indent,
                .depth = -1,
                .group = place.group,
-               .line = place.line} {}
+               .line = place.line,
+               .ofStages = true} {}
 
   /// Cost and lengths of all pairs; the partner of the added mark is marks.size() when it has none.
   void run() {
@@ -45,6 +47,7 @@ class Trial {
       }
       if (i == marks_.size()) break;
       judgeLines(i == place_.before ? place_.below : marks_[i].lowest, marks_[i].group);
+      if (!open_.empty() && marks_[i].shallowest < at(open_.back().mark).depth) cost_ += kOutside;
       take(int(i));
     }
     cost_ += kAlone * int(open_.size());
@@ -57,28 +60,34 @@ class Trial {
   static constexpr int kAdded = -1;
   const NestingMark& at(int i) const { return i == kAdded ? added_ : marks_[std::size_t(i)]; }
 
+  /// An open mark, and in which of its branches the text is.
+  struct Branch {
+    int mark = 0, number = 0;
+    bool operator==(const Branch&) const = default;
+  };
+
   void take(int i) {
     const NestingMark& mark = at(i);
-    if (mark.kind == Kind::Main) {
-      const auto ofStages = [this](int open) { return at(open).ofStages; };
-      cost_ += std::ranges::any_of(open_, ofStages) ? 0 : kMainOutside;
-      return;
-    }
+    if (mark.kind == Kind::Main) return takeMain();
     if (mark.kind == Kind::Open) {
       if (mark.inner && open_.empty()) cost_ += kAlone;
-      return open_.push_back(i);
+      return open_.push_back({i, 0});
     }
     if (open_.empty()) {
       cost_ += kAlone;
       return;
     }
-    const int other = open_.back();
+    const int other = open_.back().mark;
     const NestingMark& open = at(other);
     cost_ += i == kAdded       ? misfitOfClose(open)
              : other == kAdded ? misfitOfOpen(mark)
                                : misfit(open, mark);
-    if (mark.kind == Kind::Middle) return;
-    const bool last = i == int(marks_.size()) - 1;
+    if (mark.kind == Kind::Middle) {
+      ++open_.back().number;
+      return;
+    }
+    const bool addedLast = place_.before == marks_.size();
+    const bool last = addedLast ? i == kAdded : i == int(marks_.size()) - 1;
     if (open.whole && !last) cost_ += kPartOfGuard;
     // As short blocks are common and long ones rare, a short one in a long one is likelier than two
     // of middle length.
@@ -86,6 +95,16 @@ class Trial {
     if (i == kAdded) partner_ = std::size_t(other);
     if (other == kAdded) partner_ = std::size_t(i);
     open_.pop_back();
+  }
+
+  // Each stage has one.
+  void takeMain() {
+    const auto found = std::find_if(open_.rbegin(), open_.rend(),
+                                    [this](const Branch& b) { return at(b.mark).ofStages; });
+    if (found == open_.rend() || std::ranges::find(mains_, *found) != mains_.end())
+      cost_ += kMainAstray;
+    else
+      mains_.push_back(*found);
   }
 
   // Of the added mark only what its place says is known: the indent of the head that it would open,
@@ -101,14 +120,15 @@ class Trial {
   /// Lines do not stand further out than the block that they are in.
   void judgeLines(int lowest, int group) {
     if (open_.empty()) return;
-    const NestingMark& open = at(open_.back());
+    const NestingMark& open = at(open_.back().mark);
     if (open.group == group && lowest < open.indent) cost_ += kOutside;
   }
 
   std::span<const NestingMark> marks_;
   const NestingPlace& place_;
   NestingMark added_;
-  std::vector<int> open_;
+  std::vector<Branch> open_;
+  std::vector<Branch> mains_;  ///< the branches of stages with a main()
   int cost_ = 0;
   double length_ = 0;
   std::optional<std::size_t> partner_;

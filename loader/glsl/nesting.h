@@ -15,16 +15,18 @@ struct NestingMark {
   /// Main is no part of the nesting: main() stands inside a conditional of stages, if there are any.
   enum class Kind { Open, Middle, Close, Main };
   Kind kind = Kind::Open;
-  int indent = -1;        ///< -1: the layout says nothing
-  int depth = 0;          ///< of another nesting around it; a pair is at one depth
-  int group = 0;          ///< the text it stands in; layouts of two texts are not compared
-  int line = 0;           ///< within all texts
-  bool whole = false;     ///< an include guard: its partner is the last mark
-  bool ofStages = false;  ///< a conditional that tells stages apart
-  bool inner = false;     ///< of an open one: only inside another
-  bool mayElse = false;   ///< of an open one: an "else" can follow its partner
-  bool hasElse = false;   ///< of a close one: an "else" follows
-  int lowest = kNoLines;  ///< least indent of the lines of its group since the mark before
+  int indent = -1;            ///< -1: the layout says nothing
+  int depth = 0;              ///< of another nesting around it; a pair is at one depth
+  int group = 0;              ///< the text it stands in; layouts of two texts are not compared
+  int line = 0;               ///< within all texts
+  bool whole = false;         ///< an include guard: its partner is the last mark
+  bool ofStages = false;      ///< a conditional that tells stages apart
+  bool inner = false;         ///< of an open one: only inside another
+  bool mayElse = false;       ///< of an open one: an "else" can follow its partner
+  bool hasElse = false;       ///< of a close one: an "else" follows
+  bool airy = false;          ///< a blank line is between it and the text inside
+  int shallowest = kNoLines;  ///< least depth since the mark before
+  int lowest = kNoLines;      ///< least indent of the lines of its group since the mark before
 };
 
 /// A place where the missing mark may be put.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "glsl/branch_room.h"
 #include "glsl_test.h"
 
 namespace orris::test {
@@ -46,11 +47,28 @@ TEST(conditionalBalance, braces_tell_where_nothing_is_indented) {
             "/a.glsl:3 unclosed ifdef\n");
 }
 
-TEST(conditionalBalance, a_branch_does_not_end_in_the_middle_of_a_block) {
-  EXPECT_EQ(unbalanced({{"/a.glsl",
-                         "#ifdef A\nx;\n#else\nfloat f() {\ny;\n}\n#endif\nvoid g() {\n"
-                         "#ifdef B\nz;\n#endif\n}\n#else\nw;\n#endif\n"}}),
-            "/a.glsl:7 stray endif\n");
+TEST(conditionalBalance, a_branch_is_text_at_one_depth_of_braces) {
+  const auto room = [](std::initializer_list<const char*> lines) {
+    BranchText text;
+    text.addLine("void f() {", false, 1);
+    text.addConditional(2);
+    int number = 3;
+    for (const std::string_view line : lines) text.addLine(line, line.empty(), number++);
+    return text.room();
+  };
+  EXPECT_EQ(room({"x;", "}"}).begins, 0);
+  EXPECT_EQ(room({"x;", "}", "y;"}).begins, 3);
+  EXPECT_EQ(room({"x;", "}", "", "y;"}).begins, 6);
+  EXPECT_EQ(room({"x;", "}"}).ends, 3);
+  EXPECT_EQ(room({"x;", "y;", "", "z;"}).ends, 4);
+  EXPECT_EQ(room({"if (a) {", "y;"}).ends, 0);
+  EXPECT_EQ(room({"}"}).ends, 0);
+}
+
+TEST(conditionalBalance, a_block_of_text_without_blank_lines_is_closed_so) {
+  const std::string head = "#ifndef A\n#define A\n\nx;\n\n#ifdef B\ny;\n";
+  EXPECT_EQ(unbalanced({{"/a.glsl", head + "#endif\n"}}), "/a.glsl:1 unclosed ifndef\n");
+  EXPECT_EQ(unbalanced({{"/a.glsl", head + "\n#endif\n"}}), "/a.glsl:6 unclosed ifdef\n");
 }
 
 TEST(conditionalBalance, an_included_file_is_text) {
@@ -74,6 +92,10 @@ TEST(conditionalBalance, each_main_stands_in_a_conditional_of_its_stage) {
                          "#ifdef VSH\nvoid main() {}\n#else\n#if A\nx;\n#else\ny;\n#endif\n"
                          "void main() {}\n"}}),
             "/a.glsl:1 unclosed ifdef\n");
+  EXPECT_EQ(
+      unbalanced(
+          {{"/a.glsl", "#ifdef VSH\nvoid main() {}\nx;\n#endif\n\ny;\nvoid main() {}\n#endif\n"}}),
+      "/a.glsl:8 stray endif\n");
 }
 
 TEST(conditionalBalance, an_include_guard_closes_at_the_end) {

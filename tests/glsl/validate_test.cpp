@@ -243,18 +243,19 @@ TEST(validate, a_line_left_blank_tells_where_its_brace_was) {
 }
 
 TEST(validate, the_line_that_lacks_a_parenthesis_is_told_and_not_the_end_of_its_statement) {
-  EXPECT_EQ(fragmentMessages("float f(float x) {\n"
-                             "  return (x + 1.0) *\n"
-                             "         (x + 2.0 *\n"
-                             "         (x + 3.0) *\n"
-                             "         (x + 4.0);\n"
-                             "}\n"
-                             "void main() { f(1.0); }\n"),
-            "/a.fsh:4:10: error: '' :  syntax error, unexpected SEMICOLON, expecting RIGHT_PAREN or "
-            "COMMA\n"
-            "           (x + 2.0 *\n"
-            "           ^\n"
-            "  hint: no ')' of this line closes it\n");
+  EXPECT_EQ(
+      fragmentMessages("float f(float x) {\n"
+                       "  return (x + 1.0) *\n"
+                       "         (x + 2.0 *\n"
+                       "         (x + 3.0) *\n"
+                       "         (x + 4.0);\n"
+                       "}\n"
+                       "void main() { f(1.0); }\n"),
+      "/a.fsh:4:10: error: '' :  syntax error, unexpected SEMICOLON, expecting RIGHT_PAREN or "
+      "COMMA\n"
+      "           (x + 2.0 *\n"
+      "           ^\n"
+      "  hint: no ')' of this line closes it\n");
 }
 
 TEST(validate, the_end_of_a_function_without_brace_is_before_the_next_function) {
