@@ -29,9 +29,31 @@ std::string unknownName(const std::string& message) {
   return end == std::string::npos ? "" : message.substr(1, end - 1);
 }
 
-std::vector<std::string> filesOf(const StageText& stage) {
+bool holdsOnlyDirectives(DefinitionIndex& index, const std::string& file) {
+  const auto lines = index.files().find(file);
+  return lines == index.files().end() ||
+         std::ranges::all_of(lines->second, [](const std::string& line) {
+           const std::string_view text = trim(line);
+           return text.empty() || text[0] == '#' || text.starts_with("//");
+         });
+}
+
+/// The files that give the stage text: not those of an #include in a branch that is not read.
+std::vector<std::string> filesOf(DefinitionIndex& index, const StageText& stage) {
+  const std::vector<IncludeSite>& sites = stage.text.sites;
+  std::vector<bool> active(sites.size(), false);
+  for (const auto& line : stage.text.lines) {
+    for (const MappedText::Segment& segment : line) {
+      for (int site = segment.origin.site; site >= 0 && !active[std::size_t(site)];
+           site = sites[std::size_t(site)].parent)
+        active[std::size_t(site)] = true;
+    }
+  }
   std::vector<std::string> files;
-  for (const IncludeSite& site : stage.text.sites) files.push_back(site.file);
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    if (i == 0 || active[i] || holdsOnlyDirectives(index, sites[i].file))
+      files.push_back(sites[i].file);
+  }
   return files;
 }
 
@@ -62,7 +84,7 @@ bool isOfContract(const std::string& name) {
 class StageHints {
  public:
   StageHints(DefinitionIndex& index, const StageText& stage, Diagnostics& found)
-      : index_(index), stage_(stage), found_(found), files_(filesOf(stage)) {}
+      : index_(index), stage_(stage), found_(found), files_(filesOf(index, stage)) {}
 
   bool isOf(const Diagnostic& diagnostic) const {
     if (diagnostic.includedFrom.empty()) return contains(files_, diagnostic.at.file);
@@ -150,7 +172,9 @@ class StageHints {
 
   bool explainInclude(std::size_t index, const std::string& name) {
     const auto definition = definedElsewhere(name);
-    if (!definition || (isOfContract(name) && !isShared(definition->file))) return false;
+    if (!definition) return false;
+    const bool uniform = sourceLine(*definition).find("uniform") != std::string::npos;
+    if (uniform && isOfContract(name) && !isShared(definition->file)) return false;
     const std::string where = fmt::format("defined at {}:{}, which is not included here",
                                           definition->file, definition->line);
     Diagnostic& error = found_[index];

@@ -97,14 +97,16 @@ Diagnostics runWithContext(gl::Backend backend, const std::string& what,
     if (context) work(*context, found);
     return encodeDiagnostics(found);
   };
-  runIsolated(
-      {.count = 1, .work = job, .time = std::chrono::seconds(kDrawSeconds), .memoryBytes = kNoMemoryLimit},
-      [&](std::size_t, const JobOutcome& outcome) {
-        result = outcome.kind == JobOutcome::Kind::Done
-                     ? decodeDiagnostics(outcome.result)
-                     : Diagnostics{lostJob(outcome, kDriver, what, "")};
-        return true;
-      });
+  runIsolated({.count = 1,
+               .work = job,
+               .time = std::chrono::seconds(kDrawSeconds),
+               .memoryBytes = kNoMemoryLimit},
+              [&](std::size_t, const JobOutcome& outcome) {
+                result = outcome.kind == JobOutcome::Kind::Done
+                             ? decodeDiagnostics(outcome.result)
+                             : Diagnostics{lostJob(outcome, kDriver, what, "")};
+                return true;
+              });
   return result;
 }
 

@@ -18,6 +18,8 @@ constexpr double kSomeLikeness = 0.01;
 constexpr double kSameName = 1, kAlikeNames = 0.6;
 // A blank line beside an #include is where one was taken out.
 constexpr double kGapFactor = 1.5;
+// What every model says for the one line that looks as if something was taken out.
+constexpr double kGapShare = 0.8;
 
 std::string_view fileName(std::string_view path) { return path.substr(path.rfind('/') + 1); }
 
@@ -137,16 +139,17 @@ IncludePlace placeByModels(DefinitionIndex& index, const std::string& file,
   for (std::size_t i = 0; i < std::min(includers.size(), kMostModels); ++i) {
     const SourceLocation& model = includers[i];
     if (model.file == file) continue;
-    const bool useGap = only > 0 && (before == 0 || only < before);
-    const int at = useGap ? only : placeLike(lines, linesOf(index, model.file), model.line);
-    if (at == 0 || (before > 0 && at >= before)) continue;
     const double weight = likeness(index, file, model.file);
-    Vote& vote = votes[at];
-    vote.weight += weight;
-    if (weight > vote.best) {
-      vote.best = weight;
-      vote.model = model;
-    }
+    const auto vote = [&](int line, double share) {
+      if (line == 0 || (before > 0 && line >= before)) return;
+      Vote& votesOfLine = votes[line];
+      votesOfLine.weight += share * weight;
+      if (weight <= votesOfLine.best) return;
+      votesOfLine.best = weight;
+      votesOfLine.model = model;
+    };
+    vote(placeLike(lines, linesOf(index, model.file), model.line), 1);
+    vote(only, kGapShare);
   }
   IncludePlace place;
   double most = 0;

@@ -2,10 +2,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
+#include <string_view>
 
 #include "check/declaration_checks.h"
 #include "check/glsl_types.h"
+#include "check/text_scanner.h"
 #include "pack/text.h"
 
 namespace orris {
@@ -35,6 +38,7 @@ class FragmentOutputs {
 
   void check() {
     checkShared();
+    checkAny();
     if (program_.program->group == ProgramGroup::Final) return;
     for (const StageGlobal* output : outputs_) checkListed(*output);
     for (const FragDataUse& use : stage_.fragData) checkListed(use);
@@ -131,7 +135,48 @@ class FragmentOutputs {
     return list.empty() ? "none" : list;
   }
 
-  // A program that writes nothing at all discards everything, or works through images.
+  // Programs may write nothing: those that discard, that work through images and buffers, that only
+  // leave a depth, and empty ones.
+  void checkAny() {
+    constexpr std::string_view kOtherWorks[] = {"discard", "imageStore", "imageAtomic",
+                                                "atomic",  "buffer",     "gl_FragDepth"};
+    const std::string& text = stage_.stage->text.text;
+    const ProgramGroup group = program_.program->group;
+    const bool writes =
+        !stage_.fragData.empty() ||
+        std::ranges::any_of(outputs_, [](const auto* output) { return output->used; });
+    if (writes || group == ProgramGroup::Shadow) return;
+    if (std::ranges::any_of(kOtherWorks, [&](std::string_view word) {
+          return text.find(word) != std::string::npos;
+        }))
+      return;
+    const std::optional<TextPlace> end = endOfWork(text);
+    if (!end) return;
+    report_.add(stage_, *end,
+                {Severity::Warning,
+                 "output-none",
+                 "main() ends here, and the program has written nothing",
+                 "write an output, or remove the program",
+                 {"in " + program_.name()}});
+  }
+
+  /// The '}' of a main() that assigns something, nullopt for others.
+  static std::optional<TextPlace> endOfWork(std::string_view text) {
+    TextScanner scanner(text);
+    int depth = 0;
+    bool inMain = false, assigns = false;
+    for (TextToken token = scanner.next(); token.kind != TextToken::Kind::End;
+         token = scanner.next()) {
+      if (depth == 0 && token.text == "main") inMain = true;
+      assigns = assigns || (inMain && token.is('='));
+      depth += token.is('{') ? 1 : token.is('}') ? -1 : 0;
+      if (!inMain || depth > 0 || !token.is('}')) continue;
+      return assigns ? std::optional(TextPlace{token.line, token.column}) : std::nullopt;
+    }
+    return std::nullopt;
+  }
+
+  // A program that writes nothing at all is left to checkAny().
   void checkWritten() {
     const ProgramDirectives& directives = program_.program->directives;
     if (!directives.drawBuffers || written_.empty() || anyIndex_ || chosenByDriver()) return;

@@ -332,6 +332,15 @@ TEST(Types, a_custom_texture_may_have_any_type) {
 
 // ---- outputs
 
+TEST(Outputs, a_program_that_computes_and_writes_nothing) {
+  EXPECT_THAT(messages(fragmentOf("void main() {\n  vec4 a = gl_FragCoord;\n}\n")),
+              ElementsAre("output-none /composite.fsh:4:1: warning: main() ends here, and the "
+                          "program has written nothing"));
+  EXPECT_THAT(messages(fragmentOf("void main() {\n  float a = 1.0;\n  if (a > 0.0) discard;\n}\n")),
+              IsEmpty());
+  EXPECT_THAT(messages(fragmentOf("void main() {\n}\n")), IsEmpty());
+}
+
 TEST(Outputs, one_beyond_the_list) {
   EXPECT_THAT(
       messages(fragmentOf("/* RENDERTARGETS: 0,3 */\nlayout(location = 0) out vec4 a;\n"
