@@ -38,12 +38,15 @@ bool holdsOnlyDirectives(DefinitionIndex& index, const std::string& file) {
          });
 }
 
-/// The files that give the stage text: not those of an #include in a branch that is not read.
-std::vector<std::string> filesOf(DefinitionIndex& index, const StageText& stage) {
+/// The files that give the stage its first `last` lines (0: all): not those of an #include in a branch
+/// that is not read.
+std::vector<std::string> filesOf(DefinitionIndex& index, const StageText& stage,
+                                 std::size_t last = 0) {
   const std::vector<IncludeSite>& sites = stage.text.sites;
+  const auto& lines = stage.text.lines;
   std::vector<bool> active(sites.size(), false);
-  for (const auto& line : stage.text.lines) {
-    for (const MappedText::Segment& segment : line) {
+  for (std::size_t i = 0; i < (last > 0 ? std::min(last, lines.size()) : lines.size()); ++i) {
+    for (const MappedText::Segment& segment : lines[i]) {
       for (int site = segment.origin.site; site >= 0 && !active[std::size_t(site)];
            site = sites[std::size_t(site)].parent)
         active[std::size_t(site)] = true;
@@ -55,6 +58,19 @@ std::vector<std::string> filesOf(DefinitionIndex& index, const StageText& stage)
       files.push_back(sites[i].file);
   }
   return files;
+}
+
+/// The first line of the stage's text that comes from a place, 0 when none does.
+std::size_t lineOf(const StageText& stage, const SourceLocation& at) {
+  const auto& lines = stage.text.lines;
+  const auto comesFrom = [&](const MappedText::Segment& segment) {
+    const int site = segment.origin.site;
+    return site >= 0 && segment.origin.line == at.line &&
+           stage.text.sites[std::size_t(site)].file == at.file;
+  };
+  const auto found = std::ranges::find_if(
+      lines, [&](const auto& line) { return std::ranges::any_of(line, comesFrom); });
+  return found == lines.end() ? 0 : std::size_t(found - lines.begin()) + 1;
 }
 
 bool contains(const std::vector<std::string>& files, const std::string& file) {
@@ -104,7 +120,8 @@ class StageHints {
 
   /// Adds where #include lines seem to be missing that would make known what explain() met.
   void locateIncludes() {
-    for (const MissingInclude& missing : findMissingIncludes(index_, files_, unknown_))
+    const std::vector<std::string> before = filesOf(index_, stage_, firstUse_);
+    for (const MissingInclude& missing : findMissingIncludes(index_, before, unknown_))
       addMissing(missing);
   }
 
@@ -144,12 +161,12 @@ class StageHints {
     return true;
   }
 
-  /// Is the name defined, and only in files that the stage lacks?
-  std::optional<SourceLocation> definedElsewhere(const std::string& name) {
+  /// Is the name defined, and only in other files than these?
+  std::optional<SourceLocation> definedElsewhere(const std::string& name,
+                                                 const std::vector<std::string>& files) {
     const auto& all = index_.definitionsOf(name);
-    const bool here = std::any_of(all.begin(), all.end(), [&](const SourceLocation& definition) {
-      return contains(files_, definition.file);
-    });
+    const bool here = std::ranges::any_of(
+        all, [&](const SourceLocation& definition) { return contains(files, definition.file); });
     if (here || all.empty()) return std::nullopt;
     // Entry files are not included by others.
     const auto shared = std::find_if(all.begin(), all.end(), [&](const SourceLocation& definition) {
@@ -171,7 +188,8 @@ class StageHints {
   }
 
   bool explainInclude(std::size_t index, const std::string& name) {
-    const auto definition = definedElsewhere(name);
+    const std::size_t use = lineOf(stage_, found_[index].at);
+    const auto definition = definedElsewhere(name, use > 0 ? filesOf(index_, stage_, use) : files_);
     if (!definition) return false;
     const bool uniform = sourceLine(*definition).find("uniform") != std::string::npos;
     if (uniform && isOfContract(name) && !isShared(definition->file)) return false;
@@ -180,6 +198,7 @@ class StageHints {
     Diagnostic& error = found_[index];
     error.hint += (error.hint.empty() ? "" : "; ") + where;
     unknown_.push_back({name, error.at, error.includedFrom});
+    if (use > 0) firstUse_ = firstUse_ > 0 ? std::min(firstUse_, use) : use;
     return true;
   }
 
@@ -221,7 +240,8 @@ class StageHints {
     const int last = static_cast<int>(lines->second.size());
     found_[index].at.line = std::max(1, includes.empty() ? last : includes.back().line + 1);
     found_[index].hint = "write void main() here, or #include the file that does";
-    if (definedElsewhere(kMain)) unknown_.push_back({kMain, {files_.front(), last + 1, 0}, {}});
+    if (definedElsewhere(kMain, files_))
+      unknown_.push_back({kMain, {files_.front(), last + 1, 0}, {}});
   }
 
   void suggestKnown(std::size_t index, const std::string& name) {
@@ -260,6 +280,7 @@ class StageHints {
   Diagnostics& found_;
   std::vector<std::string> files_;
   std::vector<UnknownName> unknown_;
+  std::size_t firstUse_ = 0;  ///< the line of the text that uses the first of these, 0: not known
 };
 
 }  // namespace

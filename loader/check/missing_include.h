@@ -25,7 +25,8 @@ struct MissingInclude {
 
 /// As few #include lines as make all names known. Each goes into the file whose likes (files of its
 /// folder, files with nearly the same #include lines, files of the same name) include the target,
-/// before the name is used. `reached` are the files of the stage in the order of their text.
+/// before the name is used. `reached` are the files of the stage in the order of their text, up to
+/// the first use.
 std::vector<MissingInclude> findMissingIncludes(DefinitionIndex& index,
                                                 const std::vector<std::string>& reached,
                                                 const std::vector<UnknownName>& names);
