@@ -18,8 +18,9 @@ constexpr double kSomeLikeness = 0.01;
 constexpr double kSameName = 1, kAlikeNames = 0.6;
 // A blank line beside an #include is where one was taken out.
 constexpr double kGapFactor = 1.5;
-// What every model says for the one line that looks as if something was taken out.
-constexpr double kGapShare = 0.8;
+// What a model says for a gap, as a share of what it says for a line like its own.
+constexpr double kShareOfLine = 0.25, kLongestShare = 0.3, kSureShare = 0.5;
+constexpr int kLongGap = 3;
 
 std::string_view fileName(std::string_view path) { return path.substr(path.rfind('/') + 1); }
 
@@ -39,33 +40,42 @@ bool isGap(const FileLines& lines, const Includes& includes, int line) {
   return isBlank(lines, line) && std::ranges::any_of(includes, beside);
 }
 
-/// The only blank line between two #include lines, 0 when there is none or more than one.
-int onlyGap(const FileLines& lines, const Includes& includes) {
-  int found = 0;
-  for (std::size_t i = 1; i < includes.size(); ++i) {
-    const int line = includes[i].line - 1;
-    if (includes[i - 1].line != line - 1 || !isBlank(lines, line)) continue;
-    if (found > 0) return 0;
-    found = line;
-  }
-  return found;
+/// A run of blank lines; the line where an #include may have been taken out of it.
+struct Gap {
+  int line = 0;
+  double share = 0;  ///< of what a line of text like that of a model would count
+};
+
+/// How much a run of blank lines looks as if a line was taken out: long, and beside an #include.
+Gap gapOf(int first, int last, const Includes& includes) {
+  const auto has = [&](int line) {
+    return std::ranges::any_of(includes, [&](const auto& include) { return include.line == line; });
+  };
+  const int length = last - first + 1;
+  const bool above = has(first - 1), below = has(last + 1);
+  const double byLength = kShareOfLine * std::min(length, kLongGap);
+  if (above || below) return {above ? first : last, byLength};
+  // Of three the one between, of two the second.
+  return {length > 2 ? first + length / 2 : last, byLength - 2 * kShareOfLine};
 }
 
-/// Where a line was taken out: in the longest run of blank lines, 0 unless there is exactly one.
-int onlyScar(const FileLines& lines, int before) {
-  int longest = 1, found = 0, run = 0;
+/// The gaps before the line `before` (0: all); the longest stands out if there is but one.
+std::vector<Gap> gapsOf(const FileLines& lines, const Includes& includes, int before) {
+  std::vector<Gap> gaps;
+  int longest = 1, run = 0;
+  std::size_t only = 0, of = 0;
   const int last = before > 0 ? before - 1 : static_cast<int>(lines.size());
   for (int line = 1; line <= last; ++line) {
-    if (!isBlank(lines, line)) {
-      run = 0;
-      continue;
-    }
-    if (++run < longest) continue;
-    // Of three the one between, of two the second.
-    found = run > longest ? line : 0;
-    longest = run;
+    run = isBlank(lines, line) ? run + 1 : 0;
+    if (run == 0 || (line < last && isBlank(lines, line + 1))) continue;
+    gaps.push_back(gapOf(line - run + 1, line, includes));
+    if (run > longest) only = gaps.size() - 1;
+    of = run > longest ? 1 : of + (run == longest ? 1 : 0);
+    longest = std::max(longest, run);
   }
-  return found == 0 ? 0 : longest > 2 ? found - longest / 2 : found;
+  if (longest > 1 && of == 1) gaps[only].share += kLongestShare;
+  std::erase_if(gaps, [](const Gap& gap) { return gap.share <= 0; });
+  return gaps;
 }
 
 /// The line of `lines` that reads like `text`, 0 unless there is exactly one.
@@ -133,8 +143,7 @@ IncludePlace placeByModels(DefinitionIndex& index, const std::string& file,
     SourceLocation model;
   };
   std::map<int, Vote> votes;
-  const int gap = onlyGap(lines, here);
-  const int only = gap > 0 ? gap : onlyScar(lines, before);
+  const std::vector<Gap> gaps = gapsOf(lines, here, before);
   const auto& includers = index.includersOf(target);
   for (std::size_t i = 0; i < std::min(includers.size(), kMostModels); ++i) {
     const SourceLocation& model = includers[i];
@@ -149,12 +158,14 @@ IncludePlace placeByModels(DefinitionIndex& index, const std::string& file,
       votesOfLine.model = model;
     };
     vote(placeLike(lines, linesOf(index, model.file), model.line), 1);
-    vote(only, kGapShare);
+    for (const Gap& gap : gaps) vote(gap.line, gap.share);
   }
   IncludePlace place;
   double most = 0;
   for (const auto& [line, vote] : votes) {
-    const bool isOut = line == only || isGap(lines, here, line);
+    const bool isOut =
+        std::ranges::any_of(gaps, [&](const Gap& gap) { return gap.line == line; }) ||
+        isGap(lines, here, line);
     const double weight = vote.weight * (isOut ? kGapFactor : 1);
     if (weight <= most) continue;
     most = weight;
@@ -166,7 +177,9 @@ IncludePlace placeByModels(DefinitionIndex& index, const std::string& file,
 int placeBehindIncludes(DefinitionIndex& index, const std::string& file, int before) {
   const FileLines& lines = linesOf(index, file);
   const Includes& here = index.includesOf(file);
-  if (const int scar = onlyScar(lines, before); scar > 0) return scar;
+  const std::vector<Gap> gaps = gapsOf(lines, here, before);
+  const auto best = std::ranges::max_element(gaps, {}, &Gap::share);
+  if (best != gaps.end() && best->share >= kSureShare) return best->line;
   int last = here.empty() ? before - 1 : 0;
   for (const IncludeLine& include : here) {
     if (before > 0 && include.line > before) break;

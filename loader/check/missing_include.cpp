@@ -14,10 +14,10 @@ namespace {
 constexpr std::size_t kMostTargets = 64, kMostFiles = 128, kMostPlaces = 16;
 
 // What speaks for a file and what it should include, beside likeness() to one that does.
-constexpr double kAllNames = 3;  // it makes all names known
-constexpr double kAllPeers = 1;  // all files beside it do the same
-constexpr double kOrphan = 0.8;  // nothing includes the target any more
-constexpr double kUser = 0.5;    // the file itself uses the name, and no other includes the target
+constexpr double kAllNames = 3;    // it makes all names known
+constexpr double kAllPeers = 1;    // all files beside it do the same
+constexpr double kOrphan = 0.8;    // nothing includes the target any more
+constexpr double kUser = 0.5;      // the file itself uses the name
 constexpr double kSameStem = 0.7;  // world0/final.fsh of program/final.glsl
 constexpr double kInChain = 0.3;   // the use is in the file, or included by it
 constexpr double kGap = 0.5;       // a blank line beside an #include
@@ -138,8 +138,7 @@ class Search {
       likest = std::max(likest, likeness(index_, file, model.file));
     candidate.score = likest + kAllPeers * shareOfPeers(file, target) +
                       (includers.empty() ? kOrphan : 0) + (inChain ? kInChain : 0) +
-                      (includers.empty() && isUser ? kUser : 0) +
-                      (stemOf(file) == stemOf(target) ? kSameStem : 0);
+                      (isUser ? kUser : 0) + (stemOf(file) == stemOf(target) ? kSameStem : 0);
     return candidate;
   }
 
