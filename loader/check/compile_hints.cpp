@@ -3,13 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <optional>
+#include <set>
 
 #include "check/glsl_types.h"
 #include "check/known_names.h"
 #include "check/missing_include.h"
 #include "check/pack_texts.h"
 #include "check/stage_interface.h"
+#include "check/text_scanner.h"
 #include "glsl/outline.h"
 #include "pack/text.h"
 
@@ -137,17 +140,14 @@ class StageHints {
 
   // A declaration that nothing uses, a slip away from the name that nothing declares.
   bool explainMisspelling(std::size_t index, const std::string& name) {
-    const StageInterface interface = readStageInterface(stage_);
     std::vector<std::string> unused;
-    for (const StageGlobal& global : interface.globals) {
-      if (!global.used && !global.name.empty() && global.name != name)
-        unused.emplace_back(global.name);
+    for (const auto& [word, place] : unusedDeclarations()) {
+      if (word != name) unused.emplace_back(word);
     }
     const std::string meant = likelyMeant(name, unused);
     if (meant.empty()) return false;
-    const auto global = std::find_if(interface.globals.begin(), interface.globals.end(),
-                                     [&](const StageGlobal& g) { return g.name == meant; });
-    const SourceLocation at = stage_.text.locate(global->place.line, global->place.column);
+    const TextPlace place = unusedDeclarations().at(meant);
+    const SourceLocation at = stage_.text.locate(place.line, place.column);
     if (at.file.empty()) return false;
     found_[index].hint =
         fmt::format("did you mean {}, declared at {}:{}?", meant, at.file, at.line);
@@ -156,9 +156,36 @@ class StageHints {
          .at = at,
          .message =
              fmt::format("nothing uses '{}', and '{}' is used without being declared", meant, name),
-         .includedFrom = stage_.text.includedFrom(global->place.line, global->place.column),
+         .includedFrom = stage_.text.includedFrom(place.line, place.column),
          .sourceLine = sourceLine(at)});
     return true;
+  }
+
+  /// Names, local ones too, that stand once in the text: in their declarations.
+  const std::map<std::string_view, TextPlace>& unusedDeclarations() {
+    if (!unused_) unused_ = readUnused();
+    return *unused_;
+  }
+
+  std::map<std::string_view, TextPlace> readUnused() const {
+    std::map<std::string_view, int> count;
+    std::map<std::string_view, TextPlace> declared;
+    TextScanner scanner(stage_.text.text);
+    TextToken word, previous;
+    for (TextToken token = scanner.next(); token.kind != TextToken::Kind::End;
+         token = scanner.next()) {
+      // "type name =", "name[2];" and further ones of a list.
+      const bool ends =
+          token.is('=') || token.is(';') || token.is(',') || token.is('[') || token.is(')');
+      const bool begins = previous.isWord() || previous.is(',') || previous.is(']');
+      if (ends && begins && word.isWord() && previous.text != "return")
+        declared[word.text] = {word.line, word.column};
+      if (token.isWord()) ++count[token.text];
+      previous = word;
+      word = token;
+    }
+    std::erase_if(declared, [&](const auto& entry) { return count[entry.first] > 1; });
+    return declared;
   }
 
   /// Is the name defined, and only in other files than these?
@@ -177,14 +204,17 @@ class StageHints {
 
   // Programs declare contract names for themselves; only a file made for many is worth including.
   bool isShared(const std::string& file) {
-    constexpr int kMany = 3;
-    int users = 0;
-    for (const auto& [other, lines] : index_.files()) {
-      const auto& includes = index_.includesOf(other);
-      users += std::any_of(includes.begin(), includes.end(),
-                           [&](const IncludeLine& line) { return line.target == file; });
+    constexpr std::size_t kMany = 3, kMostFiles = 64;
+    std::set<std::string> users = {file};
+    std::vector<std::string> open = {file};
+    while (!open.empty() && users.size() < kMostFiles) {
+      const auto& includers = index_.includersOf(open.back());
+      open.pop_back();
+      for (const SourceLocation& includer : includers) {
+        if (users.insert(includer.file).second) open.push_back(includer.file);
+      }
     }
-    return users >= kMany;
+    return users.size() > kMany;
   }
 
   bool explainInclude(std::size_t index, const std::string& name) {
@@ -280,6 +310,7 @@ class StageHints {
   Diagnostics& found_;
   std::vector<std::string> files_;
   std::vector<UnknownName> unknown_;
+  std::optional<std::map<std::string_view, TextPlace>> unused_;
   std::size_t firstUse_ = 0;  ///< the line of the text that uses the first of these, 0: not known
 };
 

@@ -13,14 +13,15 @@ using Kind = NestingMark::Kind;
 // Packs are untrusted: each place is tried with all marks.
 constexpr std::size_t kMostSteps = 100'000'000;
 constexpr int kAlone = 40, kOtherIndent = 4, kOtherDepth = 2, kOtherGroup = 8, kPartOfGuard = 20;
-constexpr int kOutside = 4, kElseOfNothing = 20, kMainAstray = 20, kOtherSpacing = 1;
+constexpr int kOutside = 4, kElseOfNothing = 20, kMainAstray = 20;
+// Layout that is often uneven weighs as much as a block twice as long.
+constexpr double kOtherSpacing = 0.7;
 
 int misfit(const NestingMark& open, const NestingMark& close) {
   if (open.group != close.group) return kOtherGroup;
   const bool known = open.indent >= 0 && close.indent >= 0;
   return (known && open.indent != close.indent ? kOtherIndent : 0) +
          (open.depth != close.depth ? kOtherDepth : 0) +
-         (close.kind == Kind::Close && open.airy != close.airy ? kOtherSpacing : 0) +
          (close.hasElse && !open.mayElse ? kElseOfNothing : 0);
 }
 
@@ -83,6 +84,7 @@ class Trial {
              : other == kAdded ? misfitOfOpen(mark)
                                : misfit(open, mark);
     if (mark.kind == Kind::Middle) {
+      if (open.whole) cost_ += kPartOfGuard;
       ++open_.back().number;
       return;
     }
@@ -92,6 +94,10 @@ class Trial {
     // As short blocks are common and long ones rare, a short one in a long one is likelier than two
     // of middle length.
     length_ += std::log(std::max(1, mark.line - open.line));
+    if (i != kAdded && other != kAdded && open.airy != mark.airy) {
+      length_ += kOtherSpacing;
+      cost_ += open.whole ? 1 : 0;  // guards are even
+    }
     if (i == kAdded) partner_ = std::size_t(other);
     if (other == kAdded) partner_ = std::size_t(i);
     open_.pop_back();

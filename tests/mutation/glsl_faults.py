@@ -176,7 +176,7 @@ def uniform_type(view):
 
 
 def varyings(view):
-    """Declarations of varyings that the other stage uses, in files of one stage."""
+    """Declarations of varyings that both stages use, in files of one stage."""
     for file, source, number, code in code_lines(view):
         match = INTERFACE.match(code)
         stages = view.reach.stages[file]
@@ -185,9 +185,10 @@ def varyings(view):
         word, is_vertex = match.group(1), stages == {".vsh"}
         if word == ("in" if is_vertex else "out"):
             continue
-        other = ".fsh" if is_vertex else ".vsh"
+        # What one stage only declares may have any name.
         name = re.compile(rf"\b{match.group(3)}\b")
-        texts = [view.reach.texts.get(program + other, "") for program in view.reach.programs[file]]
+        texts = [view.reach.texts.get(program + stage, "") for program in view.reach.programs[file]
+                 for stage in (".vsh", ".fsh")]
         if all(len(name.findall(text)) > 1 for text in texts):
             yield file, source, number, match
 

@@ -99,6 +99,13 @@ def names_nothing(view, fault):
     return "" if exists else "the pack has no such folder without the fault either"
 
 
+def shown(view, match):
+    """A text of a value that the option does not have is shown to nobody."""
+    rest = re.match(r"\.(\S+?)\s*=", match.string[match.end(1):])
+    values = view.options[match.group(1)].get("values") or []
+    return "value." not in match.group(0) or (rest and rest.group(1) in values)
+
+
 def language(kind, pattern):
     compiled = re.compile(pattern)
 
@@ -108,7 +115,7 @@ def language(kind, pattern):
                 continue
             for number, text in enumerate(read_lines(view.path(file)), 1):
                 match = compiled.match(text)
-                if match and match.group(1) in view.options:
+                if match and match.group(1) in view.options and shown(view, match):
                     yield edit(kind, file[1:], number, text, match.span(1),
                                view.misspell(match.group(1)))
     return kind, places
