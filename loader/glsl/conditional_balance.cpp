@@ -154,13 +154,18 @@ class FileConditionals {
                       .line = at.line,
                       .whole = isGuard,
                       .ofStages = kind == Kind::Open && namesStage(code),
-                      .airy = kind == Kind::Close && room.blankBefore,
+                      .airy = kind == Kind::Close ? airy(room) : std::nullopt,
                       .shallowest = room.shallowest});
     rooms_.push_back(room);
     origins_.push_back(at);
     names_.emplace_back(directive);
     text_.addConditional(at.line);
     isFirst_ = kind == Kind::Open;
+  }
+
+  static std::optional<bool> airy(const BranchRoom& room) {
+    const bool text = room.ends > 0 || room.begins > 0 || room.blankBefore;
+    return text ? std::optional(room.blankBefore) : std::nullopt;
   }
 
   void addMain(const Origin& at) {

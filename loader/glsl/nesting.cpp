@@ -94,7 +94,7 @@ class Trial {
     // As short blocks are common and long ones rare, a short one in a long one is likelier than two
     // of middle length.
     length_ += std::log(std::max(1, mark.line - open.line));
-    if (i != kAdded && other != kAdded && open.airy != mark.airy) {
+    if (open.airy && mark.airy && *open.airy != *mark.airy) {
       length_ += kOtherSpacing;
       cost_ += open.whole ? 1 : 0;  // guards are even
     }

@@ -24,7 +24,7 @@ struct NestingMark {
   bool inner = false;         ///< of an open one: only inside another
   bool mayElse = false;       ///< of an open one: an "else" can follow its partner
   bool hasElse = false;       ///< of a close one: an "else" follows
-  bool airy = false;          ///< a blank line is between it and the text inside
+  std::optional<bool> airy;   ///< is a blank line between it and the text inside?
   int shallowest = kNoLines;  ///< least depth since the mark before
   int lowest = kNoLines;      ///< least indent of the lines of its group since the mark before
 };
