@@ -136,10 +136,11 @@ class FileConditionals {
                              : i < marks_.size() && marks_[i].kind == Kind::Open;
     const int line = close ? room.ends : room.begins;
     const std::size_t neighbour = close ? i - 1 : i;
+    const bool behindMain = close && i > 0 && marks_[i - 1].kind == Kind::Main;
     const int nearest = neighbour < marks_.size() ? marks_[neighbour].line : 0;
     // Nobody writes a branch of nothing.
     return {.before = i,
-            .line = line > 0 ? line : nearest,
+            .line = line > 0 && !behindMain ? line : nearest,
             .cost = line == 0 && !wraps ? kEmptyBranch : 0};
   }
 

@@ -98,6 +98,14 @@ TEST(conditionalBalance, each_main_stands_in_a_conditional_of_its_stage) {
       "/a.glsl:8 stray endif\n");
 }
 
+TEST(conditionalBalance, a_branch_with_a_main_does_not_end_before_it) {
+  EXPECT_EQ(unbalanced({{"/a.glsl",
+                         "#ifdef VSH\na;\na;\na;\na;\n\nvoid main() {\n  b;\n}\n\n#ifdef "
+                         "FSH\nc;\n\nd;\n\nvoid main() "
+                         "{\n#ifdef A\ne;\n#endif\n}\n\n#endif\n"}}),
+            "/a.glsl:1 unclosed ifdef\n");
+}
+
 TEST(conditionalBalance, an_include_guard_closes_at_the_end) {
   EXPECT_EQ(
       unbalanced({{"/a.glsl",
