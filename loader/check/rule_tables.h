@@ -7,6 +7,7 @@
 
 namespace orris {
 
+std::span<const Rule> chartRules();      ///< charts and tuning
 std::span<const Rule> frameRules();      ///< what the frame reads and writes
 std::span<const Rule> glslRules();       ///< compiling and linking
 std::span<const Rule> hostRules();       ///< packs, files and this machine

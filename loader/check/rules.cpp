@@ -11,8 +11,8 @@ namespace {
 std::vector<Rule> sortedRules() {
   std::vector<Rule> rules;
   for (const std::span<const Rule> table :
-       {frameRules(), glslRules(), hostRules(), idRules(), interfaceRules(), matrixRules(),
-        optionRules(), propertyRules(), reportRules(), targetRules(), textRules()}) {
+       {chartRules(), frameRules(), glslRules(), hostRules(), idRules(), interfaceRules(),
+        matrixRules(), optionRules(), propertyRules(), reportRules(), targetRules(), textRules()}) {
     rules.insert(rules.end(), table.begin(), table.end());
   }
   std::ranges::sort(rules, {}, &Rule::id);

@@ -30,7 +30,7 @@ void collect(const std::string& text, const std::regex& pattern, Ids& ids) {
 // Rewrite rules have names of the same form, in files of their own.
 bool holdsOtherNames(const fs::path& path) {
   const std::string name = path.filename();
-  return name.starts_with("rules_") || name.starts_with("rewrite");
+  return name.starts_with("rules_") || name.starts_with("rewrite") || name == "plot_scripts.cpp";
 }
 
 /// Every string of the sources that looks like an id.
