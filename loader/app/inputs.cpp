@@ -9,6 +9,8 @@
 #include <set>
 #include <sstream>
 
+#include "core/replace_file.h"
+
 namespace orris {
 namespace {
 
@@ -172,14 +174,13 @@ bool checkPicturePath(const std::string& path, Report& report, int& status) {
 }
 
 bool writeWholeFile(const std::string& path, const std::string& text, Report& report, int& status) {
-  const std::string temporary = path + ".part";
-  std::ofstream file(temporary, std::ios::binary);
-  file << text;
-  file.close();
-  std::error_code error;
-  if (file) std::filesystem::rename(temporary, path, error);
-  if (file && !error) return true;
-  std::filesystem::remove(temporary, error);
+  const std::error_code error = replaceFile(path, [&](const std::string& partial) {
+    std::ofstream file(partial, std::ios::binary);
+    file << text;
+    file.close();
+    return bool(file);
+  });
+  if (!error) return true;
   reportUnwritable(path, report, status);
   return false;
 }

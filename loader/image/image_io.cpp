@@ -1,7 +1,6 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -9,6 +8,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "core/replace_file.h"
 #include "image/image.h"
 
 namespace orris {
@@ -144,17 +144,14 @@ bool writePixels(const std::string& path, int width, int height, int channels, O
   spec.attribute("DateTime", "1970:01:01 00:00:00");
   if (extension == ".png") spec.erase_attribute("DateTime");
 
-  const std::string partial = fmt::format("{}.partial-{}", path, ::getpid());
   std::string reason;
-  std::error_code error;
-  if (!writeTo(*output, partial, spec, type, pixels)) {
-    reason = firstLine(output->geterror());
-  } else {
-    std::filesystem::rename(partial, path, error);
-    if (error) reason = error.message();
-  }
-  if (reason.empty()) return true;
-  std::filesystem::remove(partial, error);
+  const std::error_code error = replaceFile(path, [&](const std::string& partial) {
+    const bool written = writeTo(*output, partial, spec, type, pixels);
+    if (!written) reason = firstLine(output->geterror());
+    return written;
+  });
+  if (!error) return true;
+  if (reason.empty()) reason = error.message();
   return fail(diagnostics, "image-write", path, fmt::format("cannot write the image: {}", reason),
               "check that the folder exists and is writable");
 }

@@ -1,14 +1,13 @@
 #include "trace/checkpoint.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 
+#include "core/replace_file.h"
 #include "trace/random.h"
 
 namespace orris {
@@ -114,18 +113,17 @@ bool writeCheckpoint(const std::string& path, const TraceFilm& film, std::uint64
   header.shardIndex = std::uint32_t(film.shard.index);
   header.shardCount = std::uint32_t(film.shard.count);
   header.samples = film.samples;
-  const std::string partial = fmt::format("{}.partial-{}", path, ::getpid());
-  std::ofstream file(partial, std::ios::binary);
-  file.write(reinterpret_cast<const char*>(&header), sizeof header);
-  for (const auto& half : film.sums) {
-    file.write(reinterpret_cast<const char*>(half.data()),
-               std::streamsize(half.size() * sizeof(glm::dvec3)));
-  }
-  file.close();
-  std::error_code error;
-  if (file) std::filesystem::rename(partial, path, error);
-  if (file && !error) return true;
-  std::filesystem::remove(partial, error);
+  const std::error_code error = replaceFile(path, [&](const std::string& partial) {
+    std::ofstream file(partial, std::ios::binary);
+    file.write(reinterpret_cast<const char*>(&header), sizeof header);
+    for (const auto& half : film.sums) {
+      file.write(reinterpret_cast<const char*>(half.data()),
+                 std::streamsize(half.size() * sizeof(glm::dvec3)));
+    }
+    file.close();
+    return bool(file);
+  });
+  if (!error) return true;
   return fail(diagnostics, "checkpoint-write", path, "cannot write the checkpoint",
               "check that the folder exists, is writable and has room");
 }

@@ -129,7 +129,8 @@ TEST(ScreenTable, words_are_options_keywords_or_links) {
 
 TEST(ScreenTable, a_word_is_not_found_inside_another) {
   EXPECT_THAT(problems("screen = [FO] FOG FO\nscreen.FO=FOG"),
-              ElementsAre("screen-option 1:19 warning: the pack has no option FO"));
+              ElementsAre("screen-option 1:19 warning: the pack has no option FO | did you "
+                          "mean FOG?"));
 }
 
 struct KeyCase {
