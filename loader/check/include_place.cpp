@@ -19,7 +19,7 @@ constexpr double kSameName = 1, kAlikeNames = 0.6;
 // A blank line beside an #include is where one was taken out.
 constexpr double kGapFactor = 1.5;
 // What a model says for a gap, as a share of what it says for a line like its own.
-constexpr double kShareOfLine = 0.25, kLongestShare = 0.3, kSureShare = 0.5;
+constexpr double kShareOfLine = 0.25, kLongestShare = 0.2, kSureShare = 0.5;
 constexpr int kLongGap = 3;
 
 std::string_view fileName(std::string_view path) { return path.substr(path.rfind('/') + 1); }
@@ -46,13 +46,15 @@ struct Gap {
   double share = 0;  ///< of what a line of text like that of a model would count
 };
 
-/// How much a run of blank lines looks as if a line was taken out: long, and beside an #include.
-Gap gapOf(int first, int last, const Includes& includes) {
+/// How much a run of blank lines looks as if a line was taken out: long, and beside an #include or
+/// below the #version.
+Gap gapOf(int first, int last, const FileLines& lines, const Includes& includes) {
   const auto has = [&](int line) {
     return std::ranges::any_of(includes, [&](const auto& include) { return include.line == line; });
   };
   const int length = last - first + 1;
-  const bool above = has(first - 1), below = has(last + 1);
+  const bool head = first > 1 && trim(lines[std::size_t(first) - 2]).starts_with("#version");
+  const bool above = head || has(first - 1), below = has(last + 1);
   const double byLength = kShareOfLine * std::min(length, kLongGap);
   if (above || below) return {above ? first : last, byLength};
   // Of three the one between, of two the second.
@@ -68,7 +70,7 @@ std::vector<Gap> gapsOf(const FileLines& lines, const Includes& includes, int be
   for (int line = 1; line <= last; ++line) {
     run = isBlank(lines, line) ? run + 1 : 0;
     if (run == 0 || (line < last && isBlank(lines, line + 1))) continue;
-    gaps.push_back(gapOf(line - run + 1, line, includes));
+    gaps.push_back(gapOf(line - run + 1, line, lines, includes));
     if (run > longest) only = gaps.size() - 1;
     of = run > longest ? 1 : of + (run == longest ? 1 : 0);
     longest = std::max(longest, run);
