@@ -11,8 +11,9 @@
 #include "check/known_names.h"
 #include "check/missing_include.h"
 #include "check/pack_texts.h"
+#include "check/stage_files.h"
 #include "check/stage_interface.h"
-#include "check/text_scanner.h"
+#include "check/unused_declarations.h"
 #include "glsl/outline.h"
 #include "pack/text.h"
 
@@ -30,50 +31,6 @@ std::string unknownName(const std::string& message) {
   if (!undeclared || message.empty() || message[0] != '\'') return "";
   const std::size_t end = message.find('\'', 1);
   return end == std::string::npos ? "" : message.substr(1, end - 1);
-}
-
-bool holdsOnlyDirectives(DefinitionIndex& index, const std::string& file) {
-  const auto lines = index.files().find(file);
-  return lines == index.files().end() ||
-         std::ranges::all_of(lines->second, [](const std::string& line) {
-           const std::string_view text = trim(line);
-           return text.empty() || text[0] == '#' || text.starts_with("//");
-         });
-}
-
-/// The files that give the stage its first `last` lines (0: all): not those of an #include in a branch
-/// that is not read.
-std::vector<std::string> filesOf(DefinitionIndex& index, const StageText& stage,
-                                 std::size_t last = 0) {
-  const std::vector<IncludeSite>& sites = stage.text.sites;
-  const auto& lines = stage.text.lines;
-  std::vector<bool> active(sites.size(), false);
-  for (std::size_t i = 0; i < (last > 0 ? std::min(last, lines.size()) : lines.size()); ++i) {
-    for (const MappedText::Segment& segment : lines[i]) {
-      for (int site = segment.origin.site; site >= 0 && !active[std::size_t(site)];
-           site = sites[std::size_t(site)].parent)
-        active[std::size_t(site)] = true;
-    }
-  }
-  std::vector<std::string> files;
-  for (std::size_t i = 0; i < sites.size(); ++i) {
-    if (i == 0 || active[i] || holdsOnlyDirectives(index, sites[i].file))
-      files.push_back(sites[i].file);
-  }
-  return files;
-}
-
-/// The first line of the stage's text that comes from a place, 0 when none does.
-std::size_t lineOf(const StageText& stage, const SourceLocation& at) {
-  const auto& lines = stage.text.lines;
-  const auto comesFrom = [&](const MappedText::Segment& segment) {
-    const int site = segment.origin.site;
-    return site >= 0 && segment.origin.line == at.line &&
-           stage.text.sites[std::size_t(site)].file == at.file;
-  };
-  const auto found = std::ranges::find_if(
-      lines, [&](const auto& line) { return std::ranges::any_of(line, comesFrom); });
-  return found == lines.end() ? 0 : std::size_t(found - lines.begin()) + 1;
 }
 
 bool contains(const std::vector<std::string>& files, const std::string& file) {
@@ -163,29 +120,8 @@ class StageHints {
 
   /// Names, local ones too, that stand once in the text: in their declarations.
   const std::map<std::string_view, TextPlace>& unusedDeclarations() {
-    if (!unused_) unused_ = readUnused();
+    if (!unused_) unused_ = readUnusedDeclarations(stage_.text.text);
     return *unused_;
-  }
-
-  std::map<std::string_view, TextPlace> readUnused() const {
-    std::map<std::string_view, int> count;
-    std::map<std::string_view, TextPlace> declared;
-    TextScanner scanner(stage_.text.text);
-    TextToken word, previous;
-    for (TextToken token = scanner.next(); token.kind != TextToken::Kind::End;
-         token = scanner.next()) {
-      // "type name =", "name[2];" and further ones of a list.
-      const bool ends =
-          token.is('=') || token.is(';') || token.is(',') || token.is('[') || token.is(')');
-      const bool begins = previous.isWord() || previous.is(',') || previous.is(']');
-      if (ends && begins && word.isWord() && previous.text != "return")
-        declared[word.text] = {word.line, word.column};
-      if (token.isWord()) ++count[token.text];
-      previous = word;
-      word = token;
-    }
-    std::erase_if(declared, [&](const auto& entry) { return count[entry.first] > 1; });
-    return declared;
   }
 
   /// Is the name defined, and only in other files than these?
