@@ -72,11 +72,21 @@ TEST(conditionalBalance, a_block_of_text_without_blank_lines_is_closed_so) {
 }
 
 TEST(conditionalBalance, an_included_file_is_text) {
-  EXPECT_EQ(unbalanced({{"/a.glsl",
-                         "#ifdef A\nx;\n#endif\n\n#include \"/b.glsl\"\n#endif\n"
-                         "#ifdef B\ny;\n#endif\n"},
+  std::string text;
+  for (int i = 0; i < 20; ++i) text += "x;\n";
+  EXPECT_EQ(unbalanced({{"/a.glsl", "#ifdef A\n" + text +
+                                        "#ifdef B\n#include \"/b.glsl\"\n\n#ifdef C\nz;\n#endif\n" +
+                                        text + "#endif\n"},
                         {"/b.glsl", "b;\n"}}),
-            "/a.glsl:6 stray endif\n");
+            "/a.glsl:22 unclosed ifdef\n");
+}
+
+TEST(conditionalBalance, a_branch_does_not_go_on_behind_the_end_of_its_block) {
+  EXPECT_EQ(
+      unbalanced({{"/a.glsl",
+                   "void f() {\n#if 1\na;\n#else\nb;\n#endif\n}\nvoid g() {\nc;\n#elif 1\nd;\n"
+                   "#elif 1\ne;\n#endif\n}\n"}}),
+      "/a.glsl:14 stray endif\n");
 }
 
 TEST(conditionalBalance, short_blocks_in_long_ones_are_likelier_than_two_of_middle_length) {

@@ -199,9 +199,11 @@ TEST(validate, an_else_cannot_follow_an_else) {
 }
 
 TEST(validate, a_line_does_not_stand_further_out_than_its_block) {
+  std::string block;
+  for (int i = 0; i < 9; ++i) block += "      x += 0.5;\n";
   EXPECT_EQ(fragmentMessages("float f(float x) {\n"
-                             "    if (x > 0.0) {\n"
-                             "      x = 1.0;\n"
+                             "    if (x > 0.0) {\n" +
+                             block +
                              "  x += 1.0;\n"
                              "    if (x > 2.0) {\n"
                              "      x = 3.0;\n"
@@ -209,9 +211,9 @@ TEST(validate, a_line_does_not_stand_further_out_than_its_block) {
                              "  return x;\n"
                              "}\n" +
                              kLater),
-            "/a.fsh:4:15: error: expected '}' after ';': nothing closes the '{' at /a.fsh:3\n"
-            "        x = 1.0;\n"
-            "                ^\n");
+            "/a.fsh:12:16: error: expected '}' after ';': nothing closes the '{' at /a.fsh:3\n"
+            "        x += 0.5;\n"
+            "                 ^\n");
 }
 
 TEST(validate, what_is_left_of_a_function_is_not_outside_it) {
