@@ -38,7 +38,7 @@ PackLighting::PackLighting(const LightingInput& input)
   functions_->rainStrength = input.rainStrength;
   lightIrradiance_ = functions_->light_irradiance();
   const auto direct = input.options.find("DIRECT_LIGHT");
-  ggx_ = direct != input.options.end() && direct->second == "LAMBERT_GGX";
+  if (direct != input.options.end()) directLight_ = direct->second;
 }
 
 PackLighting::~PackLighting() = default;
@@ -52,8 +52,9 @@ vec3 PackLighting::skyRadiance(const vec3& direction) const {
 vec3 PackLighting::reflectDirect(const vec3& albedo, const vec3& n, const vec3& v,
                                  const vec3& l) const {
   const float cosine = std::max(dot(n, l), 0.0f);
-  return cosine * (ggx_ ? functions_->reflect_ggx(albedo, n, v, l)
-                        : functions_->reflect_phong(albedo, n, v, l));
+  if (directLight_ == "NONE") return vec3(0);
+  return cosine * (directLight_ == "LAMBERT_GGX" ? functions_->reflect_ggx(albedo, n, v, l)
+                                                 : functions_->reflect_phong(albedo, n, v, l));
 }
 
 float PackLighting::emissionScale(int level) const {

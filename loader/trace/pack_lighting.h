@@ -40,7 +40,7 @@ class PackLighting {
   glm::vec3 lightIrradiance() const { return lightIrradiance_; }
   /// Radiance from a direction, unit, without sun, moon and stars.
   glm::vec3 skyRadiance(const glm::vec3& direction) const;
-  /// Radiance toward `v` for irradiance 1 on a plane that faces `l`.
+  /// Radiance toward `v` for irradiance 1 on a plane that faces `l`; 0 with DIRECT_LIGHT=NONE.
   glm::vec3 reflectDirect(const glm::vec3& albedo, const glm::vec3& n, const glm::vec3& v,
                           const glm::vec3& l) const;
   /// Radiance of a lit surface as drawn: albedo times this, for light level 0..15.
@@ -56,7 +56,7 @@ class PackLighting {
  private:
   std::unique_ptr<Functions> functions_;
   glm::vec3 lightDirection_{0}, lightIrradiance_{0};
-  bool ggx_ = false;
+  std::string directLight_ = "PHONG";
 };
 
 /// Textures to light, with the pack's to_linear.

@@ -30,8 +30,8 @@
 #define ACES 2
 
 // Direct light
-#define DIRECT_LIGHT PHONG // [PHONG LAMBERT_GGX]
-#define SUN_STRENGTH 8.0 // [2.0 4.0 6.0 8.0 12.0 16.0]
+#define DIRECT_LIGHT PHONG // [NONE PHONG LAMBERT_GGX]
+#define SUN_STRENGTH 8.0 // [0.0 2.0 4.0 6.0 8.0 12.0 16.0]
 #define SKY_STRENGTH 1.0 // [0.0 0.25 0.5 1.0 1.5 2.0]
 #define EMISSION_STRENGTH 16.0 // [2.0 4.0 8.0 16.0 32.0 64.0]
 #define AMBIENT_MINIMUM 0.002 // [0.0 0.002 0.005 0.01 0.02 0.1]

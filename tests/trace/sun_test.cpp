@@ -81,6 +81,21 @@ TEST(Sun, draws_the_shadow_that_the_slab_test_gives) {
   EXPECT_EQ(wrong, 0);
 }
 
+// What is left are the bounces, which keep the sun.
+TEST(Sun, is_not_seen_directly_without_direct_light) {
+  LightingInput lighting = sunAt({0.5f, 0.7f, 0.31f});
+  const auto mean = [&lighting](int bounces) {
+    TraceSettings settings;
+    settings.bounces = bounces;
+    return trace(pillarScene(lighting), above(32), settings, 16, 1).noise().mean;
+  };
+  const double indirect = mean(1) - mean(0);
+  lighting.options["DIRECT_LIGHT"] = "NONE";
+  EXPECT_EQ(mean(0), 0);
+  EXPECT_NEAR(mean(1), indirect, 1e-6);
+  EXPECT_GT(indirect, 1e-4);
+}
+
 // Every point of an open plain under a sky of radiance L gets L, whatever reflects.
 TEST(Sky, lights_a_plain_by_the_mean_over_the_hemisphere) {
   LightingInput lighting;

@@ -50,8 +50,10 @@ vec3 light_surface(Surface s, ivec2 pixel) {
     float level = s.emission / 15.0;
     vec3 radiance = s.albedo * (EMISSION_STRENGTH * level * level);
     radiance += s.albedo * indirect_radiance(s, pixel);
+#if DIRECT_LIGHT != NONE
     radiance += light_irradiance() * light_visibility(s.player, n, l, shadow_radius, s.light.y) *
                 reflect_direct(s.albedo, n, v, l);
+#endif
     return radiance;
 }
 

@@ -73,8 +73,10 @@ void main() {
     vec3 n = dot(normal, v) < 0.0 ? -normal : normal;
     vec3 l = light_direction();
     vec3 radiance = albedo * indirect_radiance(n);
+#if DIRECT_LIGHT != NONE
     radiance += light_irradiance() * light_visibility(player, n, l, shadow_radius, light.y) *
                 reflect_direct(albedo, n, v, l);
+#endif
 
     // Water mirrors the sky where the sky reaches it. Fresnel: Schlick, reflectance 0.02.
     float fresnel = is_water * (0.02 + 0.98 * pow(1.0 - clamp(dot(n, v), 0.0, 1.0), 5.0));
