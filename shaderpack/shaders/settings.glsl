@@ -23,6 +23,18 @@
 #define FLOODFILL 4
 #define FACE_CACHE 5
 
+#define FORWARD 1
+#define DEFERRED 2
+#define TILED 3
+#define CLUSTERED 4
+
+#define LINEAR 1
+#define LOGARITHMIC 2
+
+#define SLICE 1
+#define COUNT 2
+#define HEAT 3
+
 #define ATLAS_2D 1
 #define IMAGE_3D 2
 
@@ -47,6 +59,18 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 #define GI_METHOD FACE_CACHE // [NONE BOUNCE_1 BOUNCE_2 BOUNCE_4 FLOODFILL FACE_CACHE]
 #define GI_SAMPLES 1 // [1 2 4]
 #define VOXEL_SIZE 64 // [32 48 64 96]
+
+// Many lamps
+#define LIGHT_METHOD NONE // [NONE FORWARD DEFERRED TILED CLUSTERED]
+#define LIGHT_RANGE 1.0 // [0.25 0.5 0.75 1.0 1.5]
+#define LIGHT_DISTANCE 64 // [32 48 64]
+#define LIGHT_CAPACITY 4096 // [256 1024 4096 16384]
+#define LIGHT_LIST 512 // [64 128 256 512 1024 2048]
+#define LIGHT_COLUMNS 20 // [8 16 20 32]
+#define LIGHT_SLICES 24 // [1 8 16 24 32]
+#define LIGHT_SLICING LOGARITHMIC // [LINEAR LOGARITHMIC]
+#define LIGHT_FIRST_SLICE 4.0 // [1.0 2.0 4.0 5.0]
+#define LIGHT_DEBUG NONE // [NONE SLICE COUNT HEAT]
 
 // Floodfill
 #define FLOODFILL_STORAGE ATLAS_2D // [ATLAS_2D IMAGE_3D]
@@ -85,6 +109,35 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 #define FACES 0
 #endif
 #define AIR_LIGHT (GI_METHOD == FLOODFILL || (GI_METHOD == FACE_CACHE && !FACES))
+
+// Lamps by a list. It is made by compute shaders; without them lamps light as with NONE.
+#if LIGHT_METHOD != NONE && defined IS_IRIS && !defined MC_OS_MAC
+#define LAMPS 1
+#else
+#define LAMPS 0
+#endif
+#define LIGHT_GRID (LAMPS && (LIGHT_METHOD == TILED || LIGHT_METHOD == CLUSTERED))
+#define LAMPS_FORWARD (LAMPS && LIGHT_METHOD == FORWARD)
+
+// Views of the grid.
+#define LIGHT_DEBUG_VIEW (LIGHT_DEBUG != NONE && LIGHT_GRID)
+
+#if LIGHT_METHOD == TILED
+#define LIGHT_GRID_SLICES 1
+#else
+#define LIGHT_GRID_SLICES LIGHT_SLICES
+#endif
+
+// Tiles about as high as wide on a screen of 16 to 9; shaders.properties repeats columns * rows.
+#if LIGHT_COLUMNS == 8
+#define LIGHT_ROWS 5
+#elif LIGHT_COLUMNS == 16
+#define LIGHT_ROWS 9
+#elif LIGHT_COLUMNS == 32
+#define LIGHT_ROWS 18
+#else
+#define LIGHT_ROWS 12
+#endif
 
 // Of the light by cell, as an image.
 #if FLOODFILL_RULE == CONSERVING

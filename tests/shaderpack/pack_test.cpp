@@ -28,6 +28,9 @@ TEST(pack, method_options_have_the_published_values) {
   EXPECT_THAT(values("SHADOW_METHOD"), ElementsAre("NONE", "MAP", "MAP_PCF"));
   EXPECT_THAT(values("GI_METHOD"),
               ElementsAre("NONE", "BOUNCE_1", "BOUNCE_2", "BOUNCE_4", "FLOODFILL", "FACE_CACHE"));
+  EXPECT_THAT(values("LIGHT_METHOD"),
+              ElementsAre("NONE", "FORWARD", "DEFERRED", "TILED", "CLUSTERED"));
+  EXPECT_EQ(pack->options.find("LIGHT_METHOD")->defaultValue, "NONE");
   EXPECT_EQ(pack->options.find("FLOODFILL_ALPHA")->defaultValue, "2.43902");
   EXPECT_EQ(pack->options.find("FLOODFILL_GAMMA")->defaultValue, "2.2");
   EXPECT_EQ(pack->options.find("FLOODFILL_INTERVAL")->defaultValue, "3");
@@ -66,6 +69,8 @@ TEST(pack, programs_follow_the_methods) {
   EXPECT_TRUE(has({{"GI_METHOD", "NONE"}}, "shadow"));
   EXPECT_TRUE(has({{"SHADOW_METHOD", "NONE"}}, "shadow"));
   EXPECT_FALSE(has({{"GI_METHOD", "NONE"}, {"SHADOW_METHOD", "NONE"}}, "shadow"));
+  EXPECT_TRUE(
+      has({{"GI_METHOD", "NONE"}, {"SHADOW_METHOD", "NONE"}, {"LIGHT_METHOD", "TILED"}}, "shadow"));
 }
 
 TEST(pack, face_cache_has_images_of_the_size_of_its_volume) {
@@ -84,6 +89,35 @@ TEST(pack, face_cache_has_images_of_the_size_of_its_volume) {
                                {"VOXEL_SIZE", std::to_string(static_cast<int>(volume))}});
     EXPECT_THAT(sizes.at("face_light"), ElementsAre(6 * volume, volume, volume));
     EXPECT_THAT(sizes.at("face_seen"), ElementsAre(volume, volume, volume));
+  }
+}
+
+TEST(pack, lamps_have_what_their_method_needs) {
+  const auto images = [](const ShaderPack& pack) {
+    std::set<std::string> names;
+    for (const CustomImage& image : pack.properties.images) names.insert(image.name);
+    return names;
+  };
+  const auto programs = [](const ShaderPack& pack) {
+    std::string found;
+    for (const char* program : {"shadowcomp2", "shadowcomp3", "shadowcomp4", "shadowcomp5"})
+      found += pack.find(program) ? program[10] : '-';
+    return found;
+  };
+  const std::set<std::string> table = {"lamp_cells", "lamp_tally", "light_state", "light_table"};
+  std::set<std::string> grid = table;
+  grid.insert({"light_bits", "light_list", "light_grid"});
+  const std::tuple<const char*, std::set<std::string>, const char*> expected[] = {
+      {"NONE", {}, "----"},
+      {"FORWARD", table, "2--5"},
+      {"DEFERRED", table, "2--5"},
+      {"TILED", grid, "2345"},
+      {"CLUSTERED", grid, "2345"}};
+  for (const auto& [method, names, found] : expected) {
+    const auto pack =
+        loadReferencePack({.values = {{"GI_METHOD", "NONE"}, {"LIGHT_METHOD", method}}});
+    EXPECT_EQ(images(pack.value()), names) << method;
+    EXPECT_EQ(programs(*pack), found) << method;
   }
 }
 

@@ -11,7 +11,9 @@ const int block_water = 20;
 const int block_translucent = 21;  // stained glass, ice, slime
 const int block_lamp = 100;        // full cubes, 100 + colour
 const int block_small_lamp = 200;  // torches and the like, 200 + colour
-const int block_lamps_end = 300;
+const int block_spot_lamp = 300;   // small ones that shine one way, 300 + 10 * direction + colour:
+                                   // towards -x +x -y +y -z +z
+const int block_lamps_end = 360;
 
 bool is_lamp(int id) { return id >= block_lamp && id < block_lamps_end; }
 
@@ -31,14 +33,14 @@ vec3 lamp_color(int id) {
         vec3(0.62, 0.26, 1.0),   // 7 amethyst, crying obsidian, portal
         vec3(0.45, 1.0, 0.36),   // 8 green froglight, sea pickle
         vec3(1.0, 0.34, 0.06));  // 9 lava, magma
-    return colors[clamp(id % 100, 0, 9)];
+    return colors[id % 10];
 }
 
 /// Light level where the host gives none with the vertex (Iris before 1.7).
 float lamp_level(int id) {
     const float levels[10] =
         float[10](15.0, 14.0, 15.0, 15.0, 7.0, 10.0, 14.0, 10.0, 12.0, 15.0);
-    return is_lamp(id) ? levels[clamp(id % 100, 0, 9)] : 0.0;
+    return is_lamp(id) ? levels[id % 10] : 0.0;
 }
 
 /// Light level of a vertex's block: at_midBlock.w where it means that, else by id.

@@ -22,9 +22,11 @@
 //   voxels in the bottom rows (include/voxel/voxel.glsl), unused above them
 // shadowtex1   depth     shadow  1      shadow                        deferred, deferred4, translucent
 //   shadow map without translucent blocks, above the rows of the voxels
+// colortex7    RGBA32F   window  0      opaque gbuffers               deferred4
+//   with LIGHT_METHOD=FORWARD: radiance that the surface reflects of lamps
 //
-// The images of the face cache are told in include/faces/face_cache.glsl.
-// colortex3..6 and the shadow targets exist only while an option uses them.
+// The images of the lamps are told in include/lights. The images of the face cache are told in include/faces/face_cache.glsl.
+// colortex3..7 and the shadow targets exist only while an option uses them.
 #if !defined INCLUDED_BUFFERS
 #define INCLUDED_BUFFERS
 
@@ -53,6 +55,12 @@ const int colortex6Format = RGBA16F;
 const bool colortex5Clear = false;
 const int shadowcolor0Format = RGBA8;
 const vec4 shadowcolor0ClearColor = vec4(0.0, 0.0, 0.0, 0.0);
+*/
+#endif
+
+#if LAMPS_FORWARD
+/*
+const int colortex7Format = RGBA32F;
 */
 #endif
 

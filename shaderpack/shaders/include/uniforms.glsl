@@ -16,6 +16,7 @@ uniform vec3 cameraPosition;
 uniform vec3 previousCameraPosition;
 uniform ivec3 cameraPositionInt;
 uniform vec3 cameraPositionFract;
+uniform vec3 previousCameraPositionFract;
 uniform ivec3 previousCameraPositionInt;
 uniform vec3 sunPosition;
 uniform vec3 upPosition;

@@ -22,6 +22,10 @@ void main() { gl_Position = ftransform(); }
 #include "/include/faces/face_cache.glsl"
 #endif
 
+#if LAMPS
+#include "/include/lights/lamps.glsl"
+#endif
+
 #if GI_METHOD == BOUNCE_4
 const int gi_bounces = 4;
 #elif GI_METHOD == BOUNCE_2
@@ -42,6 +46,15 @@ uniform sampler2D colortex5;
 layout(location = 0) out vec4 out_radiance;
 layout(location = 1) out vec4 out_plane;
 
+/// Does deferred4 add the light of a lamp that the ray from the pixel hits here?
+bool lit_directly(int bounce, vec3 position) {
+#if LAMPS
+    return bounce == 0 && in_lamp_volume(ivec3(floor(to_lamp_space(from_volume(position)))));
+#else
+    return false;
+#endif
+}
+
 /// One sample of the mean incoming radiance.
 vec3 gather(Surface s, vec3 light) {
     vec3 origin = to_volume(s.player) + s.normal * ray_offset;
@@ -57,7 +70,7 @@ vec3 gather(Surface s, vec3 light) {
             break;
         }
         if (is_lamp_voxel(hit.voxel.code)) {
-            radiance += throughput * lamp_light(hit.voxel);
+            radiance += throughput * lamp_light(hit.voxel) * float(!lit_directly(bounce, hit.position));
             break;
         }
         normal = hit.normal;

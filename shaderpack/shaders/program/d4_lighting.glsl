@@ -12,6 +12,14 @@ void main() { gl_Position = ftransform(); }
 #include "/include/lighting/ambient.glsl"
 #include "/include/lighting/direct.glsl"
 #include "/include/lighting/shadow.glsl"
+#if LAMPS_FORWARD
+#include "/include/lights/lamps.glsl"
+
+uniform sampler2D colortex7;
+#elif LAMPS
+#extension GL_ARB_shader_image_load_store : enable
+#include "/include/lights/lit_by_lamps.glsl"
+#endif
 #if VOXELS
 #include "/include/voxel/volume.glsl"
 #ifdef GI_FILTER
@@ -23,6 +31,10 @@ uniform sampler2D colortex3;
 #endif
 #endif
 
+#if LIGHT_DEBUG_VIEW
+#include "/include/lights/debug.glsl"
+#endif
+
 uniform sampler2D colortex0;
 
 /* RENDERTARGETS: 0 */
@@ -30,7 +42,11 @@ layout(location = 0) out vec4 out_color;
 
 /// Mean radiance over the hemisphere, without the direct sun.
 vec3 indirect_radiance(Surface s, ivec2 pixel) {
-    vec3 lightmap = ambient_radiance(s.light, s.normal);
+    vec2 light = s.light;
+#if LAMPS
+    light.x *= unlisted_share(s.player);
+#endif
+    vec3 lightmap = ambient_radiance(light, s.normal);
 #if VOXELS
     // The volume's edge sees too little: fade to the lightmap over four cells.
     vec3 position = to_volume(s.player);
@@ -54,6 +70,11 @@ vec3 light_surface(Surface s, ivec2 pixel) {
     radiance += light_irradiance() * light_visibility(s.player, n, l, shadow_radius, s.light.y) *
                 reflect_direct(s.albedo, n, v, l);
 #endif
+#if LAMPS_FORWARD
+    radiance += texelFetch(colortex7, pixel, 0).rgb;
+#elif LAMPS
+    radiance += s.albedo / pi * lamps_irradiance(s.player, s.normal, float(s.thin));
+#endif
     return radiance;
 }
 
@@ -63,6 +84,9 @@ void main() {
     // What the sky programs drew: stars, sun, moon.
     vec3 behind = texelFetch(colortex0, pixel, 0).rgb + sky_radiance(normalize(s.player));
     out_color = vec4(s.sky ? behind : light_surface(s, pixel), 1.0);
+#if LIGHT_DEBUG_VIEW
+    out_color = vec4(light_debug(s), 1.0);
+#endif
 }
 
 #endif

@@ -14,6 +14,9 @@ out vec4 tint;
 out vec2 light;
 flat out vec3 normal;
 flat out float material;
+#if LAMPS_FORWARD
+out vec3 player;
+#endif
 
 void main() {
     gl_Position = ftransform();
@@ -23,6 +26,10 @@ void main() {
     vec2 lightmap = (gl_TextureMatrix[1] * gl_MultiTexCoord1).xy;
     light = clamp((lightmap - 1.0 / 32.0) * 16.0 / 15.0, 0.0, 1.0);
     normal = normalize(mat3(gbufferModelViewInverse) * (gl_NormalMatrix * gl_Normal));
+
+#if LAMPS_FORWARD
+    player = (gbufferModelViewInverse * (gl_ModelViewMatrix * gl_Vertex)).xyz;
+#endif
 
     int id = int(floor(mc_Entity.x + 0.5));
     bool thin = id == block_plant || id == block_leaves;
@@ -37,11 +44,23 @@ in vec2 light;
 flat in vec3 normal;
 flat in float material;
 
+#if LAMPS_FORWARD
+#extension GL_ARB_shader_image_load_store : enable
+#include "/include/lights/lit_by_lamps.glsl"
+
+in vec3 player;
+#endif
+
 #if !defined PROGRAM_BASIC
 uniform sampler2D gtexture;
 #endif
 
+#if LAMPS_FORWARD
+/* RENDERTARGETS: 1,2,7 */
+layout(location = 2) out vec4 out_lamps;
+#else
 /* RENDERTARGETS: 1,2 */
+#endif
 layout(location = 0) out vec4 out_albedo;
 layout(location = 1) out vec4 out_geometry;
 
@@ -53,6 +72,10 @@ void main() {
     if (color.a < alphaTestRef) discard;
 #endif
     out_albedo = vec4(color.rgb, material / 255.0);
+#if LAMPS_FORWARD
+    float thin = float(material >= material_thin);
+    out_lamps = vec4(to_linear(color.rgb) / pi * lamps_irradiance(player, normal, thin), 0.0);
+#endif
     out_geometry = vec4(encode_normal(normal), occlude_light(light, tint.a));
 }
 

@@ -36,6 +36,10 @@ void main() {
 #include "/include/lighting/ambient.glsl"
 #include "/include/lighting/direct.glsl"
 #include "/include/lighting/shadow.glsl"
+#if LAMPS
+#extension GL_ARB_shader_image_load_store : enable
+#include "/include/lights/lit_by_lamps.glsl"
+#endif
 #if AIR_LIGHT
 #define READ_VOXELS
 #include "/include/voxel/light_field.glsl"
@@ -61,7 +65,11 @@ vec3 indirect_radiance(vec3 n) {
         return ambient_radiance(vec2(0.0, light.y), n) +
                light_solid_aware(position, n) * FLOODFILL_STRENGTH;
 #endif
-    return ambient_radiance(light, n);
+    vec2 levels = light;
+#if LAMPS
+    levels.x *= unlisted_share(player);
+#endif
+    return ambient_radiance(levels, n);
 }
 
 void main() {
@@ -76,6 +84,9 @@ void main() {
 #if DIRECT_LIGHT != NONE
     radiance += light_irradiance() * light_visibility(player, n, l, shadow_radius, light.y) *
                 reflect_direct(albedo, n, v, l);
+#endif
+#if LAMPS
+    radiance += albedo / pi * lamps_irradiance(player, n, 0.0);
 #endif
 
     // Water mirrors the sky where the sky reaches it. Fresnel: Schlick, reflectance 0.02.

@@ -4,8 +4,10 @@
 #include "/include/uniforms.glsl"
 #include "/include/blocks.glsl"
 #include "/include/lighting/shadow_space.glsl"
-#if VOXELS
+#if VOXELS || LAMPS
 #include "/include/math/color.glsl"
+#endif
+#if VOXELS
 #include "/include/voxel/volume.glsl"
 #include "/include/voxel/voxel.glsl"
 #endif
@@ -55,14 +57,39 @@ in float vertex_sky[];
 out vec2 uv;
 flat out vec4 voxel;  // a 0: part of the shadow map
 
+#if VOXELS || LAMPS
+
+uniform sampler2D gtexture;
+
+/// Quads of blocks, once: they arrive as pairs of triangles.
+bool is_new_quad() {
+    return (gl_PrimitiveIDIn & 1) == 0 && renderStage != MC_RENDER_STAGE_ENTITIES &&
+           renderStage != MC_RENDER_STAGE_BLOCK_ENTITIES;
+}
+
+/// As bright as a colour of that hue can be.
+vec3 brightest(vec3 color) { return color / max(max(color.r, color.g), max(color.b, 1e-3)); }
+
+#endif
+
+#if LAMPS
+#extension GL_ARB_shader_image_load_store : enable
+#include "/include/lights/lamp_list.glsl"
+
+void emit_lamp() {
+    if (!is_new_quad()) return;
+    int level = int(clamp(vertex_emission[0], 0.0, 15.0) + 0.5);
+    vec3 own = to_linear(textureLod(gtexture, vertex_mid_uv[0], 4.0).rgb) * to_linear(vertex_tint[0]);
+    list_lamp(vertex_center[0], int(floor(vertex_id[0] + 0.5)), level, brightest(own));
+}
+#endif
+
 #if VOXELS
 
 #if FACES
 #extension GL_ARB_shader_image_load_store : enable
 #include "/include/faces/face_list.glsl"
 #endif
-
-uniform sampler2D gtexture;
 
 /// Mean linear colour of the quad, weighted by alpha: 16 taps over its part of the atlas, in the level
 /// that has 16 texels a tile.
@@ -84,10 +111,9 @@ vec4 block_voxel(int id, float emission) {
     vec3 color = face_color();
     int level = int(clamp(emission, 0.0, 15.0) + 0.5);
     if (level > 0) {
-        vec3 own = color / max(max(color.r, color.g), max(color.b, 1e-3));
         vec3 listed = is_lamp(id) ? lamp_color(id) : vec3(0.0);
         bool is_listed = any(greaterThan(listed, vec3(0.0)));
-        return encode_voxel(is_listed ? listed : own,
+        return encode_voxel(is_listed ? listed : brightest(color),
                             level + (is_small_lamp(id) ? voxel_small_lamp : voxel_lamp));
     }
     if (id == block_plant || id == block_open || is_small_lamp(id)) return vec4(0.0);
@@ -98,12 +124,8 @@ vec4 block_voxel(int id, float emission) {
 }
 
 void emit_voxel() {
-    // Quads arrive as pairs of triangles: the second would write the same again.
-    bool second = (gl_PrimitiveIDIn & 1) == 1;
-    bool block = renderStage != MC_RENDER_STAGE_ENTITIES &&
-                 renderStage != MC_RENDER_STAGE_BLOCK_ENTITIES;
     ivec3 cell = ivec3(floor(to_volume(vertex_center[0])));
-    if (second || !block || !in_volume(cell)) return;
+    if (!is_new_quad() || !in_volume(cell)) return;
     voxel = block_voxel(int(floor(vertex_id[0] + 0.5)), vertex_emission[0]);
     if (voxel.a == 0.0) return;
 #if FACES
@@ -145,6 +167,9 @@ void main() {
 #endif
 #if VOXELS
     emit_voxel();
+#endif
+#if LAMPS
+    emit_lamp();
 #endif
 }
 

@@ -1,0 +1,33 @@
+// What has changed since table and grid were made.
+#if !defined INCLUDED_LIGHTS_CHANGES
+#define INCLUDED_LIGHTS_CHANGES
+
+#include "/include/lights/lamps.glsl"
+
+layout(r32ui) uniform uimage2D light_state;
+layout(r32ui) uniform uimage2D lamp_tally;
+
+uint state_of(int what) { return imageLoad(light_state, ivec2(what, 0)).r; }
+
+uint tally_of(ivec2 what) { return imageLoad(lamp_tally, what).r; }
+
+/// Places in the table are those in the volume, which moves by whole blocks.
+bool lights_changed() {
+    uvec3 origin = uvec3(state_of(state_origin), state_of(state_origin + 1),
+                         state_of(state_origin + 2));
+    return state_of(state_tables) == 0u || state_of(state_checksum) != tally_of(lamp_checksum) ||
+           origin != uvec3(cameraPositionInt);
+}
+
+bool view_changed() {
+    return gbufferModelView != gbufferPreviousModelView ||
+           gbufferProjection != gbufferPreviousProjection ||
+           cameraPositionFract != previousCameraPositionFract;
+}
+
+bool grid_changed() { return state_of(state_grids) == 0u || lights_changed() || view_changed(); }
+
+/// Lamps of the table, also in the frame that makes it.
+uint listed_lamps() { return min(tally_of(lamp_total), table_capacity); }
+
+#endif

@@ -1,0 +1,66 @@
+// Light of one lamp on a surface.
+#if !defined INCLUDED_LIGHTS_LAMP_LIGHT
+#define INCLUDED_LIGHTS_LAMP_LIGHT
+
+#include "/include/lights/lamps.glsl"
+#include "/include/math/sampling.glsl"
+#include "/include/voxel/voxel.glsl"
+
+// Mean area that a cube shows to an observer (Cauchy: a quarter of its surface).
+const float cube_area = 1.5;
+const float ball_area = pi * small_lamp_radius * small_lamp_radius;
+
+// A spot's light is full up to 30 degrees off its axis and gone at 50; its power is that of the ball.
+const float spot_full = 0.866;
+const float spot_none = 0.643;
+const float spot_gain = 2.0 / (1.0 - spot_full + (spot_full - spot_none) / 3.0);
+
+struct Light {
+    vec3 place;       // lamp space
+    float inverse;    // 1 / range^2
+    vec3 intensity;   // irradiance at distance 1
+    float radius;     // squared, or minus (direction + 1) of a spot
+};
+
+/// `lamp` of pack_lamp in a cell.
+Light make_light(ivec3 cell, uint lamp) {
+    int kind = packed_kind(lamp);
+    float level = float(packed_level(lamp));
+    float range = LIGHT_RANGE * level;  // blocks: that of the game's light levels
+    float area = kind == kind_cube ? cube_area : ball_area;
+    float gain = kind == kind_cube ? 1.0 : small_lamp_boost;
+    if (kind >= kind_spot) gain *= spot_gain;
+    Light light;
+    light.place = vec3(cell) + 0.5;
+    light.inverse = 1.0 / (range * range);
+    light.intensity = packed_color(lamp) * (EMISSION_STRENGTH * level * level / 225.0 * gain * area);
+    // No nearer does irradiance grow: there it is that of the lamp's radiance from all sides.
+    light.radius = kind >= kind_spot ? -float(kind - kind_spot + 1) : area / pi;
+    return light;
+}
+
+/// Share of a spot's intensity; `way` from the surface to the lamp.
+float spot_share(float direction, vec3 way, float inverse_distance) {
+    float along = direction < 2.5 ? way.x : direction < 4.5 ? way.y : way.z;
+    bool positive = direction == 2.0 || direction == 4.0 || direction == 6.0;
+    float cosine = along * inverse_distance * (positive ? -1.0 : 1.0);
+    float share = clamp((cosine - spot_none) / (spot_full - spot_none), 0.0, 1.0);
+    return share * share;
+}
+
+/// Irradiance: inverse square, windowed to be 0 at the range (Karis 2013, "Real Shading in Unreal
+/// Engine 4"), so that leaving out lamps beyond it changes nothing. `thin`: lit from either side, 1.
+vec3 light_irradiance_at(vec4 place, vec4 power, vec3 position, vec3 normal, float thin) {
+    vec3 way = place.xyz - position;
+    float squared = dot(way, way);
+    float inverse = inversesqrt(max(squared, 1e-8));
+    float cosine = dot(way, normal) * inverse;
+    cosine = max(cosine, -thin * cosine);
+    float reach = squared * place.w;
+    float window = max(1.0 - reach * reach, 0.0);
+    float radius = power.w > 0.0 ? power.w : small_lamp_radius * small_lamp_radius;
+    float spot = power.w > 0.0 ? 1.0 : spot_share(-power.w, way, inverse);
+    return power.xyz * (max(cosine, 0.0) * spot * window * window / max(squared, radius));
+}
+
+#endif

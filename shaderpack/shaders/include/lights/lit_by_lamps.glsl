@@ -1,0 +1,55 @@
+// The light of all lamps on a surface: of the whole table, or of the lists of its cluster.
+#if !defined INCLUDED_LIGHTS_LIT_BY_LAMPS
+#define INCLUDED_LIGHTS_LIT_BY_LAMPS
+
+#include "/include/lights/lamp_light.glsl"
+
+layout(rgba32f) uniform readonly image2D light_table;
+layout(r32ui) uniform readonly uimage2D light_state;
+
+#if LIGHT_GRID
+#include "/include/lights/grid.glsl"
+
+layout(r16ui) uniform readonly uimage3D light_list;
+layout(r32ui) uniform readonly uimage2D light_grid;
+#endif
+
+vec3 light_of_lamp(uint lamp, vec3 position, vec3 normal, float thin) {
+    ivec2 texel = table_texel(lamp);
+    return light_irradiance_at(imageLoad(light_table, texel),
+                               imageLoad(light_table, texel + ivec2(1, 0)), position, normal, thin);
+}
+
+uint lamp_count() { return imageLoad(light_state, ivec2(state_lamps, 0)).r; }
+
+#if LIGHT_GRID
+uint cluster_count(ivec2 cluster) { return imageLoad(light_grid, cluster).r; }
+
+vec3 cluster_irradiance(ivec2 cluster, vec3 position, vec3 normal, float thin) {
+    vec3 sum = vec3(0.0);
+    int count = int(cluster_count(cluster));
+    for (int i = 0; i < count; ++i)
+        sum += light_of_lamp(imageLoad(light_list, ivec3(i, cluster)).r, position, normal, thin);
+    return sum;
+}
+#endif
+
+vec3 table_irradiance(vec3 position, vec3 normal, float thin) {
+    vec3 sum = vec3(0.0);
+    uint count = lamp_count();
+    for (uint i = 0u; i < count; ++i) sum += light_of_lamp(i, position, normal, thin);
+    return sum;
+}
+
+/// Irradiance of the lamps on a surface; `thin`: 1 if it is lit from either side.
+vec3 lamps_irradiance(vec3 player, vec3 normal, float thin) {
+    vec3 position = to_lamp_space(player);
+#if LIGHT_GRID
+    vec3 view = (gbufferModelView * vec4(player, 1.0)).xyz;
+    return cluster_irradiance(cluster_of(view), position, normal, thin);
+#else
+    return table_irradiance(position, normal, thin);
+#endif
+}
+
+#endif

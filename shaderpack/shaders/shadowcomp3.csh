@@ -1,0 +1,2 @@
+#version 430 compatibility
+#include "/program/s3_light_assign.glsl"

@@ -1,0 +1,2 @@
+#version 430 compatibility
+#include "/program/s4_light_lists.glsl"
