@@ -38,6 +38,9 @@
 #define ATLAS_2D 1
 #define IMAGE_3D 2
 
+#define GRID 1
+#define DISTANCE 2
+
 #define REINHARD 1
 #define ACES 2
 
@@ -58,7 +61,8 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 // Global illumination
 #define GI_METHOD FACE_CACHE // [NONE BOUNCE_1 BOUNCE_2 BOUNCE_4 FLOODFILL FACE_CACHE]
 #define GI_SAMPLES 1 // [1 2 4]
-#define VOXEL_SIZE 64 // [32 48 64 96]
+#define VOXEL_SIZE 64 // [32 48 64 96 128]
+#define RAY_WALK DISTANCE // [GRID DISTANCE]
 
 // Many lamps
 #define LIGHT_METHOD NONE // [NONE FORWARD DEFERRED TILED CLUSTERED]
@@ -73,7 +77,7 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 #define LIGHT_DEBUG NONE // [NONE SLICE COUNT HEAT]
 
 // Floodfill
-#define FLOODFILL_STORAGE ATLAS_2D // [ATLAS_2D IMAGE_3D]
+#define FLOODFILL_STORAGE IMAGE_3D // [ATLAS_2D IMAGE_3D]
 #define FLOODFILL_RULE PUBLISHED // [PUBLISHED CONSERVING]
 #define FLOODFILL_SKY NONE // [NONE PUBLISHED]
 #define FLOODFILL_ALPHA 2.43902 // [0.5 0.9 1.0 2.0 2.2 2.35 2.43902 2.5 2.55 2.65 2.67 2.75]
@@ -101,14 +105,24 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 #define VOXELS (GI_METHOD != NONE)
 #define SHADOW_MAP (SHADOW_METHOD != NONE)
 
-// Where the light of the cache is: on faces, or in the air. OptiFine has no images, macOS neither
-// images nor compute shaders; there FACE_CACHE means FLOODFILL, in shaders.properties too.
-#if GI_METHOD == FACE_CACHE && defined IS_IRIS && !defined MC_OS_MAC
+// OptiFine has no images, macOS neither images nor compute shaders; shaders.properties says the same.
+#if defined IS_IRIS && !defined MC_OS_MAC
+#define IMAGES 1
+#else
+#define IMAGES 0
+#endif
+
+// Where the light of the cache is: on faces, or in the air. Without images FACE_CACHE means FLOODFILL.
+#if GI_METHOD == FACE_CACHE && IMAGES
 #define FACES 1
 #else
 #define FACES 0
 #endif
 #define AIR_LIGHT (GI_METHOD == FLOODFILL || (GI_METHOD == FACE_CACHE && !FACES))
+#define FLOOD_IMAGE (AIR_LIGHT && IMAGES && FLOODFILL_STORAGE == IMAGE_3D)
+
+// Is a field of distances to the next block kept for the rays?
+#define DISTANCES (VOXELS && IMAGES && RAY_WALK == DISTANCE)
 
 // Lamps by a list. It is made by compute shaders; without them lamps light as with NONE.
 #if LIGHT_METHOD != NONE && defined IS_IRIS && !defined MC_OS_MAC
@@ -139,15 +153,11 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 #define LIGHT_ROWS 12
 #endif
 
-// Of the light by cell, as an image.
-#if FLOODFILL_RULE == CONSERVING
-#define FLOODFILL_FORMAT rgba32f
-#else
-#define FLOODFILL_FORMAT rgba16f
-#endif
+// Does something outlast the frame that is made of the voxels?
+#define NOTICE_CHANGES (FACES || FLOOD_IMAGE || DISTANCES)
 
-// A 96 volume needs a shadow target of 2048; with a smaller one it falls back to 64.
-#if VOXEL_SIZE == 96 && SHADOW_RESOLUTION < 2048
+// Volumes of 96 and 128 need a shadow target of 2048; with a smaller one they fall back to 64.
+#if VOXEL_SIZE >= 96 && SHADOW_RESOLUTION < 2048
 #define VOLUME 64
 #else
 #define VOLUME VOXEL_SIZE
@@ -164,6 +174,9 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 #elif VOLUME == 96
 #define ATLAS_COLUMNS 20
 #define ATLAS_ROWS 5
+#elif VOLUME == 128
+#define ATLAS_COLUMNS 16
+#define ATLAS_ROWS 8
 #else
 #define ATLAS_COLUMNS 16
 #define ATLAS_ROWS 4

@@ -1,2 +1,2 @@
 #version 430 compatibility
-#include "/program/s1_face_commit.glsl"
+#include "/program/s1_voxel_bits.glsl"

@@ -3,10 +3,11 @@
 For tests/stability/kill_list.py --table; rows as in tests/stability/mutants.py.
 """
 
-UPDATE = "program/s0_face_update.glsl"
-COMMIT = "program/s1_face_commit.glsl"
+UPDATE = "program/s7_face_update.glsl"
+COMMIT = "program/s8_face_commit.glsl"
 GI = "program/d0_gi.glsl"
 CACHE = "include/faces/face_cache.glsl"
+VOLUME = "include/voxel/volume.glsl"
 LIST = "include/faces/face_list.glsl"
 
 MUTANTS = [
@@ -14,7 +15,7 @@ MUTANTS = [
      [(CACHE, "place.x * 6 + face, place.yz);\n}\n\nint face_of",
        "place.x * 6, place.yz);\n}\n\nint face_of")]),
     ("entered never", "face_cache.teleport*",
-     [(CACHE, "bool entered(ivec3 cell) { return",
+     [(VOLUME, "bool entered(ivec3 cell) { return",
        "bool entered(ivec3 cell) { return false &&")]),
     ("buried faces not emptied", "face_cache.teleport*",
      [(COMMIT, "if (!entered(cell)) continue;",

@@ -64,16 +64,25 @@ std::array<float, 4> CellField::at(glm::ivec3 cell) const {
   return channels;
 }
 
-CellField CellField::ofSlices(const ImageF& slices, AtlasLayout layout) {
+CellField CellField::ofSlices(const ImageF& slices, AtlasLayout layout,
+                              const std::function<glm::ivec3(glm::ivec3)>& texelOf) {
   const int n = layout.volume, rows = (n + layout.columns - 1) / layout.columns;
   ImageF atlas(n * layout.columns, n * rows, slices.channels);
   for (int z = 0; z < n; ++z)
     for (int y = 0; y < n; ++y)
-      for (int x = 0; x < n; ++x)
+      for (int x = 0; x < n; ++x) {
+        const glm::ivec3 texel = texelOf({x, y, z});
         std::copy_n(
-            slices.at(x, slices.height - 1 - (z * n + y)), slices.channels,
+            slices.at(texel.x, slices.height - 1 - (texel.z * n + texel.y)), slices.channels,
             atlas.at(y % layout.columns * n + x, atlas.height - 1 - (y / layout.columns * n + z)));
+      }
   return {std::move(atlas), layout};
+}
+
+CellField CellField::mapped(const std::function<float(float)>& change) const {
+  CellField result = *this;
+  for (float& value : result.atlas_.pixels) value = change(value);
+  return result;
 }
 
 int CellField::countLit() const {
@@ -89,7 +98,7 @@ float CellField::brightest() const {
   return largest;
 }
 
-PackSession::PackSession(World world, const SessionSetup& setup) {
+PackSession::PackSession(World world, const SessionSetup& setup) : options_(setup.options) {
   Diagnostics diagnostics;
   SessionRequest request;
   request.openPack = [change = setup.change](Diagnostics& problems) {
@@ -137,14 +146,28 @@ glm::dvec3 PackSession::meanRadiance() {
 void PackSession::renderFrames(int count) {
   Diagnostics diagnostics;
   for (int i = 0; i < count; ++i) session_->renderFrame(diagnostics);
+  frames_ += count;
   expectClean(diagnostics);
   for (const std::string& error : sharedContext().takeErrors()) ADD_FAILURE() << error;
 }
 
 CellField PackSession::light(AtlasLayout layout) {
-  if (const auto slices = session_->renderer().dump("flood_light"))
-    return CellField::ofSlices(*slices, layout);
-  return {dump("colortex4"), layout};
+  const auto slices = session_->renderer().dump("flood_light");
+  if (!slices) return {dump("colortex4"), layout};
+  const auto option = [&](const char* name, const char* otherwise) {
+    const auto it = options_.find(name);
+    return it == options_.end() ? std::string(otherwise) : it->second;
+  };
+  const int n = layout.volume;
+  const glm::ivec3 origin = glm::ivec3(glm::floor(session_->camera().position)) - n / 2;
+  const int step = (frames_ - 1) / std::stoi(option("FLOODFILL_INTERVAL", "3")) + 1;
+  const CellField stored = CellField::ofSlices(*slices, layout, [&](glm::ivec3 cell) {
+    const glm::ivec3 place = ((origin + cell) % n + n) % n;
+    return place + glm::ivec3(0, 0, step % 2 * n);
+  });
+  if (option("FLOODFILL_RULE", "PUBLISHED") == "CONSERVING") return stored;
+  const float root = 1 / std::stof(option("FLOODFILL_GAMMA", "2.2"));
+  return stored.mapped([&](float value) { return std::pow(value, root); });
 }
 
 ImageF PackSession::dump(const std::string& buffer) {

@@ -34,8 +34,11 @@ struct AtlasLayout {
 class CellField {
  public:
   CellField(ImageF atlas, AtlasLayout layout) : atlas_(std::move(atlas)), layout_(layout) {}
-  /// Of a 3-D image as the renderer dumps it, with the x, y and z of a cell for its texel.
-  static CellField ofSlices(const ImageF& slices, AtlasLayout layout);
+  /// Of a 3-D image as the renderer dumps it. `texelOf`: where a cell is in it.
+  static CellField ofSlices(const ImageF& slices, AtlasLayout layout,
+                            const std::function<glm::ivec3(glm::ivec3)>& texelOf);
+  /// All channels changed.
+  CellField mapped(const std::function<float(float)>& change) const;
   /// The four channels of a cell, 0..volume-1 on each axis.
   std::array<float, 4> at(glm::ivec3 cell) const;
   float red(glm::ivec3 cell) const { return at(cell)[0]; }
@@ -64,7 +67,7 @@ class PackSession {
   /// Looks from one point to another, with a narrow field of view, from the next frame on.
   void look(glm::dvec3 from, glm::dvec3 to);
   void renderFrames(int count);
-  /// With any FLOODFILL_STORAGE.
+  /// With any FLOODFILL_STORAGE; of IMAGE_3D what the lookup makes of it.
   CellField light(AtlasLayout layout = {});
   /// Voxels as stored: red, green, blue, code / 255.
   CellField voxels(AtlasLayout layout = {}) { return {dump("shadowcolor0"), layout}; }
@@ -76,6 +79,8 @@ class PackSession {
  private:
   PackSession(World world, const SessionSetup& setup);
   std::unique_ptr<RenderSession> session_;
+  OptionValues options_;
+  int frames_ = 0;
 };
 
 /// The cell of a block when the camera's eye is in block `eye`.

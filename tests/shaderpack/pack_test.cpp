@@ -58,9 +58,13 @@ TEST(pack, programs_follow_the_methods) {
   const auto has = [](const OptionValues& values, const char* program) {
     return loadReferencePack({.values = values})->find(program) != nullptr;
   };
-  EXPECT_TRUE(has({{"GI_METHOD", "FLOODFILL"}}, "prepare"));
+  EXPECT_TRUE(has({{"GI_METHOD", "FLOODFILL"}, {"FLOODFILL_STORAGE", "ATLAS_2D"}}, "prepare"));
+  EXPECT_FALSE(has({{"GI_METHOD", "FLOODFILL"}}, "prepare"));
+  EXPECT_TRUE(has({{"GI_METHOD", "FLOODFILL"}}, "prepare2"));
+  EXPECT_TRUE(has({{"GI_METHOD", "BOUNCE_1"}}, "shadowcomp6"));
+  EXPECT_FALSE(has({{"GI_METHOD", "BOUNCE_1"}, {"RAY_WALK", "GRID"}}, "shadowcomp"));
   EXPECT_FALSE(has({{"GI_METHOD", "BOUNCE_4"}}, "prepare"));
-  for (const char* program : {"shadowcomp", "shadowcomp1"}) {
+  for (const char* program : {"shadowcomp7", "shadowcomp8"}) {
     EXPECT_TRUE(has({{"GI_METHOD", "FACE_CACHE"}}, program)) << program;
     EXPECT_FALSE(has({{"GI_METHOD", "FLOODFILL"}}, program)) << program;
   }
@@ -81,9 +85,14 @@ TEST(pack, face_cache_has_images_of_the_size_of_its_volume) {
       sizes[image.name] = {image.size[0], image.size[1], image.size[2]};
     return sizes;
   };
-  for (const char* method : {"NONE", "BOUNCE_1", "BOUNCE_4", "FLOODFILL"})
-    EXPECT_TRUE(images({{"GI_METHOD", method}}).empty()) << method;
-  for (const float volume : {32, 48, 64, 96}) {
+  for (const char* method : {"NONE", "BOUNCE_1", "BOUNCE_4", "FLOODFILL"}) {
+    EXPECT_EQ(images({{"GI_METHOD", method}}).count("face_light"), 0) << method;
+    EXPECT_TRUE(
+        images({{"GI_METHOD", method}, {"RAY_WALK", "GRID"}, {"FLOODFILL_STORAGE", "ATLAS_2D"}})
+            .empty())
+        << method;
+  }
+  for (const float volume : {32, 48, 64, 96, 128}) {
     const auto sizes = images({{"GI_METHOD", "FACE_CACHE"},
                                {"SHADOW_RESOLUTION", "2048"},
                                {"VOXEL_SIZE", std::to_string(static_cast<int>(volume))}});

@@ -58,6 +58,7 @@ SessionSetup Lab::sessionOf(const LabSetup& setup) {
   session.options.emplace("VOXEL_SIZE", std::to_string(kLabSize));
   session.options.emplace("GI_METHOD", "FLOODFILL");
   session.options.emplace("FLOODFILL_INTERVAL", "1");
+  session.options.emplace("FLOODFILL_STORAGE", "ATLAS_2D");
   session.change = [setup](PackTexts& files) {
     for (const auto& [option, value] : setup.constants) setDefault(files, option, value);
     runOnlyTheVolume(files);
@@ -66,9 +67,11 @@ SessionSetup Lab::sessionOf(const LabSetup& setup) {
         files[name + ".fsh"] = fmt::format(kInject, setup.initialStep, setup.initial);
         files[name + ".vsh"] = kFullscreen;
       }
-    if (setup.periodic)
+    if (setup.periodic) {
       edit(files["/include/voxel/light_field.glsl"], "if (!in_volume(cell)) return vec3(0.0);",
            "cell = (cell + VOLUME) % VOLUME;");
+      edit(files["/include/voxel/propagation.glsl"], "in_volume(there) ?", "true ?");
+    }
     if (setup.change) setup.change(files);
   };
   return session;

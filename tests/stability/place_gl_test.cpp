@@ -68,7 +68,9 @@ TEST(A16, lamp_at_an_edge_of_the_volume_lights_no_other_tile) {
            "environment": {{"time": 18000}}
          }})",
                                            eye.x, eye.y, eye.z),
-                      .options = {{"GI_METHOD", "FLOODFILL"}, {"FLOODFILL_INTERVAL", "1"}},
+                      .options = {{"GI_METHOD", "FLOODFILL"},
+                                  {"FLOODFILL_STORAGE", "ATLAS_2D"},
+                                  {"FLOODFILL_INTERVAL", "1"}},
                       .width = 8,
                       .height = 8,
                       .change = runOnlyTheVolume});
@@ -169,7 +171,9 @@ PackSession scrollingLamp(glm::ivec3 origin = glm::ivec3(0)) {
       "environment": {{"time": 18000}}
     }})",
                                            origin.x, origin.y, origin.z, origin.z + 6),
-                      .options = {{"GI_METHOD", "FLOODFILL"}, {"VOXEL_SIZE", "32"}},
+                      .options = {{"GI_METHOD", "FLOODFILL"},
+                                  {"FLOODFILL_STORAGE", "ATLAS_2D"},
+                                  {"VOXEL_SIZE", "32"}},
                       .width = 8,
                       .height = 8,
                       .change = runOnlyTheVolume});

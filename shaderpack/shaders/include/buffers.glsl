@@ -25,7 +25,9 @@
 // colortex7    RGBA32F   window  0      opaque gbuffers               deferred4
 //   with LIGHT_METHOD=FORWARD: radiance that the surface reflects of lamps
 //
-// The images of the lamps are told in include/lights. The images of the face cache are told in include/faces/face_cache.glsl.
+// The images of the lamps are told in include/lights, those of the face cache in
+// include/faces/face_cache.glsl, those that are made of the voxels in include/voxel/: changes, distance,
+// flood_image, active_bricks.
 // colortex3..7 and the shadow targets exist only while an option uses them.
 #if !defined INCLUDED_BUFFERS
 #define INCLUDED_BUFFERS
@@ -64,7 +66,7 @@ const int colortex7Format = RGBA32F;
 */
 #endif
 
-#if AIR_LIGHT && FLOODFILL_STORAGE == ATLAS_2D
+#if AIR_LIGHT && !FLOOD_IMAGE
 #if FLOODFILL_RULE == CONSERVING
 /*
 const int colortex4Format = RGBA32F;

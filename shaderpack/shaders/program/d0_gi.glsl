@@ -8,6 +8,10 @@ void main() { gl_Position = ftransform(); }
 
 #else
 
+#if FACES || DISTANCES
+#extension GL_ARB_shader_image_load_store : enable
+#endif
+
 #define READ_GBUFFER
 #define READ_VOXELS
 #include "/include/gbuffer.glsl"
@@ -18,7 +22,6 @@ void main() { gl_Position = ftransform(); }
 #include "/include/voxel/light_field.glsl"
 #endif
 #if FACES
-#extension GL_ARB_shader_image_load_store : enable
 #include "/include/faces/face_cache.glsl"
 #endif
 

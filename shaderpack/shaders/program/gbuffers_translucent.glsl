@@ -32,6 +32,9 @@ void main() {
 
 #else
 
+#if AIR_LIGHT
+#define READ_VOXELS
+#endif
 #include "/include/math/color.glsl"
 #include "/include/lighting/ambient.glsl"
 #include "/include/lighting/direct.glsl"
@@ -41,7 +44,6 @@ void main() {
 #include "/include/lights/lit_by_lamps.glsl"
 #endif
 #if AIR_LIGHT
-#define READ_VOXELS
 #include "/include/voxel/light_field.glsl"
 #endif
 

@@ -1,55 +1,70 @@
-// Lists the bricks that this frame's step of the floodfill has to reckon.
+// Makes the floodfill's image ready for this frame: empties cells that came into the volume, puts
+// lamps and walls where blocks changed, and lists the bricks that the step has to reckon.
 #include "/settings.glsl"
 
 layout(local_size_x = 64) in;
-const ivec3 workGroups = ivec3(64, 1, 1);
+const ivec3 workGroups = ivec3(8, 1, 1);
 
 #define READ_VOXELS
 #include "/include/voxel/voxel.glsl"
 #include "/include/voxel/active_bricks.glsl"
 
+layout(rgba32f) uniform writeonly image3D flood_light;
 layout(r32ui) uniform uimage2D flood_list;
-layout(r32ui) uniform uimage2D flood_memory;
+layout(r32ui) uniform readonly uimage2D flood_memory;
+layout(r32ui) uniform readonly uimage2D voxel_memory;
 
-uint hash_of_blocks(int brick) {
-    uint sum = 1u;  // air is not 0
-    for (uint column = 0u; column < 64u; ++column) {
-        ivec3 cell = brick_column(brick, column);
-        for (int y = 0; y < flood_brick; ++y) {
-            ivec2 texel = atlas_texel(cell + ivec3(0, y, 0));
-            sum = (sum ^ packUnorm4x8(texelFetch(shadowcolor0, texel, 0))) * 16777619u;
-        }
-    }
-    return sum;
+bool edited_since_step(int brick) {
+    return changed_within(imageLoad(voxel_memory, ivec2(brick, 1)).r, FLOODFILL_INTERVAL);
 }
 
-bool changed_before(ivec3 place) {
-    if (any(lessThan(place, ivec3(0))) || any(greaterThanEqual(place, ivec3(flood_bricks))))
-        return false;
-    return imageLoad(flood_memory, ivec2(brick_index(place), 0)).r + 1u == step_stamp();
+bool light_changed(int brick) {
+    return imageLoad(flood_memory, ivec2(brick, 0)).r + 1u == step_stamp();
 }
 
-/// Has the light of the brick or of one beside it changed?
-bool restless(int brick) {
+bool restless(ivec3 place) {
+    int brick = brick_index(wrap(place, bricks));
+    return edited_since_step(brick) || light_changed(brick);
+}
+
+/// Is the brick, or one beside it, restless? Those at the edge of the volume count as neighbours.
+bool is_active(int brick) {
     ivec3 place = brick_place(brick);
-    bool any_changed = changed_before(place);
+    bool near = restless(place);
     for (int axis = 0; axis < 3; ++axis) {
         ivec3 offset = ivec3(axis == 0, axis == 1, axis == 2);
-        any_changed = any_changed || changed_before(place + offset) || changed_before(place - offset);
+        near = near || restless(place + offset) || restless(place - offset);
     }
-    return any_changed;
+    return near;
+}
+
+void store_both(ivec3 place, vec3 light) {
+    for (uint side = 0u; side < 2u; ++side)
+        imageStore(flood_light, flood_texel(place, side), vec4(light, 1.0));
+}
+
+/// Light of cells that no step reckons: none where the volume was not before, a lamp's, none in walls.
+void prepare_cells(int brick, bool edited, bool scrolled) {
+    int cells = edited || scrolled ? 512 : 0;
+    for (int i = 0; i < cells; ++i) {
+        ivec3 place = brick_place(brick) * brick_size + (ivec3(i, i >> 3, i >> 6) & 7);
+        ivec3 cell = stored_at(place);
+        Voxel v = voxel_at(cell);
+        bool fixed_light = edited && is_opaque_voxel(v.code);
+        vec3 light = fixed_light && is_lamp_voxel(v.code) ? to_stored(lamp_radiance(v)) : vec3(0.0);
+        if (fixed_light || entered(cell)) store_both(place, light);
+    }
 }
 
 void main() {
+    bool step_now = step_in_frame();
     bool scrolled = volume_scroll() != ivec3(0);
-    // The numbers of steps begin anew after many hours.
-    bool all = scrolled || step_stamp() == 1u || FLOODFILL_SKY != NONE;
-    int bricks = step_in_frame() || scrolled ? flood_brick_count : 0;
-    for (int brick = int(gl_GlobalInvocationID.x); brick < bricks; brick += int(flood_groups) * 64) {
-        uint blocks = hash_of_blocks(brick);
-        bool edited = imageLoad(flood_memory, ivec2(brick, 1)).r != blocks;
-        imageStore(flood_memory, ivec2(brick, 1), uvec4(blocks));
-        if (all || edited || restless(brick)) {
+    bool all = step_stamp() == 1u || FLOODFILL_SKY != NONE;
+    int count = step_now || scrolled ? brick_count : 0;
+    int stride = int(gl_NumWorkGroups.x * gl_WorkGroupSize.x);
+    for (int brick = int(gl_GlobalInvocationID.x); brick < count; brick += stride) {
+        prepare_cells(brick, step_now && edited_since_step(brick), scrolled);
+        if (step_now && (all || is_active(brick))) {
             uint slot = imageAtomicAdd(flood_list, flood_list_length, 1u);
             imageStore(flood_list, ivec2(int(slot), 0), uvec4(uint(brick)));
         }

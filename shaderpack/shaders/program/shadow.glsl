@@ -86,8 +86,11 @@ void emit_lamp() {
 
 #if VOXELS
 
-#if FACES
+#if NOTICE_CHANGES
 #extension GL_ARB_shader_image_load_store : enable
+#include "/include/voxel/checksum.glsl"
+#endif
+#if FACES
 #include "/include/faces/face_list.glsl"
 #endif
 
@@ -128,10 +131,12 @@ void emit_voxel() {
     if (!is_new_quad() || !in_volume(cell)) return;
     voxel = block_voxel(int(floor(vertex_id[0] + 0.5)), vertex_emission[0]);
     if (voxel.a == 0.0) return;
-#if FACES
+#if NOTICE_CHANGES
     int code = int(voxel.a * 255.0 + 0.5);
     int face = face_of(vertex_normal[0]);
     add_to_brick(cell, face, code, vertex_mid_uv[0]);
+#endif
+#if FACES
     list_face(cell, face, code, int(clamp(vertex_sky[0], 0.0, 15.0) + 0.5));
 #endif
 

@@ -6,8 +6,9 @@
 //   face_list    r32ui, the faces to update in this frame, then the faces of lamps; see pack_face
 //   face_fresh   rgba16f, what becomes of the faces of the list: all updates read the old light,
 //                so that the order in which they run does not matter
-//   face_tally   r32ui, empty when a frame begins: lengths of the lists, a checksum for each brick
-//   face_memory  r32ui, kept: those checksums of the frame before, and when they changed
+//   face_tally   r32ui, empty when a frame begins: lengths of the lists
+//   face_memory  r32ui, kept: checksums of the bricks in the frame before (include/voxel/changes.glsl),
+//                and when they changed
 //   face_seen    r32ui, empty when a frame begins: which faces of a cell are in the list
 //
 // The shadow pass makes the lists from the quads that it draws: what the mesh hides is not exposed.
@@ -15,7 +16,7 @@
 #if !defined INCLUDED_FACES_FACE_CACHE
 #define INCLUDED_FACES_FACE_CACHE
 
-#include "/include/voxel/volume.glsl"
+#include "/include/voxel/changes.glsl"
 
 const int face_ball = 6;  // a small lamp, which has no faces
 
@@ -33,10 +34,6 @@ const int lamp_rows = 16;
 const uint face_capacity = uint(list_width * face_rows);
 const uint lamp_capacity = uint(list_width * lamp_rows);
 
-// Bricks of 8 cells, the unit in which edits are noticed. Row 0 of face_tally and face_memory.
-const int brick_size = 8;
-const int bricks = VOLUME / brick_size;  // along an axis
-
 // Row 1 of face_tally.
 const ivec2 tally_faces = ivec2(0, 1);
 const ivec2 tally_lamps = ivec2(1, 1);
@@ -44,43 +41,15 @@ const ivec2 tally_lamps = ivec2(1, 1);
 const ivec2 memory_last = ivec2(0, 1);
 const ivec2 memory_before = ivec2(1, 1);
 
-/// Floor of a / size. The guess by floats is one off at most.
-ivec3 divide_down(ivec3 a, int size) {
-    ivec3 q = ivec3(floor(vec3(a) * (1.0 / float(size))));
-    ivec3 rest = a - q * size;
-    return q - ivec3(lessThan(rest, ivec3(0))) + ivec3(greaterThanEqual(rest, ivec3(size)));
-}
-
-/// Remainder, never negative.
-ivec3 wrap(ivec3 a, int size) { return a - divide_down(a, size) * size; }
-
 /// Do the faces still adapt to an edit? `last`: its frame, of face_memory.
 bool light_changes(uint last) {
     int since = frameCounter - int(last);
     return since >= 0 && since <= face_hurry_frames;
 }
 
-/// World block of the volume's first cell.
-ivec3 volume_origin() { return cameraPositionInt - VOLUME / 2; }
-
-ivec3 volume_origin_before() { return previousCameraPositionInt - VOLUME / 2; }
-
-/// Was the cell outside of the volume in the frame before?
-bool entered(ivec3 cell) { return !in_volume(cell + volume_origin() - volume_origin_before()); }
-
-/// Place of a cell in the images that are kept.
-ivec3 store_cell(ivec3 cell) { return wrap(volume_origin() + cell, VOLUME); }
-
 ivec3 face_texel(ivec3 cell, int face) {
     ivec3 place = store_cell(cell);
     return ivec3(place.x * 6 + face, place.yz);
-}
-
-int face_of(vec3 normal) {
-    vec3 size = abs(normal);
-    if (size.x > size.y && size.x > size.z) return normal.x > 0.0 ? 1 : 0;
-    if (size.y > size.z) return normal.y > 0.0 ? 3 : 2;
-    return normal.z > 0.0 ? 5 : 4;
 }
 
 vec3 face_normal(int face) {

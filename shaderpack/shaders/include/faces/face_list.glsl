@@ -1,5 +1,4 @@
-// The shadow pass' part of the face cache: each quad of a block enters its face into the lists and
-// itself into its brick's checksum.
+// The shadow pass' part of the face cache: each quad of a block enters its face into the lists.
 #if !defined INCLUDED_FACES_FACE_LIST
 #define INCLUDED_FACES_FACE_LIST
 
@@ -11,16 +10,6 @@ layout(r32ui) uniform writeonly uimage2D face_list;
 layout(r32ui) uniform uimage2D face_tally;
 layout(r32ui) uniform readonly uimage2D face_memory;
 layout(r32ui) uniform uimage3D face_seen;
-
-/// Checksums are sums, so the order of the quads does not matter. `look`: what else the quad shows.
-void add_to_brick(ivec3 cell, int face, int code, vec2 look) {
-    ivec3 brick = store_cell(cell) / brick_size;
-    int index = (brick.z * bricks + brick.y) * bricks + brick.x;
-    uvec3 place = uvec3(volume_origin() + cell) * uvec3(73856093u, 19349663u, 83492791u);
-    uint what = uint(face * 256 + code);
-    uint sum = hash(uvec3(place.x ^ place.y ^ place.z, what, floatBitsToUint(look.x + 3.0 * look.y))).x;
-    imageAtomicAdd(face_tally, ivec2(index, 0), sum);
-}
 
 /// Is the face among those of this frame? All are when they are new or the light has changed.
 bool is_due(ivec3 cell, int face) {

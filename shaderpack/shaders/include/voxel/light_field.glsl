@@ -1,35 +1,46 @@
 // Floodfill light by cell: colortex4, laid out as the voxels are, or with FLOODFILL_STORAGE=IMAGE_3D
-// the image flood_light, which the programs after the propagation read as a texture.
+// an image (include/voxel/flood_image.glsl), which the programs after the propagation read as a texture.
 #if !defined INCLUDED_VOXEL_LIGHT_FIELD
 #define INCLUDED_VOXEL_LIGHT_FIELD
 
 #include "/include/voxel/voxel.glsl"
 #include "/include/math/sampling.glsl"
 
-const float light_max = 65504.0;  // largest half float
+#if FLOOD_IMAGE
+#include "/include/voxel/flood_image.glsl"
+#if defined STEPS_LIGHT
+layout(rgba32f) uniform image3D flood_light;
 
-#if FLOODFILL_STORAGE == ATLAS_2D
-uniform sampler2D colortex4;
-
-vec3 stored_light(ivec3 cell) { return texelFetch(colortex4, atlas_texel(cell), 0).rgb; }
-#elif defined READ_LIGHT_IMAGE
-layout(FLOODFILL_FORMAT) uniform readonly image3D flood_light;
-
-vec3 stored_light(ivec3 cell) { return imageLoad(flood_light, cell).rgb; }
+/// Before the step of this frame.
+vec3 stored_light(ivec3 cell) {
+    return from_stored(sound(imageLoad(flood_light, flood_texel(store_cell(cell), step_stamp() - 1u)).rgb));
+}
 #else
 uniform sampler3D flood_light_texture;
 
-vec3 stored_light(ivec3 cell) { return texelFetch(flood_light_texture, cell, 0).rgb; }
+vec3 stored_light(ivec3 cell) {
+    ivec3 texel = flood_texel(store_cell(cell), step_stamp());
+    return from_stored(sound(texelFetch(flood_light_texture, texel, 0).rgb));
+}
+#endif
+#else
+uniform sampler2D colortex4;
+
+const float light_max = 65504.0;  // largest half float
+
+vec3 stored_light(ivec3 cell) {
+    vec3 light = texelFetch(colortex4, atlas_texel(cell), 0).rgb;
+    // Comparisons with NaN are false; min and max need not be.
+    return mix(vec3(0.0), light,
+               bvec3(light.r >= 0.0 && light.r <= light_max, light.g >= 0.0 && light.g <= light_max,
+                     light.b >= 0.0 && light.b <= light_max));
+}
 #endif
 
 /// Light stored for a cell; 0 outside the volume and for anything that is not a number.
 vec3 light_at(ivec3 cell) {
     if (!in_volume(cell)) return vec3(0.0);
-    vec3 light = stored_light(cell);
-    // Comparisons with NaN are false; min and max need not be.
-    return mix(vec3(0.0), light,
-               bvec3(light.r >= 0.0 && light.r <= light_max, light.g >= 0.0 && light.g <= light_max,
-                     light.b >= 0.0 && light.b <= light_max));
+    return stored_light(cell);
 }
 
 /// As published: the cell at a random half-block offset into the hemisphere. Cells of walls and

@@ -59,14 +59,15 @@ bool closes(int code, ivec3 offset) {
 }
 
 /// Light a neighbour sends: selected by what it is, never multiplied, as infinity times 0 is not 0.
-vec3 light_from(Voxel v, ivec3 before, vec3 own) {
+/// What left the volume as it moved sends none.
+vec3 light_from(Voxel v, ivec3 there, ivec3 scroll, vec3 own) {
     if (is_lamp_voxel(v.code)) return lamp_radiance(v);
 #if FLOODFILL_RULE == CONSERVING
     if (is_opaque_voxel(v.code)) return v.color * own;
 #else
     if (is_opaque_voxel(v.code)) return vec3(0.0);
 #endif
-    return light_at(before);
+    return in_volume(there) ? light_at(there + scroll) : vec3(0.0);
 }
 
 /// `self`: the cell's voxel. `scroll`: a cell was at cell + scroll when the light was stored.
@@ -85,7 +86,7 @@ vec3 propagate(ivec3 cell, Voxel self, ivec3 scroll) {
         Voxel v = voxel_at(cell + offset);
         if (closes(v.code, -offset)) v.code = voxel_solid;
         if (closes(self.code, offset)) v = Voxel(self.color, voxel_solid);
-        vec3 light = light_from(v, cell + offset + scroll, own);
+        vec3 light = light_from(v, cell + offset, scroll, own);
 #if FLOODFILL_SKY == PUBLISHED
         light += daylight_from(v, offset, day);
 #endif

@@ -39,4 +39,38 @@ vec3 from_volume(vec3 position) { return position - cameraPositionFract - float(
 /// Whole blocks as the host gives them: int() of a position would make the cell at 0 two wide.
 ivec3 volume_scroll() { return cameraPositionInt - previousCameraPositionInt; }
 
+/// Floor of a / size. The guess by floats is one off at most.
+ivec3 divide_down(ivec3 a, int size) {
+    ivec3 q = ivec3(floor(vec3(a) * (1.0 / float(size))));
+    ivec3 rest = a - q * size;
+    return q - ivec3(lessThan(rest, ivec3(0))) + ivec3(greaterThanEqual(rest, ivec3(size)));
+}
+
+/// Remainder, never negative. `size` is a constant.
+ivec3 wrap(ivec3 a, int size) {
+    return (size & (size - 1)) == 0 ? a & (size - 1) : a - divide_down(a, size) * size;
+}
+
+/// World block of the volume's first cell.
+ivec3 volume_origin() { return cameraPositionInt - VOLUME / 2; }
+
+ivec3 volume_origin_before() { return previousCameraPositionInt - VOLUME / 2; }
+
+/// Was the cell outside of the volume in the frame before?
+bool entered(ivec3 cell) { return !in_volume(cell + volume_scroll()); }
+
+/// Place of a cell in the images that are kept: the same wherever the volume moves.
+ivec3 store_cell(ivec3 cell) { return wrap(volume_origin() + cell, VOLUME); }
+
+/// Inverse of store_cell.
+ivec3 stored_at(ivec3 place) { return wrap(place - volume_origin(), VOLUME); }
+
+/// Of an axis-parallel normal: 0..5 = -x +x -y +y -z +z.
+int face_of(vec3 normal) {
+    vec3 size = abs(normal);
+    if (size.x > size.y && size.x > size.z) return normal.x > 0.0 ? 1 : 0;
+    if (size.y > size.z) return normal.y > 0.0 ? 3 : 2;
+    return normal.z > 0.0 ? 5 : 4;
+}
+
 #endif

@@ -11,6 +11,7 @@ layout(rgba16f) uniform writeonly image3D face_light;
 layout(rgba16f) uniform readonly image2D face_fresh;
 layout(r32ui) uniform readonly uimage2D face_list;
 layout(r32ui) uniform readonly uimage2D face_tally;
+layout(r32ui) uniform readonly uimage2D voxel_sums;
 layout(r32ui) uniform uimage2D face_memory;
 layout(r32ui) uniform readonly uimage3D face_seen;
 
@@ -48,14 +49,13 @@ ivec3 brick_at(ivec3 place, ivec3 origin, out bool whole) {
 
 /// Bricks at the edge change when the volume moves, which is no edit.
 void compare_bricks(uint first, uint stride) {
-    for (uint i = first; i < uint(bricks * bricks * bricks); i += stride) {
+    for (uint i = first; i < uint(brick_count); i += stride) {
         ivec2 texel = ivec2(int(i), 0);
-        uint now = imageLoad(face_tally, texel).r;
+        uint now = imageLoad(voxel_sums, texel).r;
         uint before = imageLoad(face_memory, texel).r;
         imageStore(face_memory, texel, uvec4(now));
 
-        int n = int(i);
-        ivec3 place = ivec3(n % bricks, n / bricks % bricks, n / (bricks * bricks));
+        ivec3 place = brick_place(int(i));
         bool whole_now, whole_before;
         ivec3 brick = brick_at(place, volume_origin(), whole_now);
         bool same = brick == brick_at(place, volume_origin_before(), whole_before);

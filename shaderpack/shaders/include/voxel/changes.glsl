@@ -1,0 +1,31 @@
+// When the blocks of the volume changed, told by bricks of 8^3 cells that keep their place in the world,
+// so that what is made of the voxels is made anew only then.
+//
+//   voxel_sums    r32ui, empty when a frame begins: a checksum of each brick's quads, by the shadow pass
+//   voxel_memory  r32ui, kept: row 0 these of the frame before, row 1 the frame of each brick's last
+//                 change, (0, 2) that of any
+//
+// Frames are numbered from 1 here; 0 is never.
+#if !defined INCLUDED_VOXEL_CHANGES
+#define INCLUDED_VOXEL_CHANGES
+
+#include "/include/voxel/volume.glsl"
+
+const int brick_size = 8;
+const int bricks = VOLUME / brick_size;  // along an axis
+const int brick_count = bricks * bricks * bricks;
+const ivec2 change_of_any = ivec2(0, 2);
+
+/// Of a place among the bricks, in which cells are stored.
+int brick_index(ivec3 place) { return (place.z * bricks + place.y) * bricks + place.x; }
+
+ivec3 brick_place(int brick) {
+    return ivec3(brick % bricks, brick / bricks % bricks, brick / (bricks * bricks));
+}
+
+uint change_stamp() { return uint(frameCounter) + 1u; }
+
+/// Was the change in this frame or one of the `frames - 1` before it?
+bool changed_within(uint stamp, int frames) { return change_stamp() - stamp < uint(frames); }
+
+#endif

@@ -1,2 +1,0 @@
-#version 430 compatibility
-#include "/program/p3_floodfill_commit.glsl"

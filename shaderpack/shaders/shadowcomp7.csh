@@ -1,0 +1,2 @@
+#version 430 compatibility
+#include "/program/s7_face_update.glsl"

@@ -1,0 +1,150 @@
+// FLOODFILL_STORAGE=IMAGE_3D against the atlas, and that it leaves alone what rests.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "lab.h"
+#include "linear_field.h"
+
+namespace orris::test {
+namespace {
+
+constexpr const char* kLampBlock = R"({"block": "glowstone", "at": [16, 16, 16]})";
+
+Lab labOf(LabSetup setup, const char* storage) {
+  setup.options["FLOODFILL_STORAGE"] = storage;
+  return Lab(setup);
+}
+
+/// Cells whose light differs by more than `share` of it and `least`.
+int countDifferent(const CellField& one, const CellField& other, double share, double least) {
+  int different = 0;
+  forEachCell(kLabSize, [&](glm::ivec3 cell) {
+    for (int i = 0; i < 3; ++i) {
+      const double a = one.at(cell)[i], b = other.at(cell)[i];
+      different += !(std::abs(a - b) <= share * std::max(a, b) + least);
+    }
+  });
+  return different;
+}
+
+// Walls, lamps, coloured glass, slabs; edits; and an eye that moves between the steps.
+LabSetup everything(const char* rule, const char* sky) {
+  return {
+      .blocks = R"({"hollow": "red_concrete", "min": [6, 6, 6], "max": [26, 20, 26]},
+                       {"block": "glowstone", "at": [[9, 18, 9], [20, 10, 22]]},
+                       {"box": "blue_stained_glass", "min": [15, 7, 7], "max": [15, 19, 25]},
+                       {"block": "stone_slab", "at": [[12, 10, 12], [21, 10, 22], [20, 11, 22]]},
+                       {"block": "stone_slab[type=top]", "at": [[20, 9, 22], [20, 16, 20]]},
+                       {"block": "redstone_torch", "at": [12, 11, 12]})",
+      .events = R"({"frame": 7, "set": {"at": [9, 18, 9], "block": "air"}},
+                       {"frame": 13, "set": {"at": [16, 11, 20], "block": "sea_lantern"}},
+                       {"frame": 15, "set": {"at": [24, 10, 22], "block": "stone"}})",
+      .options = {{"FLOODFILL_RULE", rule}, {"FLOODFILL_SKY", sky}, {"FLOODFILL_INTERVAL", "2"}}};
+}
+
+void expectTheAtlas(const char* rule, const char* sky, double share, double least) {
+  Lab atlas = labOf(everything(rule, sky), "ATLAS_2D");
+  Lab image = labOf(everything(rule, sky), "IMAGE_3D");
+  Camera eye = atlas.pack().session().camera();
+  for (int frame = 0; frame < 36; ++frame) {
+    if (frame > 20) eye.position += glm::dvec3(0.6, -0.4, 0.3);
+    for (Lab* one : {&atlas, &image}) {
+      one->pack().session().setCamera(eye);
+      one->step();
+    }
+    ASSERT_EQ(countDifferent(atlas.light(), image.light(), share, least), 0)
+        << rule << " frame " << frame;
+  }
+  EXPECT_GT(image.light().countLit(), 3000) << rule;
+}
+
+TEST(image, holds_the_light_of_the_atlas) { expectTheAtlas("PUBLISHED", "NONE", 5e-3, 3e-4); }
+
+TEST(image, holds_the_light_of_the_atlas_under_the_sky) {
+  expectTheAtlas("PUBLISHED", "PUBLISHED", 5e-3, 3e-4);
+}
+
+TEST(image, holds_the_same_bits_where_the_rule_conserves) {
+  expectTheAtlas("CONSERVING", "PUBLISHED", 0, 0);
+}
+
+// Changes below a 2048th and below 1e-4 are left out.
+TEST(image, falls_off_as_theory_predicts) {
+  Lab image = labOf({.blocks = kLampBlock}, "IMAGE_3D");
+  image.step(70);
+  LinearField field(kLabSize);
+  field.setLamp({16, 16, 16}, image.light().red({16, 16, 16}));
+  field.step(70);
+  const CellField light = image.light();
+  for (int r = 1; r <= 12; ++r) {
+    const glm::ivec3 cell(16 + r, 16, 16);
+    EXPECT_NEAR(light.red(cell) / field.at(cell), 1, 5e-3) << r;
+  }
+}
+
+TEST(image, bad_value_is_gone_after_a_step) {
+  for (const char* value :
+       {"uintBitsToFloat(0x7fc00000u)", "uintBitsToFloat(0x7f800000u)", "-1.0"}) {
+    const auto poke = [&](PackTexts& files) {
+      edit(files["/program/p2_floodfill_step.glsl"], "    uint listed = ",
+           fmt::format(
+               "    if (frameCounter == 10) imageStore(flood_light, flood_texel(ivec3(18, 16, "
+               "16), step_stamp() - 1u), vec4({}));\n    uint listed = ",
+               value));
+    };
+    Lab clean = labOf({.blocks = kLampBlock}, "IMAGE_3D");
+    Lab poked = labOf({.blocks = kLampBlock, .change = poke}, "IMAGE_3D");
+    for (Lab* one : {&clean, &poked}) one->step(70);
+    EXPECT_EQ(countDifferent(clean.light(), poked.light(), 5e-3, 3e-4), 0) << value;
+  }
+}
+
+/// Bricks that the last frame's step reckoned.
+int activeBricks(Lab& lab) {
+  return static_cast<int>(*lab.pack().dump("flood_list").at(0, 0));  // row 1 lies above row 0
+}
+
+TEST(image, rests_when_settled_and_wakes_for_edits) {
+  const LabSetup setup = {
+      .blocks = R"({"block": "glowstone", "at": [12, 13, 12]})",
+      .events = R"({"frame": 150, "set": {"at": [18, 12, 18], "block": "sea_lantern"}})"};
+  Lab image = labOf(setup, "IMAGE_3D"), atlas = labOf(setup, "ATLAS_2D");
+  image.step(1);
+  EXPECT_EQ(activeBricks(image), 64) << "all of them in the first step";
+  image.step(1);
+  EXPECT_EQ(activeBricks(image), 7) << "the lamp's and the six beside it";
+  image.step(98);
+  EXPECT_EQ(activeBricks(image), 0);
+  image.step(51);
+  EXPECT_EQ(activeBricks(image), 7) << "about the new lamp";
+  image.step(99);
+  EXPECT_EQ(activeBricks(image), 0);
+  atlas.step(250);
+  EXPECT_EQ(countDifferent(atlas.light(), image.light(), 5e-3, 3e-4), 0);
+}
+
+TEST(image, light_at_rest_is_the_same_bits_in_every_frame) {
+  Lab image = labOf({.blocks = kLampBlock}, "IMAGE_3D");
+  image.step(150);
+  const CellField before = image.light();
+  for (int i = 0; i < 3; ++i) {
+    image.step(1);
+    EXPECT_TRUE(image.light() == before) << i;
+  }
+}
+
+TEST(image, moving_leaves_the_middle_at_rest) {
+  Lab image = labOf({.blocks = kLampBlock}, "IMAGE_3D");
+  image.step(150);
+  Camera eye = image.pack().session().camera();
+  eye.position += glm::dvec3(1, 0, -2);
+  image.pack().session().setCamera(eye);
+  image.step(1);
+  EXPECT_EQ(activeBricks(image), 0) << "nothing but air came in";
+  EXPECT_GT(image.light().red({15, 16, 18}), 0.9f * image.light().brightest()) << "the lamp";
+}
+
+}  // namespace
+}  // namespace orris::test
