@@ -74,7 +74,10 @@ void main() {
     out_albedo = vec4(color.rgb, material / 255.0);
 #if LAMPS_FORWARD
     float thin = float(material >= material_thin);
-    out_lamps = vec4(to_linear(color.rgb) / pi * lamps_irradiance(player, normal, thin), 0.0);
+    // As the G-buffer rounds them, so that the methods differ in their cost alone.
+    vec3 albedo = to_linear(floor(clamp(color.rgb, 0.0, 1.0) * 255.0 + 0.5) / 255.0);
+    vec3 n = decode_normal(encode_normal(normal));
+    out_lamps = vec4(albedo / pi * lamps_irradiance(player, n, thin), 0.0);
 #endif
     out_geometry = vec4(encode_normal(normal), occlude_light(light, tint.a));
 }

@@ -15,6 +15,9 @@ const float spot_full = 0.866;
 const float spot_none = 0.643;
 const float spot_gain = 2.0 / (1.0 - spot_full + (spot_full - spot_none) / 3.0);
 
+// A little less than half a block: faces of the neighbours are lit.
+const float own_cell = 0.49;
+
 struct Light {
     vec3 place;       // lamp space
     float inverse;    // 1 / range^2
@@ -56,6 +59,9 @@ vec3 light_irradiance_at(vec4 place, vec4 power, vec3 position, vec3 normal, flo
     float inverse = inversesqrt(max(squared, 1e-8));
     float cosine = dot(way, normal) * inverse;
     cosine = max(cosine, -thin * cosine);
+    // What a lamp's own cell holds is the lamp: it shines, and is not lit by itself.
+    float off = max(abs(way.x), max(abs(way.y), abs(way.z)));
+    cosine *= step(own_cell, off);
     float reach = squared * place.w;
     float window = max(1.0 - reach * reach, 0.0);
     float radius = power.w > 0.0 ? power.w : small_lamp_radius * small_lamp_radius;
