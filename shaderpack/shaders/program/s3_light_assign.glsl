@@ -11,7 +11,8 @@ const ivec3 workGroups = ivec3(64, 1, 1);
 layout(rgba32f) uniform readonly image2D light_table;
 layout(r32ui) uniform uimage3D light_bits;
 
-// Of distances, against rounding: surfaces are placed by other sums than lamps.
+// Relative, against rounding: surfaces are placed by other sums than lamps, and both in a space that
+// is LIGHT_DISTANCE large.
 const float pad = 1e-5;
 const float unbounded = 1e6;
 
@@ -24,7 +25,7 @@ Sphere sphere_of(uint lamp) {
     vec4 stored = imageLoad(light_table, table_texel(lamp));
     vec3 view = (gbufferModelView * vec4(from_lamp_space(stored.xyz), 1.0)).xyz;
     float radius = inversesqrt(stored.w);
-    return Sphere(vec3(view.xy, -view.z), radius + pad * (radius + length(view)));
+    return Sphere(vec3(view.xy, -view.z), radius + pad * (radius + length(view) + float(LIGHT_DISTANCE)));
 }
 
 /// Slopes between which a circle about (across, along) lies, seen from the origin.

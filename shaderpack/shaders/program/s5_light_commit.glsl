@@ -20,7 +20,6 @@ void main() {
 #endif
     if (!table) return;
     note(state_checksum, tally_of(lamp_checksum));
-    for (int axis = 0; axis < 3; ++axis) note(state_origin + axis, uint(cameraPositionInt[axis]));
     note(state_lamps, listed_lamps());
     note(state_lamps_dropped, tally_of(lamp_total) - listed_lamps());
     note(state_tables, state_of(state_tables) + 1u);

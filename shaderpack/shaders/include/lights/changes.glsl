@@ -11,12 +11,9 @@ uint state_of(int what) { return imageLoad(light_state, ivec2(what, 0)).r; }
 
 uint tally_of(ivec2 what) { return imageLoad(lamp_tally, what).r; }
 
-/// Places in the table are those in the volume, which moves by whole blocks.
+/// The checksum is of places in the volume, so it changes when that moves.
 bool lights_changed() {
-    uvec3 origin = uvec3(state_of(state_origin), state_of(state_origin + 1),
-                         state_of(state_origin + 2));
-    return state_of(state_tables) == 0u || state_of(state_checksum) != tally_of(lamp_checksum) ||
-           origin != uvec3(cameraPositionInt);
+    return state_of(state_tables) == 0u || state_of(state_checksum) != tally_of(lamp_checksum);
 }
 
 bool view_changed() {

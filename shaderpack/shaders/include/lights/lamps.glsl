@@ -32,14 +32,13 @@ const ivec2 lamp_longest = ivec2(lamp_volume + 1, 3);
 const ivec2 lamp_entries = ivec2(lamp_volume + 1, 4);
 
 const int state_checksum = 0;
-const int state_origin = 1;          // and the two after it
-const int state_lamps = 4;           // in the table
-const int state_lamps_dropped = 5;   // for which it had no room
-const int state_dropped = 6;         // entries for which lists of clusters had no room
-const int state_longest = 7;         // list that was wanted
-const int state_entries = 8;         // of all lists
-const int state_tables = 9;          // how often the table was made
-const int state_grids = 10;          // how often the lists were made
+const int state_lamps = 1;          // in the table
+const int state_lamps_dropped = 2;  // for which it had no room
+const int state_dropped = 3;        // entries for which lists of clusters had no room
+const int state_longest = 4;        // list that was wanted
+const int state_entries = 5;        // of all lists, with those that had no room
+const int state_tables = 6;         // how often the table was made
+const int state_grids = 7;          // how often the lists were made
 
 vec3 to_lamp_space(vec3 player) { return player + cameraPositionFract + float(LIGHT_DISTANCE); }
 

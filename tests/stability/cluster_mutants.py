@@ -1,0 +1,98 @@
+"""Mistakes put into the lamps and their clusters, and the tests that must find them.
+
+For kill_list.py --table; rows as in mutants.py.
+"""
+
+GRID = "include/lights/grid.glsl"
+LIGHT = "include/lights/lamp_light.glsl"
+LIST = "include/lights/lamp_list.glsl"
+LAMPS = "include/lights/lamps.glsl"
+CHANGES = "include/lights/changes.glsl"
+SUM = "include/lights/lit_by_lamps.glsl"
+TABLE = "program/s2_light_table.glsl"
+ASSIGN = "program/s3_light_assign.glsl"
+LISTS = "program/s4_light_lists.glsl"
+COMMIT = "program/s5_light_commit.glsl"
+GI = "program/d0_gi.glsl"
+LIT = "program/d4_lighting.glsl"
+TRANSLUCENT = "program/gbuffers_translucent.glsl"
+SHADOW = "program/shadow.glsl"
+
+SLICE = "slice_of(distance_along));"
+CLAMP = "int(clamp(floor(guess), 0.0, float(grid_slices - 1)))"
+FIRST = "int first = slice_of(max(s.center.z - s.radius, 0.0) * (1.0 - pad));"
+LAST = "int last = far > 0.0 ? slice_of(far * (1.0 + pad)) : -1;"
+
+MUTANTS = [
+    ("F1 no clamp at the near end", "F1.distances*",
+     [(GRID, CLAMP, "int(min(floor(guess), float(grid_slices - 1)))")]),
+    ("F1 no clamp at the far end", "F1.distances*",
+     [(GRID, CLAMP, "int(max(floor(guess), 0.0))"),
+      (GRID, "if (slice < grid_slices - 1 && distance_along", "if (distance_along")]),
+    ("F1 nearest slice", "F1.slices*",
+     [(GRID, CLAMP, "int(clamp(floor(guess + 0.5), 0.0, float(grid_slices - 1)))"),
+      (GRID, "if (slice > 0 && distance_along < slice_start(slice)) slice -= 1;", "")]),
+    ("F1 guess of the logarithm as it is", "F1.*",
+     [(GRID, "if (slice > 0 && distance_along < slice_start(slice)) slice -= 1;", ""),
+      (GRID, "if (slice < grid_slices - 1 && distance_along >= slice_start(slice + 1)) slice += 1;", "")]),
+    ("F1 last slice left out", "F1.points*:F5.a_thousand*",
+     [(ASSIGN, "slice <= last", "slice < last")]),
+    ("F1 no padding", "F1.points*:F5.a_thousand*",
+     [(ASSIGN, "const float pad = 1e-5;", "const float pad = 0.0;")]),
+    ("F3 depth of the window for that of the clip space", "F3.*",
+     [(GRID, SLICE, "slice_of(gbufferProjection[3][2] / ((gbufferProjection[3][2] / distance_along -"
+                    " gbufferProjection[2][2]) * 0.5 + 0.5 + gbufferProjection[2][2])));")]),
+    ("F3 distance to the eye, not along the axis", "F3.*",
+     [(GRID, SLICE, "slice_of(length(view)));")]),
+    ("F4 lights behind the eye dropped", "F4.*",
+     [(ASSIGN, LAST, LAST.replace("far > 0.0", "s.center.z > 0.0"))]),
+    ("F4 logarithm of what is behind the eye", "F4.*",
+     [(ASSIGN, FIRST, "int first = slice_of(abs(s.center.z - s.radius) * (1.0 - pad));")]),
+    ("F4 slopes of a sphere that holds the eye", "F4.*:F5.a_thousand*",
+     [(ASSIGN, "if (squared <= 0.0) return vec2(-unbounded, unbounded);", "squared = abs(squared);")]),
+    ("F5 no window", "F5.light*", [(LIGHT, "spot * window * window /", "spot /")]),
+    ("F5 window ends beyond the range", "F5.*",
+     [(LIGHT, "float reach = squared * place.w;", "float reach = 0.9 * squared * place.w;")]),
+    ("F5 sphere of a tile's corner too small", "F5.a_thousand*",
+     [(ASSIGN, "wide * wide + high * high > radius * radius", "wide + high > radius")]),
+    ("F5 box of slopes taken at the wrong distance", "F5.a_thousand*",
+     [(ASSIGN, "low / (low < 0.0 ? between.x : between.y)", "low / (low < 0.0 ? between.y : between.x)")]),
+    ("F5 columns for rows", "F5.a_thousand*",
+     [(GRID, "ivec2(row * grid_columns + column,", "ivec2(column * grid_rows + row,")]),
+    ("F5 bits of the frame before stay", "F8.lists*",
+     [(LISTS, "imageStore(light_bits, ivec3(word, cluster), uvec4(0u));", "")]),
+    ("F8 no cap in the grid", "F8.a_list*",
+     [(LISTS, "uvec4(min(count, list_capacity))", "uvec4(count)")]),
+    ("F8 overflow not counted", "F8.a_list*",
+     [(LISTS, "if (count > list_capacity) imageAtomicAdd", "if (count > 4096u) imageAtomicAdd")]),
+    ("F8 lists from behind", "F8.lists*",
+     [(LISTS, "uvec4(uint(word * 32 + findLSB(bits)))", "uvec4(uint(word * 32 + 31 - findLSB(bits)))")]),
+    ("F8 table past its end", "lamps.table_without*",
+     [(CHANGES, "min(tally_of(lamp_total), table_capacity)", "tally_of(lamp_total)")]),
+    ("E1 no least distance", "E1.*", [(LIGHT, "max(squared, radius)", "squared")]),
+    ("E1 lamp lights its own block", "E1.*", [(LIGHT, "cosine *= step(own_cell, off);", "")]),
+    ("table in the order of arrival", "lamps.table_is*:lamps.two*",
+     [(TABLE, "uint slot = lamps_before(y, z);", "uint slot = listed_lamps() - left - lamps_before(y, z);")]),
+    ("every quad a lamp", "lamps.nothing*:lamps.table_without*",
+     [(LIST, "if (imageAtomicMax(lamp_cells, cell, lamp) != 0u) return;",
+       "imageAtomicMax(lamp_cells, cell, lamp);")]),
+    ("made anew in every frame", "lamps.nothing*",
+     [(CHANGES, "return state_of(state_tables) == 0u ||", "return true ||")]),
+    ("lists kept when lamps change", "lamps.a_lamp*:lamps.nothing*",
+     [(CHANGES, "return state_of(state_grids) == 0u || lights_changed() || view_changed();",
+       "return state_of(state_grids) == 0u || view_changed();")]),
+    ("lists kept when the view changes", "lamps.nothing*",
+     [(CHANGES, "lights_changed() || view_changed();", "lights_changed();")]),
+    ("checksum without place", "lamps.a_lamp*:lamps.nothing*",
+     [(LIST, "hash(uvec3(place.x | place.y << 16, place.z, lamp)).x", "lamp")]),
+    ("translucent surfaces without lamps", "lamps.translucent*",
+     [(TRANSLUCENT, "radiance += albedo / pi * lamps_irradiance(player, n, 0.0);", "")]),
+    ("spots shine both ways", "lamps.spots*", [(LIGHT, "float cosine = along * inverse_distance *",
+                                                "float cosine = abs(along) * inverse_distance *"),
+                                               (LIGHT, "(positive ? -1.0 : 1.0);", "1.0;")]),
+    ("spots shine the other way", "lamps.spots*", [(LIGHT, "(positive ? -1.0 : 1.0)", "(positive ? 1.0 : -1.0)")]),
+    ("rays count the lamp again", "lamps.light_is*",
+     [(GI, "float(!lit_directly(bounce, hit.position))", "1.0")]),
+    ("lightmap counts the lamp again", "lamps.lightmap*",
+     [(LIT, "light.x *= unlisted_share(s.player);", "")]),
+]

@@ -1,0 +1,218 @@
+// Lamps of worlds: collected, sorted, kept while nothing changes, the same picture with every method.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "cluster_lab.h"
+
+namespace orris::test {
+namespace {
+
+/// A floor under the night sky, seen from above its middle.
+std::string floorWith(const std::string& blocks, const std::string& events = "") {
+  return fmt::format(R"({{
+    "size": [32, 12, 32],
+    "blocks": [{{"box": "white_concrete", "min": [0, 0, 0], "max": [31, 0, 31]}}{}],
+    "cameras": [{{"name": "eye", "position": [16.5, 5.5, 24.5], "yaw": 180, "pitch": 25}}],
+    "environment": {{"time": 18000}}, "events": [{}]}})",
+                     blocks.empty() ? "" : ", " + blocks, events);
+}
+
+const char* const kThreeLamps = R"(
+    {"block": "torch", "at": [[12, 1, 14], [20, 1, 16]]},
+    {"block": "sea_lantern", "at": [16, 1, 12]},
+    {"box": "red_stained_glass", "min": [10, 1, 18], "max": [22, 2, 18]},
+    {"box": "water", "min": [6, 1, 8], "max": [9, 1, 20]})";
+
+PackSession sessionOf(const std::string& world, const std::string& method,
+                      OptionValues options = {}, int width = 48) {
+  options.emplace("LIGHT_METHOD", method);
+  options.emplace("GI_METHOD", "NONE");
+  options.emplace("SHADOW_METHOD", "NONE");
+  return PackSession({.world = world, .options = options, .width = width, .height = width});
+}
+
+ImageF pictureOf(const std::string& world, const std::string& method, int frames = 1) {
+  PackSession pack = sessionOf(world, method);
+  pack.renderFrames(frames);
+  return pack.dump("colortex0");
+}
+
+TEST(lamps, every_method_gives_the_same_picture) {
+  const std::string world = floorWith(kThreeLamps);
+  const ImageF deferred = pictureOf(world, "DEFERRED");
+  EXPECT_EQ(pictureOf(world, "TILED").pixels, deferred.pixels);
+  EXPECT_EQ(pictureOf(world, "CLUSTERED").pixels, deferred.pixels);
+  // Lit where they are drawn, so at the vertices' positions, not those that the depth gives.
+  const ImageF forward = pictureOf(world, "FORWARD");
+  for (size_t i = 0; i < forward.pixels.size(); ++i) {
+    const float light = deferred.pixels[i];
+    ASSERT_NEAR(forward.pixels[i], light, (1 + light) / 255) << i;
+  }
+}
+
+// The slice is that of the distance, not of the depth buffer's number.
+TEST(F3, slices_on_a_floor_are_where_the_plane_is) {
+  PackSession pack = sessionOf(
+      floorWith(R"({"block": "torch", "at": [2, 1, 2]})"), "CLUSTERED",
+      {{"LIGHT_DEBUG", "COUNT"}, {"LIGHT_FIRST_SLICE", "4.0"}, {"LIGHT_SLICES", "24"}}, 96);
+  pack.renderFrames(1);
+  const ImageF image = pack.dump("colortex0");
+  const double pitch = 25 * M_PI / 180, half = std::tan(35 * M_PI / 180);
+  std::set<int> seen;
+  for (int row = 0; row < 96; ++row) {
+    const double slope = (1 - (row + .5) / 48) * half;  // upward, over distance along the axis
+    const double distance = 4.5 / (std::sin(pitch) - slope * std::cos(pitch));
+    const double place = 1 + 23 * std::log(distance / 4) / std::log(64. / 4);
+    if (distance < 0 || distance > 22 || std::abs(place - std::round(place)) < .01) continue;
+    const int slice = std::max(0, static_cast<int>(std::floor(place)));
+    EXPECT_EQ(std::lround(image.at(48, row)[1] * 1000), slice) << row << ' ' << distance;
+    seen.insert(slice);
+  }
+  EXPECT_GT(seen.size(), 8U);
+}
+
+TEST(lamps, translucent_surfaces_are_lit_by_the_same_lists) {
+  // Nothing but glass is in sight.
+  const auto picture = [](const std::string& lamp, const std::string& method) {
+    return pictureOf(floorWith(R"({"box": "white_stained_glass", "min": [0, 1, 20],
+                                   "max": [31, 11, 20]})" +
+                               lamp),
+                     method);
+  };
+  const char* const lamp = R"(, {"block": "sea_lantern", "at": [16, 6, 23]})";
+  const ImageF lit = picture(lamp, "CLUSTERED");
+  EXPECT_EQ(lit.pixels, picture(lamp, "DEFERRED").pixels);
+  const float* above = lit.at(24, 6);
+  EXPECT_GT(above[0], 10 * picture("", "CLUSTERED").at(24, 6)[0]);
+}
+
+TEST(lamps, table_is_sorted_by_place) {
+  std::string lamps;
+  for (int i = 0; i < 60; ++i)
+    lamps += fmt::format(R"({}{{"block": "torch", "at": [{}, 1, {}]}})", i ? "," : "", i * 7 % 31,
+                         i * 5 % 29);
+  PackSession pack = sessionOf(floorWith(lamps), "DEFERRED");
+  pack.renderFrames(1);
+  const LightState state = stateOf(pack);
+  const ImageF table = pack.dump("light_table");
+  ASSERT_GT(state.lamps, 40);
+  double before = -1;
+  for (int i = 0; i < state.lamps; ++i) {
+    const float* place = table.at(2 * i, table.height - 1);
+    const double key = (place[2] * 128 + place[1]) * 128. + place[0];
+    EXPECT_GT(key, before) << i;
+    before = key;
+  }
+}
+
+TEST(lamps, two_runs_give_the_same_bits) {
+  const std::string world = floorWith(kThreeLamps);
+  PackSession first = sessionOf(world, "CLUSTERED"), second = sessionOf(world, "CLUSTERED");
+  first.renderFrames(2);
+  second.renderFrames(2);
+  for (const char* buffer : {"colortex0", "light_table", "light_list", "light_grid"})
+    EXPECT_EQ(first.dump(buffer).pixels, second.dump(buffer).pixels) << buffer;
+}
+
+TEST(lamps, nothing_is_made_anew_while_nothing_changes) {
+  PackSession pack =
+      sessionOf(floorWith(kThreeLamps,
+                          R"({"frame": 6, "set": {"at": [20, 1, 16], "block": "air"}},
+                   {"frame": 6, "set": {"at": [20, 1, 17], "block": "torch"}})"),
+                "CLUSTERED");
+  pack.renderFrames(1);
+  const LightState first = stateOf(pack);
+  pack.renderFrames(4);
+  const LightState still = stateOf(pack);
+  EXPECT_EQ(still.tables, first.tables);
+  EXPECT_EQ(still.grids, first.grids);
+  pack.renderFrames(4);  // a lamp moves in frame 6
+  const LightState moved = stateOf(pack);
+  EXPECT_EQ(moved.tables, first.tables + 1);
+  EXPECT_EQ(moved.grids, first.grids + 1);
+  EXPECT_EQ(moved.lamps, 3);
+  pack.look({16.6, 5.5, 24.5}, {16.6, 3, 14});  // in the same block
+  pack.renderFrames(3);
+  const LightState looked = stateOf(pack);
+  EXPECT_EQ(looked.tables, moved.tables);
+  EXPECT_GT(looked.grids, moved.grids);
+  pack.renderFrames(2);
+  EXPECT_EQ(stateOf(pack).grids, looked.grids);
+  pack.look({18.6, 5.5, 24.5}, {16.6, 3, 14});
+  pack.renderFrames(1);
+  EXPECT_EQ(stateOf(pack).tables, looked.tables + 1);
+}
+
+TEST(lamps, a_lamp_that_moved_lights_as_if_it_had_always_been_there) {
+  const auto torchAt = [](int z) {
+    return fmt::format(R"({{"block": "torch", "at": [20, 1, {}]}})", z);
+  };
+  const std::string events = R"({"frame": 3, "set": {"at": [20, 1, 16], "block": "air"}},
+                                {"frame": 3, "set": {"at": [20, 1, 18], "block": "torch"}})";
+  const ImageF moved = pictureOf(floorWith(torchAt(16), events), "CLUSTERED", 5);
+  EXPECT_EQ(moved.pixels, pictureOf(floorWith(torchAt(18)), "CLUSTERED", 5).pixels);
+  EXPECT_NE(moved.pixels, pictureOf(floorWith(torchAt(16)), "CLUSTERED", 5).pixels);
+}
+
+TEST(lamps, table_without_room_counts_what_is_missing) {
+  PackSession pack =
+      sessionOf(floorWith(R"({"box": "sea_lantern", "min": [4, 2, 4], "max": [18, 2, 23]})"),
+                "CLUSTERED", {{"LIGHT_CAPACITY", "256"}});
+  pack.renderFrames(1);
+  EXPECT_EQ(stateOf(pack).lamps, 256);
+  EXPECT_EQ(stateOf(pack).lampsDropped, 15 * 20 - 256);
+}
+
+TEST(lamps, spots_shine_one_way) {
+  // Mean over the floor below a rod that hangs in the air.
+  const auto below = [](const char* state) {
+    PackSession pack = sessionOf(
+        floorWith(fmt::format(R"({{"block": "{}", "at": [16, 4, 16]}})", state)), "DEFERRED",
+        {{"AMBIENT_MINIMUM", "0.0"}, {"SKY_STRENGTH", "0.0"}, {"DIRECT_LIGHT", "NONE"}});
+    pack.look({16.5, 3.9, 16.6}, {16.5, 0, 16.5});
+    pack.renderFrames(1);
+    return pack.meanRadiance().g;
+  };
+  const double down = below("end_rod[facing=down]");
+  EXPECT_GT(down, 0.1);
+  EXPECT_LT(below("end_rod[facing=up]"), 1e-3 * down);
+  EXPECT_LT(below("end_rod[facing=east]"), 1e-3 * down);
+}
+
+TEST(lamps, light_is_not_counted_twice_with_global_illumination) {
+  const std::string world = floorWith(R"({"block": "sea_lantern", "at": [16, 3, 16]})");
+  const auto below = [&world](const char* light) {
+    PackSession pack({.world = world,
+                      .options = {{"LIGHT_METHOD", light},
+                                  {"GI_METHOD", "BOUNCE_1"},
+                                  {"GI_FILTER", "false"},
+                                  {"TEMPORAL_FRAMES", "256"},
+                                  {"AMBIENT_MINIMUM", "0.0"},
+                                  {"VOXEL_SIZE", "32"}},
+                      .width = 16,
+                      .height = 16});
+    pack.look({16.5, 4.5, 22.5}, {16.5, 1, 18.5});
+    pack.renderFrames(60);
+    return pack.meanRadiance().g;
+  };
+  // The lamp's cube by rays against a point of its mean area: not the same, and not twice.
+  EXPECT_NEAR(below("CLUSTERED") / below("NONE"), 1, 0.25);
+}
+
+TEST(lamps, lightmap_does_not_light_where_lamps_do) {
+  const std::string world = floorWith(R"({"block": "sea_lantern", "at": [16, 1, 16]})");
+  const auto behind = [&world](const char* method) {
+    PackSession pack =
+        sessionOf(world, method, {{"AMBIENT_MINIMUM", "0.0"}, {"LIGHT_RANGE", "0.25"}});
+    pack.look({16.5, 4.5, 22.5}, {16.5, 1, 22.4});  // beyond the range of 3.75
+    pack.renderFrames(1);
+    return pack.meanRadiance().r;
+  };
+  EXPECT_LT(behind("CLUSTERED"), 0.2 * behind("NONE"));
+}
+
+}  // namespace
+}  // namespace orris::test
