@@ -9,7 +9,6 @@
 
 #include "check/glsl_types.h"
 #include "check/known_names.h"
-#include "check/missing_include.h"
 #include "check/pack_texts.h"
 #include "check/stage_files.h"
 #include "check/stage_interface.h"
@@ -79,9 +78,9 @@ class StageHints {
   }
 
   /// Adds where #include lines seem to be missing that would make known what explain() met.
-  void locateIncludes() {
+  void locateIncludes(const IncludeTrial& trial) {
     const std::vector<std::string> before = filesOf(index_, stage_, firstUse_);
-    for (const MissingInclude& missing : findMissingIncludes(index_, before, unknown_))
+    for (const MissingInclude& missing : findMissingIncludes(index_, before, unknown_, trial))
       addMissing(missing);
   }
 
@@ -253,7 +252,7 @@ class StageHints {
 }  // namespace
 
 void explainUnknownNames(DefinitionIndex& index, const std::vector<const StageText*>& stages,
-                         Diagnostics& found) {
+                         const IncludeTrial& trial, Diagnostics& found) {
   const std::size_t count = found.size();
   for (const StageText* stage : stages) {
     StageHints hints(index, *stage, found);
@@ -263,7 +262,7 @@ void explainUnknownNames(DefinitionIndex& index, const std::vector<const StageTe
       hints.explain(i);
       ++explained;
     }
-    hints.locateIncludes();
+    hints.locateIncludes(trial);
   }
 }
 

@@ -5,14 +5,16 @@
 #include <vector>
 
 #include "check/definition_index.h"
+#include "check/missing_include.h"
 #include "core/diagnostic.h"
 #include "glsl/validate.h"
 
 namespace orris {
 
 /// Adds hints to the errors of one program, and located companions: name-misspelt at the declaration
-/// that was meant, include-probably-missing where the line should stand.
+/// that was meant, include-probably-missing where the line should stand, if it can be where `trial`
+/// succeeds.
 void explainUnknownNames(DefinitionIndex& index, const std::vector<const StageText*>& stages,
-                         Diagnostics& found);
+                         const IncludeTrial& trial, Diagnostics& found);
 
 }  // namespace orris

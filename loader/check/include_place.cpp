@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <ranges>
 
 #include "core/pack_path.h"
 #include "pack/text.h"
@@ -16,10 +17,11 @@ constexpr std::size_t kMostModels = 128;
 // So that a file without any #include left still has models, the nearest in name.
 constexpr double kSomeLikeness = 0.01;
 constexpr double kSameName = 1, kAlikeNames = 0.6;
-// A blank line beside an #include is where one was taken out.
+// A blank line where a line should be is where it was taken out.
 constexpr double kGapFactor = 1.5;
 // What a model says for a gap, as a share of what it says for a line like its own.
-constexpr double kShareOfLine = 0.25, kLongestShare = 0.2, kSureShare = 0.5;
+constexpr double kShareOfOne = 0.3, kShareOfMore = 0.175, kShareBetween = 1;
+constexpr double kLongestShare = 0.2, kSureShare = 0.5, kShareApart = 0.25;
 constexpr int kLongGap = 3;
 
 std::string_view fileName(std::string_view path) { return path.substr(path.rfind('/') + 1); }
@@ -31,13 +33,6 @@ bool includes(const Includes& lines, const std::string& target) {
 bool isBlank(const FileLines& lines, int line) {
   return line >= 1 && static_cast<std::size_t>(line) <= lines.size() &&
          trim(lines[static_cast<std::size_t>(line) - 1]).empty();
-}
-
-bool isGap(const FileLines& lines, const Includes& includes, int line) {
-  const auto beside = [line](const IncludeLine& include) {
-    return include.line == line - 1 || include.line == line + 1;
-  };
-  return isBlank(lines, line) && std::ranges::any_of(includes, beside);
 }
 
 /// A run of blank lines; the line where an #include may have been taken out of it.
@@ -52,13 +47,15 @@ Gap gapOf(int first, int last, const FileLines& lines, const Includes& includes)
   const auto has = [&](int line) {
     return std::ranges::any_of(includes, [&](const auto& include) { return include.line == line; });
   };
-  const int length = last - first + 1;
+  const int length = std::min(last - first + 1, kLongGap);
   const bool head = first > 1 && trim(lines[std::size_t(first) - 2]).starts_with("#version");
   const bool above = head || has(first - 1), below = has(last + 1);
-  const double byLength = kShareOfLine * std::min(length, kLongGap);
-  if (above || below) return {above ? first : last, byLength};
-  // Of three the one between, of two the second.
-  return {length > 2 ? first + length / 2 : last, byLength - 2 * kShareOfLine};
+  if (has(first - 1) && below) return {first, kShareBetween};
+  if (above || below)
+    return {above ? first : last, kShareOfOne + kShareOfMore * double(length - 1)};
+  // Of three or more the second.
+  return {length < kLongGap ? last : first + (last - first + 1) / 2,
+          length < kLongGap ? 0 : kShareApart};
 }
 
 /// The gaps before the line `before` (0: all); the longest stands out if there is but one.
@@ -136,8 +133,8 @@ double likeness(DefinitionIndex& index, const std::string& file, const std::stri
          kAlikeNames * nameLikeness(file, other);
 }
 
-IncludePlace placeByModels(DefinitionIndex& index, const std::string& file,
-                           const std::string& target, int before) {
+std::vector<IncludePlace> placesByModels(DefinitionIndex& index, const std::string& file,
+                                         const std::string& target, int before, std::size_t most) {
   const FileLines& lines = linesOf(index, file);
   const Includes& here = index.includesOf(file);
   struct Vote {
@@ -162,18 +159,15 @@ IncludePlace placeByModels(DefinitionIndex& index, const std::string& file,
     vote(placeLike(lines, linesOf(index, model.file), model.line), 1);
     for (const Gap& gap : gaps) vote(gap.line, gap.share);
   }
-  IncludePlace place;
-  double most = 0;
+  std::vector<std::pair<double, IncludePlace>> places;
   for (const auto& [line, vote] : votes) {
-    const bool isOut =
-        std::ranges::any_of(gaps, [&](const Gap& gap) { return gap.line == line; }) ||
-        isGap(lines, here, line);
-    const double weight = vote.weight * (isOut ? kGapFactor : 1);
-    if (weight <= most) continue;
-    most = weight;
-    place = {line, vote.model, isOut};
+    const bool isOut = isBlank(lines, line);
+    places.push_back({vote.weight * (isOut ? kGapFactor : 1), {line, vote.model, isOut}});
   }
-  return place;
+  std::ranges::stable_sort(places, std::ranges::greater(), [](const auto& p) { return p.first; });
+  std::vector<IncludePlace> likeliest;
+  for (const auto& [weight, place] : places | std::views::take(most)) likeliest.push_back(place);
+  return likeliest;
 }
 
 int placeBehindIncludes(DefinitionIndex& index, const std::string& file, int before) {

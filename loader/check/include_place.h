@@ -16,14 +16,14 @@ struct IncludePlace {
   int line = 0;
   SourceLocation
       model;         ///< the likest file that includes the target, line 0 when none shows a place
-  bool gap = false;  ///< a blank line beside an #include
+  bool gap = false;  ///< a blank line
 };
 
-/// Where `file` should include `target`: at the one gap among its #include lines, else where the
-/// files that include it have it, each with its likeness as its vote; line 0 when neither tells.
-/// The line stands before `before`, if that is not 0.
-IncludePlace placeByModels(DefinitionIndex& index, const std::string& file,
-                           const std::string& target, int before);
+/// Where `file` should include `target`, the likeliest first and at most `most`: where the files that
+/// include it have it, each with its likeness as its vote, and where a gap shows that a line is
+/// out. All before the line `before`, if that is not 0.
+std::vector<IncludePlace> placesByModels(DefinitionIndex& index, const std::string& file,
+                                         const std::string& target, int before, std::size_t most);
 
 /// Where a line was taken out, else the first blank line behind an #include and before `before`, else
 /// the line behind the last one.

@@ -11,16 +11,19 @@ namespace orris {
 namespace {
 
 // Packs are untrusted, and the best candidates come first.
-constexpr std::size_t kMostTargets = 64, kMostFiles = 128, kMostPlaces = 16;
+constexpr std::size_t kMostTargets = 64, kMostFiles = 128, kMostCandidates = 16;
+// Places tried in one file, and trials in all: each compiles the program once.
+constexpr std::size_t kMostPlaces = 4, kMostTrials = 12;
 
 // What speaks for a file and what it should include, beside likeness() to one that does.
-constexpr double kAllNames = 3;    // it makes all names known
-constexpr double kAllPeers = 1;    // all files beside it do the same
-constexpr double kOrphan = 0.8;    // nothing includes the target any more
-constexpr double kUser = 0.5;      // the file itself uses the name
-constexpr double kSameStem = 0.7;  // world0/final.fsh of program/final.glsl
-constexpr double kInChain = 0.3;   // the use is in the file, or included by it
-constexpr double kGap = 0.5;       // a blank line beside an #include
+constexpr double kAllNames = 3;     // it makes all names known
+constexpr double kAllPeers = 1;     // all files beside it do the same
+constexpr double kOrphan = 0.8;     // nothing includes the target any more
+constexpr double kUser = 0.5;       // the file itself uses the name
+constexpr double kSameStem = 0.7;   // world0/final.fsh of program/final.glsl
+constexpr double kInChain = 0.3;    // the use is in the file, or included by it
+constexpr double kGap = 0.5;        // a blank line beside an #include
+constexpr double kNextPlace = 0.3;  // what a place loses to the likelier one before it
 
 std::string_view stemOf(std::string_view path) {
   path = path.substr(path.rfind('/') + 1);
@@ -39,11 +42,18 @@ struct Candidate {
   int before = 0;
 };
 
+/// A candidate at one of its places.
+struct Placed {
+  MissingInclude include;
+  std::set<std::size_t> names;
+  double score = 0;
+};
+
 class Search {
  public:
   Search(DefinitionIndex& index, const std::vector<std::string>& reached,
-         const std::vector<UnknownName>& names)
-      : index_(index), names_(names) {
+         const std::vector<UnknownName>& names, const IncludeTrial& trial)
+      : index_(index), names_(names), trial_(trial) {
     for (const std::string& file : reached) {
       if (!index.files().contains(file) || !order_.try_emplace(file, order_.size()).second)
         continue;
@@ -112,8 +122,19 @@ class Search {
       }
     }
     std::ranges::stable_sort(candidates, std::ranges::greater(), &Candidate::score);
-    candidates.resize(std::min(candidates.size(), kMostPlaces));
-    return placed(candidates, open.size());
+    candidates.resize(std::min(candidates.size(), kMostCandidates));
+    return firstThatWorks(placed(candidates, open.size()));
+  }
+
+  std::optional<std::pair<MissingInclude, std::set<std::size_t>>> firstThatWorks(
+      const std::vector<Placed>& places) {
+    for (const Placed& place : places) {
+      if (trials_ == kMostTrials) break;
+      ++trials_;
+      if (trial_(place.include)) return {{place.include, place.names}};
+    }
+    if (places.empty()) return std::nullopt;
+    return {{places.front().include, places.front().names}};
   }
 
   std::optional<Candidate> weigh(const std::string& file, const std::string& target,
@@ -168,33 +189,36 @@ class Search {
     return count->second < 2 ? 0 : double(same.size()) / double(count->second);
   }
 
-  std::optional<std::pair<MissingInclude, std::set<std::size_t>>> placed(
-      std::vector<Candidate>& candidates, std::size_t open) {
-    std::optional<std::pair<MissingInclude, std::set<std::size_t>>> best;
-    double most = 0;
+  /// The places of all candidates, the likeliest first.
+  std::vector<Placed> placed(const std::vector<Candidate>& candidates, std::size_t open) {
+    std::vector<Placed> all;
     for (const Candidate& candidate : candidates) {
-      IncludePlace place =
-          placeByModels(index_, candidate.file, candidate.target, candidate.before);
-      if (place.line == 0) {
-        // Without a model only a file on the way to the use tells where.
-        if (candidate.before == 0) continue;
-        place.line = placeBehindIncludes(index_, candidate.file, candidate.before);
+      auto places =
+          placesByModels(index_, candidate.file, candidate.target, candidate.before, kMostPlaces);
+      // Without a model only a file on the way to the use tells where.
+      if (places.empty() && candidate.before > 0)
+        places.push_back(
+            {placeBehindIncludes(index_, candidate.file, candidate.before), {}, false});
+      double score =
+          candidate.score + kAllNames * double(candidate.names.size()) / double(open) + kNextPlace;
+      for (const IncludePlace& place : places) {
+        score -= kNextPlace;
+        all.push_back({{{candidate.file, place.line, 0},
+                        candidate.target,
+                        place.model,
+                        *candidate.names.begin()},
+                       candidate.names,
+                       score + (place.gap ? kGap : 0)});
       }
-      const double score = candidate.score + (place.gap ? kGap : 0) +
-                           kAllNames * double(candidate.names.size()) / double(open);
-      if (score <= most) continue;
-      most = score;
-      best = {{{candidate.file, place.line, 0},
-               candidate.target,
-               place.model,
-               *candidate.names.begin()},
-              candidate.names};
     }
-    return best;
+    std::ranges::stable_sort(all, std::ranges::greater(), &Placed::score);
+    return all;
   }
 
   DefinitionIndex& index_;
   const std::vector<UnknownName>& names_;
+  const IncludeTrial& trial_;
+  std::size_t trials_ = 0;
   std::vector<std::string> files_;
   std::map<std::string, std::size_t> order_;  ///< of the first text of each file
   std::map<std::string, std::set<std::size_t>> targets_;
@@ -206,8 +230,9 @@ class Search {
 
 std::vector<MissingInclude> findMissingIncludes(DefinitionIndex& index,
                                                 const std::vector<std::string>& reached,
-                                                const std::vector<UnknownName>& names) {
-  return Search(index, reached, names).run();
+                                                const std::vector<UnknownName>& names,
+                                                const IncludeTrial& trial) {
+  return Search(index, reached, names, trial).run();
 }
 
 }  // namespace orris

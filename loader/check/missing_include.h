@@ -1,6 +1,7 @@
 // Where #include lines most likely belong that a stage lacks.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,12 +24,17 @@ struct MissingInclude {
   std::size_t first = 0;  ///< the first of the names that it makes known
 };
 
+/// Would the program compile with this line, or at least with fewer errors and no new ones?
+using IncludeTrial = std::function<bool(const MissingInclude&)>;
+
 /// As few #include lines as make all names known. Each goes into the file whose likes (files of its
 /// folder, files with nearly the same #include lines, files of the same name) include the target,
-/// before the name is used. `reached` are the files of the stage in the order of their text, up to
+/// before the name is used. Of the likeliest places the first one where `trial` succeeds, else the
+/// likeliest. `reached` are the files of the stage in the order of their text, up to
 /// the first use.
 std::vector<MissingInclude> findMissingIncludes(DefinitionIndex& index,
                                                 const std::vector<std::string>& reached,
-                                                const std::vector<UnknownName>& names);
+                                                const std::vector<UnknownName>& names,
+                                                const IncludeTrial& trial);
 
 }  // namespace orris

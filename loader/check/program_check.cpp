@@ -7,6 +7,7 @@
 
 #include "check/compile_hints.h"
 #include "check/diagnostic_codec.h"
+#include "check/include_trial.h"
 #include "glsl/validate.h"
 #include "pack/mods.h"
 
@@ -60,7 +61,7 @@ std::vector<ProgramUnit> programUnits(const ProgramSource& program) {
   const ModFamily* family = modFamilyOf(program.group);
   const auto add = [&](const std::string& name, std::vector<const StageText*> stages) {
     const std::uint64_t hash = hashOf(stages);
-    units.push_back({unitName(program, name), hash, std::move(stages),
+    units.push_back({unitName(program, name), hash, std::move(stages), &program,
                      family ? family->name : std::string_view(), program.incomplete});
   };
   // A fullscreen program and a compute shader may share their name.
@@ -127,7 +128,13 @@ void checkWithGlslang(const ShaderPack& pack, int jobs, Verdicts& verdicts,
     for (const StageText* stage : units[i].stages) stages.push_back(*stage);
     Diagnostics messages;
     validateWithGlslang(stages, lines, messages);
-    if (hasErrors(messages)) explainUnknownNames(index, units[i].stages, messages);
+    if (hasErrors(messages)) {
+      const Diagnostics errors = messages;
+      const IncludeTrial trial = [&](const MissingInclude& added) {
+        return healsWith(pack, units[i], added, errors);
+      };
+      explainUnknownNames(index, units[i].stages, trial, messages);
+    }
     return encodeDiagnostics(messages);
   };
   runIsolated({.count = units.size(), .workers = jobs, .work = check},

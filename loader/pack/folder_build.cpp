@@ -4,6 +4,7 @@
 
 #include "pack/chosen_values.h"
 #include "pack/expression_functions.h"
+#include "pack/including_graph.h"
 #include "pack/voxy.h"
 
 namespace orris {
@@ -65,10 +66,13 @@ void FolderBuild::listVoxy(const std::map<std::string, std::string>& uniformType
   }
 }
 
-BuildContext FolderBuild::context(const FileLookup& lookup) const {
-  return {files_->graph,       lookup,
-          properties_->shader, properties_->shaderMacros,
-          files_->optionNames, mod_ ? mod_->names : std::span<const HostName>(),
+BuildContext FolderBuild::context(const IncludeGraph& graph, const FileLookup& lookup) const {
+  return {graph,
+          lookup,
+          properties_->shader,
+          properties_->shaderMacros,
+          files_->optionNames,
+          mod_ ? mod_->names : std::span<const HostName>(),
           voxyPrelude_};
 }
 
@@ -98,6 +102,17 @@ ProgramSource FolderBuild::build(const ProgramEntry& entry) const {
   std::vector<PreprocessedPart> parts;
   for (std::size_t i = 0; i < partCount(entry); ++i) parts.push_back(buildPart(entry, i));
   return finish(entry, std::move(parts));
+}
+
+ProgramSource FolderBuild::buildWith(const ProgramEntry& entry, const AddedInclude& added) const {
+  const IncludingGraph with(*this, added);
+  if (!with.changed()) return build(entry);
+  const FileLookup lookup = [&](const std::string& file) { return with.lines(file); };
+  const BuildContext here = context(with.graph(), lookup);
+  std::vector<PreprocessedPart> parts;
+  for (std::size_t i = 0; i < partCount(entry); ++i)
+    parts.push_back(preprocessPart(entry, i, here));
+  return finishProgram(entry, here, std::move(parts));
 }
 
 PreprocessedPart FolderBuild::buildPart(const ProgramEntry& entry, std::size_t part) const {

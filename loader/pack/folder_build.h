@@ -14,6 +14,13 @@
 
 namespace orris {
 
+/// An #include line that a file does not have.
+struct AddedInclude {
+  std::string file;
+  int line = 0;        ///< of `file`, before which it would stand
+  std::string target;  ///< pack path
+};
+
 class FolderBuild {
  public:
   /// `similar`, a build of the same pack with other values, lends its properties if the values that
@@ -40,7 +47,10 @@ class FolderBuild {
 
   /// From its files to texts that compile. Safe to call from several threads.
   ProgramSource build(const ProgramEntry& entry) const;
-  /// The two halves of it (pack/program_builder.h).
+  /// As it would be with one more #include, of whatever file of the pack; the same as build() when
+  /// that would include itself.
+  ProgramSource buildWith(const ProgramEntry& entry, const AddedInclude& added) const;
+  /// The two halves of build() (pack/program_builder.h).
   PreprocessedPart buildPart(const ProgramEntry& entry, std::size_t part) const;
   ProgramSource finish(const ProgramEntry& entry, std::vector<PreprocessedPart> parts) const;
 
@@ -49,7 +59,8 @@ class FolderBuild {
   bool reachesBroken(const ProgramEntry& entry) const;
   void listAll();
   void listVoxy(const std::map<std::string, std::string>& uniformTypes);
-  BuildContext context(const FileLookup& lookup) const;
+  BuildContext context(const FileLookup& lookup) const { return context(files_->graph, lookup); }
+  BuildContext context(const IncludeGraph& graph, const FileLookup& lookup) const;
   bool isEnabled(const std::string& program, const Profile* profile);
 
   std::shared_ptr<const PackFiles> files_;

@@ -1,0 +1,27 @@
+// The include graph of a pack as it would be with one more #include.
+#pragma once
+
+#include "pack/folder_build.h"
+
+namespace orris {
+
+class IncludingGraph {
+ public:
+  /// `build` must outlive it. Nothing changes when there is no such file or it would include itself.
+  IncludingGraph(const FolderBuild& build, const AddedInclude& added);
+
+  bool changed() const { return !file_.empty(); }
+  /// Edges only, without the texts.
+  const IncludeGraph& graph() const { return graph_; }
+  /// Lines of a file, nullptr: there is none.
+  const FileLines* lines(const std::string& file) const;
+
+ private:
+  const FolderBuild& build_;
+  IncludeGraph graph_;
+  IncludeGraph more_;  ///< files that only the new line reaches
+  std::string file_;   ///< the one that is changed, "" for none
+  FileLines lines_;    ///< of it
+};
+
+}  // namespace orris
