@@ -23,15 +23,6 @@ namespace {
 constexpr std::size_t kMostExplained = 8;
 constexpr const char* kMain = "main";
 
-/// The name that `message` calls unknown, "" for other messages.
-std::string unknownName(const std::string& message) {
-  const bool undeclared = message.find("undeclared identifier") != std::string::npos ||
-                          message.find("no matching overloaded function") != std::string::npos;
-  if (!undeclared || message.empty() || message[0] != '\'') return "";
-  const std::size_t end = message.find('\'', 1);
-  return end == std::string::npos ? "" : message.substr(1, end - 1);
-}
-
 bool contains(const std::vector<std::string>& files, const std::string& file) {
   return std::find(files.begin(), files.end(), file) != files.end();
 }
@@ -250,6 +241,14 @@ class StageHints {
 };
 
 }  // namespace
+
+std::string unknownName(const std::string& message) {
+  const bool undeclared = message.find("undeclared identifier") != std::string::npos ||
+                          message.find("no matching overloaded function") != std::string::npos;
+  if (!undeclared || message.empty() || message[0] != '\'') return "";
+  const std::size_t end = message.find('\'', 1);
+  return end == std::string::npos ? "" : message.substr(1, end - 1);
+}
 
 void explainUnknownNames(DefinitionIndex& index, const std::vector<const StageText*>& stages,
                          const IncludeTrial& trial, Diagnostics& found) {

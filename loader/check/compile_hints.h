@@ -11,6 +11,9 @@
 
 namespace orris {
 
+/// The name that `message` calls unknown, "" for other messages.
+std::string unknownName(const std::string& message);
+
 /// Adds hints to the errors of one program, and located companions: name-misspelt at the declaration
 /// that was meant, include-probably-missing where the line should stand, if it can be where `trial`
 /// succeeds.

@@ -143,6 +143,8 @@ std::vector<IncludePlace> placesByModels(DefinitionIndex& index, const std::stri
   };
   std::map<int, Vote> votes;
   const std::vector<Gap> gaps = gapsOf(lines, here, before);
+  // Also where no file includes the target any more.
+  for (const Gap& gap : gaps) votes[gap.line].weight = gap.share * kSomeLikeness;
   const auto& includers = index.includersOf(target);
   for (std::size_t i = 0; i < std::min(includers.size(), kMostModels); ++i) {
     const SourceLocation& model = includers[i];

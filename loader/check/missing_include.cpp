@@ -6,6 +6,7 @@
 
 #include "check/include_place.h"
 #include "core/pack_path.h"
+#include "pack/voxy.h"
 
 namespace orris {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 // Packs are untrusted, and the best candidates come first.
 constexpr std::size_t kMostTargets = 64, kMostFiles = 128, kMostCandidates = 16;
 // Places tried in one file, and trials in all: each compiles the program once.
-constexpr std::size_t kMostPlaces = 4, kMostTrials = 12;
+constexpr std::size_t kMostPlaces = 4, kMostTrials = 16;
 
 // What speaks for a file and what it should include, beside likeness() to one that does.
 constexpr double kAllNames = 3;     // it makes all names known
@@ -96,7 +97,8 @@ class Search {
 
   // Entry files are not included by others, and what holds main is no library.
   bool isTarget(const std::string& file, const std::string& name) {
-    if (index_.includersOf(file).empty() && file.ends_with("sh")) return false;
+    const bool isEntry = file.ends_with("sh") || isVoxyFile(file);
+    if (isEntry && index_.includersOf(file).empty()) return false;
     return name == "main" || !leadsToMain(file);
   }
 
@@ -196,9 +198,11 @@ class Search {
       auto places =
           placesByModels(index_, candidate.file, candidate.target, candidate.before, kMostPlaces);
       // Without a model only a file on the way to the use tells where.
-      if (places.empty() && candidate.before > 0)
+      if (candidate.before > 0) {
         places.push_back(
             {placeBehindIncludes(index_, candidate.file, candidate.before), {}, false});
+        places.push_back({1, {}, false});
+      }
       double score =
           candidate.score + kAllNames * double(candidate.names.size()) / double(open) + kNextPlace;
       for (const IncludePlace& place : places) {

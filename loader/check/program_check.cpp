@@ -5,6 +5,7 @@
 #include <set>
 #include <tuple>
 
+#include "check/common_include.h"
 #include "check/compile_hints.h"
 #include "check/diagnostic_codec.h"
 #include "check/include_trial.h"
@@ -145,6 +146,7 @@ void checkWithGlslang(const ShaderPack& pack, int jobs, Verdicts& verdicts,
                                                      entryFile(units[i]))};
                 return true;
               });
+  mergeMissingIncludes(pack, units, found);
   for (size_t i = 0; i < units.size(); ++i) {
     verdicts[units[i].hash] = !hasErrors(found[i]) && !units[i].incomplete;
     if (!units[i].mod.empty()) markAsOfMod(units[i].mod, found[i]);

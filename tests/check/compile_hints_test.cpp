@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "check/file_name_checks.h"
 #include "check/program_check.h"
 #include "frame_fixture.h"
@@ -122,6 +124,63 @@ TEST(CompileHints, of_two_places_the_one_that_the_files_beside_it_have) {
                               "#include seems to be missing here | #include \"/lib/all.glsl\""));
   // One line makes both names known.
   EXPECT_THAT(lines, Not(Contains(HasSubstr("'tint' is unknown"))));
+}
+
+TEST(CompileHints, of_two_gaps_the_one_where_the_program_compiles) {
+  // /tint.glsl needs what /color.glsl defines, so it cannot stand in the gap above.
+  const Lines lines = compile(
+      {{"/first.glsl", "const float FIRST = 1.0;\n"},
+       {"/color.glsl", "#define COLOR vec4(1.0)\n"},
+       {"/tint.glsl", "vec4 tint() { return COLOR; }\n"},
+       {"/composite.fsh", kVersion + "#include \"/first.glsl\"\n\n#include \"/color.glsl\"\n\n"
+                                     "#include \"/first2.glsl\"\n"
+                                     "void main() { gl_FragColor = tint(); }\n"},
+       {"/first2.glsl", "const float SECOND = 1.0;\n"}});
+  EXPECT_THAT(lines, Contains("/composite.fsh:5: error: 'tint' is unknown at /composite.fsh:7: an "
+                              "#include seems to be missing here | #include \"/tint.glsl\""));
+}
+
+TEST(CompileHints, one_include_that_heals_all_programs_is_told_once) {
+  const std::string head = kVersion + "#include \"/common.glsl\"\n";
+  Files files{{"/common.glsl", "const float A = 1.0;\n\n#include \"/b.glsl\"\n"},
+              {"/b.glsl", "const float B = 1.0;\n"},
+              {"/util.glsl", "float one() { return A; }\nfloat two() { return A; }\n"},
+              {"/x.glsl", "float x() { return one(); }\n"},
+              {"/y.glsl", "float y() { return two(); }\n"}};
+  const auto add = [&](const std::string& name, const std::string& function) {
+    files[name + ".vsh"] = kVertexStage;
+    files[name + ".fsh"] = head + "#include \"/" + function + ".glsl\"\n" +
+                           "void main() { gl_FragColor = vec4(" + function + "()); }\n";
+  };
+  add("/composite", "x");
+  add("/composite1", "y");
+  const Lines lines = compile(files);
+  EXPECT_THAT(lines, Contains("/common.glsl:2: error: 'one' is unknown at /x.glsl:1, and 1 program "
+                              "more is like this: an #include seems to be missing here | "
+                              "#include \"/util.glsl\""));
+  EXPECT_EQ(std::ranges::count_if(lines,
+                                  [](const std::string& line) {
+                                    return line.find("an #include seems") != std::string::npos;
+                                  }),
+            1);
+}
+
+TEST(CompileHints, includes_that_no_line_of_a_common_file_replaces_are_told_each) {
+  Files files{{"/common.glsl", "const float A = 1.0;\n\n"},
+              {"/one.glsl", "float one() { return A; }\n"},
+              {"/two.glsl", "float two() { return A; }\n"}};
+  const auto add = [&](const std::string& name, const std::string& function) {
+    files[name + ".vsh"] = kVertexStage;
+    files[name + ".fsh"] = kVersion + "#include \"/common.glsl\"\n\n" +
+                           "void main() { gl_FragColor = vec4(" + function + "()); }\n";
+  };
+  add("/composite", "one");
+  add("/composite1", "two");
+  const Lines lines = compile(files);
+  EXPECT_THAT(lines, Contains(HasSubstr("an #include seems to be missing here | "
+                                        "#include \"/one.glsl\"")));
+  EXPECT_THAT(lines, Contains(HasSubstr("an #include seems to be missing here | "
+                                        "#include \"/two.glsl\"")));
 }
 
 TEST(CompileHints, a_stub_without_main_lacks_what_those_of_its_name_include) {

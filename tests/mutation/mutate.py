@@ -36,6 +36,7 @@ class Result:
     reason: str = ""  # why it is equivalent
     exact: bool = False  # a message at the changed line itself, give or take one
     located: bool = False  # the same, or at the other end of the changed pair
+    healed: bool = False  # elsewhere, and the #include told there leaves nothing to report
     first: bool = False  # the first message is a located one
     messages: tuple = ()
 
@@ -118,6 +119,21 @@ def compare(view, fault, root, folder):
     return ("found" if fresh else "missed"), fresh
 
 
+def heals(view, fault, root, fresh):
+    """Does the pack report nothing new with the #include lines that the messages ask for?"""
+    told = {(m["file"], m["line"], m["hint"]) for m in fresh if m["id"] == "include-probably-missing"}
+    changed = {file: read_lines(Path(root) / "shaders" / file.lstrip("/")) for file, _, _ in told}
+    for file, number, text in sorted(told, key=lambda place: -place[1]):
+        changed[file].insert(number - 1, text)
+    for file, lines in changed.items():
+        (Path(root) / "shaders" / file.lstrip("/")).write_bytes("\n".join(lines).encode("latin-1"))
+    left = compare(view, fault, root, None)[1] if told else fresh
+    for file in changed:
+        source = view.path(file)
+        (Path(root) / "shaders" / file.lstrip("/")).write_bytes(source.read_bytes())
+    return not left
+
+
 def judge(view, fault, root):
     """One folder is quicker; all are asked when it does not show the fault at its place."""
     result = Result(view.name, fault, apply(view, fault, root))
@@ -132,6 +148,8 @@ def judge(view, fault, root):
         if result.verdict == "missed":
             result.reason = equivalence(view, fault, root)
             result.verdict = "equivalent" if result.reason else "missed"
+        at_place = any(near(message, fault.file, places) for message in fresh)
+        result.healed = bool(fresh) and not at_place and heals(view, fault, root, fresh)
     finally:
         restore(view, fault, root)
     if fresh:
@@ -191,7 +209,7 @@ class Copies:
             copy_pack(view.root, root)
         result = judge(view, fault, root)
         free.put(root)
-        elsewhere = result.verdict == "found" and not result.located
+        elsewhere = result.verdict == "found" and not (result.located or result.healed)
         print(f"{'found elsewhere' if elsewhere else result.verdict}: {fault.kind} "
               f"{view.name}{fault.file}:{fault.line}", file=sys.stderr)
         return result
@@ -201,7 +219,7 @@ def table(results, name, part):
     rows = {}
     for result in results:
         rows.setdefault(part(result), []).append(result)
-    lines = [f"{name:26} faults equiv  found missed  exact  located first"]
+    lines = [f"{name:26} faults equiv  found missed  exact located healed first"]
     for row, group in [*sorted(rows.items()), ("all", results)]:
         found = [result for result in group if result.verdict == "found"]
         equivalent = sum(result.verdict == "equivalent" for result in group)
@@ -209,7 +227,8 @@ def table(results, name, part):
                      f"{len(group) - len(found) - equivalent:6} "
                      f"{sum(result.exact for result in found):6} "
                      f"{sum(result.located for result in found):7} "
-                     f"{sum(result.first for result in found):6}")
+                     f"{sum(result.healed for result in found):6} "
+                     f"{sum(result.first for result in found):5}")
     return "\n".join(lines)
 
 
@@ -230,17 +249,21 @@ def report(results):
     print("\n".join([
         *select(lambda r: r.verdict == "equivalent", "equivalent"),
         *select(lambda r: r.verdict in ("missed", "no answer"), "not found"),
-        *select(lambda r: r.verdict == "found" and not r.located, "found elsewhere"),
+        *select(lambda r: r.healed, "elsewhere, where the #include that is told heals the pack"),
+        *select(lambda r: r.verdict == "found" and not (r.located or r.healed), "found elsewhere"),
         "", table(results, "kind", lambda r: r.fault.kind), "",
         table(results, "pack", lambda r: r.pack)]))
 
 
 def score(results):
-    """Share of the faults found and share of these located, in percent."""
+    """Shares in percent: of the faults found; of these located; located or healed."""
     real = [result for result in results if result.verdict != "equivalent"]
     found = [result for result in real if result.verdict == "found"]
     located = [result for result in found if result.located]
-    return 100 * len(found) / max(len(real), 1), 100 * len(located) / max(len(found), 1)
+    healed = [result for result in found if result.healed]
+    some = max(len(found), 1)
+    return (100 * len(found) / max(len(real), 1), 100 * len(located) / some,
+            100 * (len(located) + len(healed)) / some)
 
 
 def parse_arguments():
@@ -273,9 +296,9 @@ def main():
     report(results)
     if arguments.json:
         Path(arguments.json).write_text(json.dumps([asdict(r) for r in results], indent=1))
-    found, located = score(results)
+    found, located, healed = score(results)
     print(f"\n{len(results)} faults in {len(views)} packs, seed {arguments.seed}: "
-          f"{found:.1f} % found, {located:.1f} % of those located")
+          f"{found:.1f} % found, {located:.1f} % of those located, {healed:.1f} % located or healed")
     good = results and found >= arguments.min_found and located >= arguments.min_located
     return 0 if good else 1
 
