@@ -140,6 +140,16 @@ TEST(CompileHints, of_two_gaps_the_one_where_the_program_compiles) {
                               "#include seems to be missing here | #include \"/tint.glsl\""));
 }
 
+TEST(CompileHints, a_program_of_a_mod_is_nothing_to_include) {
+  const std::string define = "vec4 shade() { return vec4(1.0); }\n";
+  const Lines lines =
+      compile({{"/voxy_opaque.glsl", define + "void voxy_emitFragment() {}\n"},
+               {"/x.glsl", define},
+               {"/composite.fsh", kVersion + "\nvoid main() { gl_FragColor = shade(); }\n"}});
+  EXPECT_THAT(lines, Contains("/composite.fsh:2: error: 'shade' is unknown at /composite.fsh:3: an "
+                              "#include seems to be missing here | #include \"/x.glsl\""));
+}
+
 TEST(CompileHints, one_include_that_heals_all_programs_is_told_once) {
   const std::string head = kVersion + "#include \"/common.glsl\"\n";
   Files files{{"/common.glsl", "const float A = 1.0;\n\n#include \"/b.glsl\"\n"},
@@ -166,7 +176,8 @@ TEST(CompileHints, one_include_that_heals_all_programs_is_told_once) {
 }
 
 TEST(CompileHints, includes_that_no_line_of_a_common_file_replaces_are_told_each) {
-  Files files{{"/common.glsl", "const float A = 1.0;\n\n"},
+  Files files{{"/common.glsl", "const float A = 1.0;\n\n#include \"/b.glsl\"\n"},
+              {"/b.glsl", "const float B = 1.0;\n"},
               {"/one.glsl", "float one() { return A; }\n"},
               {"/two.glsl", "float two() { return A; }\n"}};
   const auto add = [&](const std::string& name, const std::string& function) {
