@@ -27,6 +27,7 @@
 #define DEFERRED 2
 #define TILED 3
 #define CLUSTERED 4
+#define AUTO 5
 
 #define LINEAR 1
 #define LOGARITHMIC 2
@@ -65,7 +66,7 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 #define RAY_WALK DISTANCE // [GRID DISTANCE]
 
 // Many lamps
-#define LIGHT_METHOD NONE // [NONE FORWARD DEFERRED TILED CLUSTERED]
+#define LIGHT_METHOD NONE // [NONE FORWARD DEFERRED TILED CLUSTERED AUTO]
 #define LIGHT_RANGE 1.0 // [0.25 0.5 0.75 1.0 1.5]
 #define LIGHT_DISTANCE 64 // [32 48 64]
 #define LIGHT_CAPACITY 4096 // [256 1024 4096 16384]
@@ -130,7 +131,7 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 #else
 #define LAMPS 0
 #endif
-#define LIGHT_GRID (LAMPS && (LIGHT_METHOD == TILED || LIGHT_METHOD == CLUSTERED))
+#define LIGHT_GRID (LAMPS && LIGHT_METHOD >= TILED)
 #define LAMPS_FORWARD (LAMPS && LIGHT_METHOD == FORWARD)
 
 // Views of the grid.

@@ -29,7 +29,7 @@ TEST(pack, method_options_have_the_published_values) {
   EXPECT_THAT(values("GI_METHOD"),
               ElementsAre("NONE", "BOUNCE_1", "BOUNCE_2", "BOUNCE_4", "FLOODFILL", "FACE_CACHE"));
   EXPECT_THAT(values("LIGHT_METHOD"),
-              ElementsAre("NONE", "FORWARD", "DEFERRED", "TILED", "CLUSTERED"));
+              ElementsAre("NONE", "FORWARD", "DEFERRED", "TILED", "CLUSTERED", "AUTO"));
   EXPECT_EQ(pack->options.find("LIGHT_METHOD")->defaultValue, "NONE");
   EXPECT_EQ(pack->options.find("FLOODFILL_ALPHA")->defaultValue, "2.43902");
   EXPECT_EQ(pack->options.find("FLOODFILL_GAMMA")->defaultValue, "2.2");
@@ -117,11 +117,8 @@ TEST(pack, lamps_have_what_their_method_needs) {
   std::set<std::string> grid = table;
   grid.insert({"light_bits", "light_list", "light_grid"});
   const std::tuple<const char*, std::set<std::string>, const char*> expected[] = {
-      {"NONE", {}, "----"},
-      {"FORWARD", table, "2--5"},
-      {"DEFERRED", table, "2--5"},
-      {"TILED", grid, "2345"},
-      {"CLUSTERED", grid, "2345"}};
+      {"NONE", {}, "----"},    {"FORWARD", table, "2--5"},  {"DEFERRED", table, "2--5"},
+      {"TILED", grid, "2345"}, {"CLUSTERED", grid, "2345"}, {"AUTO", grid, "2345"}};
   for (const auto& [method, names, found] : expected) {
     const auto pack =
         loadReferencePack({.values = {{"GI_METHOD", "NONE"}, {"LIGHT_METHOD", method}}});

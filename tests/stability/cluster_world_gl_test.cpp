@@ -108,6 +108,20 @@ TEST(lamps, table_is_sorted_by_place) {
   }
 }
 
+TEST(lamps, few_lamps_get_no_lists_when_the_method_is_chosen_by_their_number) {
+  const auto row = [](int count) {
+    return floorWith(
+        fmt::format(R"({{"box": "torch", "min": [6, 1, 12], "max": [{}, 1, 12]}})", 5 + count));
+  };
+  for (const int count : {8, 9}) {
+    PackSession chosen = sessionOf(row(count), "AUTO");
+    chosen.renderFrames(1);
+    EXPECT_EQ(stateOf(chosen).lamps, count);
+    EXPECT_EQ(stateOf(chosen).grids, count > 8);
+    EXPECT_EQ(chosen.dump("colortex0").pixels, pictureOf(row(count), "DEFERRED").pixels) << count;
+  }
+}
+
 TEST(lamps, two_runs_give_the_same_bits) {
   const std::string world = floorWith(kThreeLamps);
   PackSession first = sessionOf(world, "CLUSTERED"), second = sessionOf(world, "CLUSTERED");

@@ -22,9 +22,13 @@ bool view_changed() {
            cameraPositionFract != previousCameraPositionFract;
 }
 
-bool grid_changed() { return state_of(state_grids) == 0u || lights_changed() || view_changed(); }
-
 /// Lamps of the table, also in the frame that makes it.
 uint listed_lamps() { return min(tally_of(lamp_total), table_capacity); }
+
+/// Have the lists to be made?
+bool grid_changed() {
+    return has_lists(listed_lamps()) &&
+           (state_of(state_grids) == 0u || lights_changed() || view_changed());
+}
 
 #endif

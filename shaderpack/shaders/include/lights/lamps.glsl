@@ -21,6 +21,20 @@ const int lamp_volume = 2 * LIGHT_DISTANCE;
 const uint table_capacity = uint(LIGHT_CAPACITY);
 const int table_width = 512;  // lamps in a row
 
+// AUTO: up to so many lamps it costs no more to ask all than to look up which; docs/accuracy.md.
+const uint auto_lamps = 8u;
+
+/// Do so many lamps of the table get lists by cluster?
+bool has_lists(uint lamps) {
+#if LIGHT_METHOD == AUTO
+    return lamps > auto_lamps;
+#elif LIGHT_GRID
+    return true;
+#else
+    return false;
+#endif
+}
+
 const int kind_cube = 1;  // a lamp that fills its cell
 const int kind_ball = 2;  // a small one
 const int kind_spot = 3;  // + 0..5 = towards -x +x -y +y -z +z: a small one that shines one way

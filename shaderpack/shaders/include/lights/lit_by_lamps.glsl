@@ -23,13 +23,20 @@ vec3 light_of_lamp(uint lamp, vec3 position, vec3 normal, float thin) {
 uint lamp_count() { return imageLoad(light_state, ivec2(state_lamps, 0)).r; }
 
 #if LIGHT_GRID
-uint cluster_count(ivec2 cluster) { return imageLoad(light_grid, cluster).r; }
+/// Lamps to ask at the cluster.
+uint cluster_count(ivec2 cluster) {
+    uint lamps = lamp_count();
+    return has_lists(lamps) ? imageLoad(light_grid, cluster).r : lamps;
+}
 
 vec3 cluster_irradiance(ivec2 cluster, vec3 position, vec3 normal, float thin) {
     vec3 sum = vec3(0.0);
+    bool lists = has_lists(lamp_count());
     int count = int(cluster_count(cluster));
-    for (int i = 0; i < count; ++i)
-        sum += light_of_lamp(imageLoad(light_list, ivec3(i, cluster)).r, position, normal, thin);
+    for (int i = 0; i < count; ++i) {
+        uint lamp = lists ? imageLoad(light_list, ivec3(i, cluster)).r : uint(i);
+        sum += light_of_lamp(lamp, position, normal, thin);
+    }
     return sum;
 }
 #endif
