@@ -283,10 +283,10 @@ std::vector<std::size_t> bracesOf(Part part) {
 std::optional<MissingBrace> missingIn(Part part, NestingMark::Kind kind) {
   const bool close = kind == NestingMark::Kind::Close;
   const Candidates candidates = close ? placesToClose(part) : placesToOpen(part);
-  const auto found = findMissingMark(marksOf(part), candidates.places, kind);
-  if (!found) return std::nullopt;
-  const LaidOut& partner = part[bracesOf(part)[found->partner]];
-  return MissingBrace{close ? '}' : '{', *part[candidates.after[found->place]].token,
+  const auto found = findMissingMarks(marksOf(part), candidates.places, kind);
+  if (found.empty()) return std::nullopt;
+  const LaidOut& partner = part[bracesOf(part)[found.front().partner]];
+  return MissingBrace{close ? '}' : '{', *part[candidates.after[found.front().place]].token,
                       *partner.token, partner.statement};
 }
 

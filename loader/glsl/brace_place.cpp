@@ -31,6 +31,12 @@ SourceLocation behindConditionals(SourceLocation at, int from, const SourceLines
   return open == 0 ? end : at;
 }
 
+bool startsWithElse(std::string_view text) {
+  constexpr std::string_view kElse = "else";
+  return text.starts_with(kElse) && (text.size() == kElse.size() || text[kElse.size()] == ' ' ||
+                                     text[kElse.size()] == '{' || text[kElse.size()] == '\r');
+}
+
 }  // namespace
 
 SourceLocation placeOfBrace(const MappedText& text, const MissingBrace& missing,
@@ -40,7 +46,7 @@ SourceLocation placeOfBrace(const MappedText& text, const MissingBrace& missing,
   const SourceLocation partner =
       text.locate(missing.partner.origin.line, missing.partner.origin.column);
   if (partner.file == at.file) at = behindConditionals(at, partner.line, lines);
-  constexpr int kMostBlank = 8;  // the end of a file reads as blank
+  constexpr int kLongGap = 3, kMostBlank = 8;  // the end of a file reads as blank
   SourceLocation next = at;
   for (int blank = 0; blank < kMostBlank;) {
     const std::string line = lines(next.file, ++next.line);
@@ -53,7 +59,11 @@ SourceLocation placeOfBrace(const MappedText& text, const MissingBrace& missing,
     } else if (line[first] == '#' && indentWidth(line) > missing.indent) {
       at = next;
       blank = 0;
+    } else if (startsWithElse(std::string_view(line).substr(first))) {
+      return {next.file, next.line, int(first) + 1};
     } else {
+      // In a gap that is too long the line of the brace is one of the blank ones.
+      if (blank >= kLongGap) at = {at.file, at.line + (blank + 1) / 2, 1};
       break;
     }
   }

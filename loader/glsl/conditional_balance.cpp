@@ -121,11 +121,15 @@ class FileConditionals {
     const Kind missing = open > 0 ? Kind::Close : Kind::Open;
     std::vector<NestingPlace> places;
     for (std::size_t i = 0; i <= marks_.size(); ++i) places.push_back(placeBefore(i, missing));
-    const auto found = findMissingMark(marks_, places, missing);
-    if (!found) return std::nullopt;
-    return UnbalancedConditional{
+    const auto found = findMissingMarks(marks_, places, missing);
+    if (found.empty()) return std::nullopt;
+    const std::size_t partner = found.front().partner;
+    UnbalancedConditional result{
         open > 0 ? UnbalancedConditional::Kind::Unclosed : UnbalancedConditional::Kind::Stray,
-        origins_[found->partner], names_[found->partner], ""};
+        origins_[partner], names_[partner], ""};
+    result.place = {origins_[partner].site, places[found.front().place].line, 1};
+    if (found.size() > 1) result.other = origins_[found[1].partner];
+    return result;
   }
 
  private:

@@ -15,6 +15,8 @@ struct UnbalancedConditional {
   Origin at;              ///< the #if without #endif, the #endif without #if, or the slip
   std::string directive;  ///< its name
   std::string meant;      ///< of a misspelt one
+  Origin place;           ///< the line that its partner most likely belongs behind, or before
+  Origin other;           ///< another directive that may be the one; line 0: none
 };
 
 /// At most one for each file whose own conditionals do not pair, judged by indentation, by the braces

@@ -260,9 +260,11 @@ bool DirectiveRunner::reportInFiles() {
       case UnbalancedConditional::Kind::Unclosed:
         reportUnbalanced(found.at, fmt::format("#{} is not closed: expected #endif before the end",
                                                found.directive));
+        tellPlace(found, "#endif after", "closes");
         break;
       case UnbalancedConditional::Kind::Stray:
         reportUnbalanced(found.at, "#endif without #if");
+        tellPlace(found, "#if before", "opens");
         break;
       case UnbalancedConditional::Kind::Misspelt:
         report(Severity::Warning, "directive-unknown", found.at,
@@ -271,6 +273,17 @@ bool DirectiveRunner::reportInFiles() {
     }
   }
   return !unbalanced_->empty();
+}
+
+// Which of two blocks lacks its other end only the author knows.
+void DirectiveRunner::tellPlace(const UnbalancedConditional& found, std::string_view missing,
+                                std::string_view does) {
+  reportUnbalanced(found.place, fmt::format("expected {} this line: nothing {} the #{} in line {}",
+                                            missing, does, found.directive, found.at.line));
+  if (found.other.line > 0) {
+    reportUnbalanced(found.other,
+                     fmt::format("or nothing {} this one instead of line {}", does, found.at.line));
+  }
 }
 
 void DirectiveRunner::onIf(const std::vector<Token>& tokens) {

@@ -16,6 +16,8 @@ constexpr int kAlone = 40, kOtherIndent = 4, kOtherDepth = 2, kOtherGroup = 8, k
 constexpr int kOutside = 4, kElseOfNothing = 20, kMainAstray = 20;
 // Layout that is often uneven weighs as much as a block twice as long.
 constexpr double kOtherSpacing = 0.7;
+// With lengths that differ by less than this, a factor of e, another partner is as good.
+constexpr double kSure = 1;
 
 int misfit(const NestingMark& open, const NestingMark& close) {
   if (open.group != close.group) return kOtherGroup;
@@ -150,19 +152,42 @@ bool isLess(const Cost& a, const Cost& b) {
 
 }  // namespace
 
-std::optional<MissingMark> findMissingMark(std::span<const NestingMark> marks,
-                                           std::span<const NestingPlace> places, Kind kind) {
+std::vector<MissingMark> findMissingMarks(std::span<const NestingMark> marks,
+                                          std::span<const NestingPlace> places, Kind kind) {
   const std::size_t most = std::min(places.size(), kMostSteps / (marks.size() + 1));
-  std::optional<MissingMark> best;
-  std::pair<int, double> least;
+  struct Best {
+    MissingMark mark;
+    Cost cost;
+  };
+  std::vector<Best> ofPartners;
   for (std::size_t i = 0; i < most; ++i) {
     Trial trial(marks, places[i], kind);
     trial.run();
-    if (!trial.partner() || (best && !isLess(trial.cost(), least))) continue;
-    least = trial.cost();
-    best = {i, *trial.partner()};
+    if (!trial.partner()) continue;
+    const Best here{{i, *trial.partner()}, trial.cost()};
+    const auto same = std::ranges::find_if(
+        ofPartners, [&](const Best& b) { return b.mark.partner == here.mark.partner; });
+    if (same == ofPartners.end()) {
+      ofPartners.push_back(here);
+    } else if (isLess(here.cost, same->cost)) {
+      *same = here;
+    }
   }
-  return best;
+  if (ofPartners.empty()) return {};
+  // In the order of their places, as isLess() is no order of its own.
+  std::ranges::sort(ofPartners, {}, [](const Best& b) { return b.mark.place; });
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < ofPartners.size(); ++i) {
+    if (isLess(ofPartners[i].cost, ofPartners[best].cost)) best = i;
+  }
+  std::vector<MissingMark> found{ofPartners[best].mark};
+  const Cost least = ofPartners[best].cost;
+  ofPartners.erase(ofPartners.begin() + std::ptrdiff_t(best));
+  const auto second = std::ranges::min_element(ofPartners, {}, &Best::cost);
+  const bool inDoubt = second != ofPartners.end() && second->cost.first == least.first &&
+                       second->cost.second - least.second < kSure;
+  if (inDoubt) found.push_back(second->mark);
+  return found;
 }
 
 }  // namespace orris

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace orris {
 
@@ -45,9 +46,10 @@ struct MissingMark {
   std::size_t partner = 0;  ///< index of the mark that has no other
 };
 
-/// The place whose pairs fit best, and of these the one with the shortest (by the sum of logarithms). `kind` is Open or Close.
-std::optional<MissingMark> findMissingMark(std::span<const NestingMark> marks,
-                                           std::span<const NestingPlace> places,
-                                           NestingMark::Kind kind);
+/// The place whose pairs fit best, and of these the one with the shortest (by the sum of logarithms);
+/// behind it the best place with another partner, if that fits about as well. `kind` is Open or Close.
+std::vector<MissingMark> findMissingMarks(std::span<const NestingMark> marks,
+                                          std::span<const NestingPlace> places,
+                                          NestingMark::Kind kind);
 
 }  // namespace orris

@@ -130,15 +130,34 @@ TEST(conditionals, nested_branches_of_an_inactive_one_stay_inactive) {
       "d\n");
 }
 
+TEST(conditionals, of_two_that_are_as_likely_unclosed_both_are_told) {
+  const auto tells = [](const std::string& source, const std::string& message) {
+    return preprocessed(source).find(message) != std::string::npos;
+  };
+  const std::string even = "#if 1\na\n#if 1\nb\n#endif\n";
+  EXPECT_TRUE(tells(even, "/a.fsh:1:1: warning: #if is not closed"));
+  EXPECT_TRUE(tells(even, "/a.fsh:2:1: warning: expected #endif after this line"));
+  EXPECT_TRUE(tells(even, "/a.fsh:3:1: warning: or nothing closes this one instead of line 1"));
+  const std::string indented = "#if 1\n  a\n  #if 1\n    b\n#endif\n";
+  EXPECT_TRUE(tells(indented, "/a.fsh:3:3: warning: #if is not closed"));
+  EXPECT_FALSE(tells(indented, "or nothing closes"));
+}
+
 TEST(conditionals, unbalanced_ones_are_located) {
   // Iris: JcppProcessor logs these and goes on.
   const std::string hint = "  hint: Iris goes on after this, other hosts refuse the program\n";
   EXPECT_EQ(preprocessed("#if 1\na\n"),
             "a\n---\n/a.fsh:1:1: warning: #if is not closed: expected #endif before the end\n"
             "  #if 1\n  ^\n" +
+                hint +
+                "/a.fsh:2:1: warning: expected #endif after this line: nothing closes the #if in "
+                "line 1\n  a\n  ^\n" +
                 hint);
   EXPECT_EQ(preprocessed("a\n #endif\n"),
-            "a\n---\n/a.fsh:2:2: warning: #endif without #if\n   #endif\n   ^\n" + hint);
+            "a\n---\n/a.fsh:2:2: warning: #endif without #if\n   #endif\n   ^\n" + hint +
+                "/a.fsh:1:1: warning: expected #if before this line: nothing opens the #endif in "
+                "line 2\n  a\n  ^\n" +
+                hint);
   EXPECT_EQ(preprocessed("#else\n#elif 1\n"),
             "---\n/a.fsh:1:1: warning: #else without #if\n  #else\n  ^\n" + hint +
                 "/a.fsh:2:1: warning: #elif without #if\n  #elif 1\n  ^\n" + hint);

@@ -158,9 +158,20 @@ TEST(validate, a_brace_is_missing_before_an_else_that_stands_below_its_if) {
                              "  return x;\n"
                              "}\n" +
                              kLater),
-            "/a.fsh:4:13: error: expected '}' after ';': nothing closes the '{' at /a.fsh:3\n"
-            "      x = 1.0;\n"
-            "              ^\n");
+            "/a.fsh:5:3: error: expected '}' after ';': nothing closes the '{' at /a.fsh:3\n"
+            "    else {\n"
+            "    ^\n");
+}
+
+TEST(validate, a_brace_is_missing_amid_many_blank_lines) {
+  EXPECT_EQ(fragmentMessages("float f(float x) {\n"
+                             "  return x;\n"
+                             "\n"
+                             "\n"
+                             "\n"
+                             "\n" +
+                             kLater),
+            "/a.fsh:5:1: error: expected '}' after ';': nothing closes the '{' at /a.fsh:2\n");
 }
 
 TEST(validate, blocks_that_are_indented_oddly_are_no_missing_brace) {
