@@ -109,21 +109,31 @@ std::optional<Token> tokenBeforeGap(const MappedText& text, int line, std::strin
 
 std::optional<Token> unclosedParenthesis(const MappedText& text, int line,
                                          std::string_view message) {
-  if (message.find("syntax error") == std::string_view::npos) return std::nullopt;
+  // A list that goes on inside of a call has too many arguments for it.
+  const bool maybe = message.find("syntax error") != std::string_view::npos ||
+                     message.find("too many arguments") != std::string_view::npos ||
+                     message.find("no matching overloaded function") != std::string_view::npos;
+  if (!maybe) return std::nullopt;
   const std::vector<Token> tokens = tokensOf(text);
   const auto ends = [](const Token& token) { return isOneOf(token.text, {";", "{", "}"}); };
   const auto end = std::ranges::find_if(
       tokens, [&](const Token& token) { return token.origin.line >= line && ends(token); });
   if (end == tokens.end() || end->origin.line != line) return std::nullopt;
   const auto begin = std::find_if(std::make_reverse_iterator(end), tokens.rend(), ends).base();
-  // Where one line of many has more that open than that close, it lacks the one that closes.
+  // Where one line of many has more that open than that close, it lacks the one that closes; but one
+  // that ends a line is meant to stay open.
   std::map<int, std::vector<Token>> open;
+  int toStay = 0;
   for (auto token = begin; token != end; ++token) {
     std::vector<Token>& ofLine = open[token->origin.line];
-    if (token->text == "(") ofLine.push_back(*token);
+    if (token->text == "(") {
+      const bool endsLine = std::next(token)->origin.line > token->origin.line;
+      toStay += endsLine ? 1 : 0;
+      if (!endsLine) ofLine.push_back(*token);
+    }
     if (token->text != ")") continue;
-    if (ofLine.empty()) return std::nullopt;
-    ofLine.pop_back();
+    if (ofLine.empty() && toStay-- == 0) return std::nullopt;
+    if (!ofLine.empty()) ofLine.pop_back();
   }
   std::erase_if(open, [](const auto& entry) { return entry.second.empty(); });
   return open.size() == 1 ? std::optional(open.begin()->second.front()) : std::nullopt;

@@ -1,5 +1,6 @@
 #include "glsl/validate.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <thread>
@@ -269,6 +270,17 @@ TEST(validate, the_line_that_lacks_a_parenthesis_is_told_and_not_the_end_of_its_
       "           (x + 2.0 *\n"
       "           ^\n"
       "  hint: no ')' of this line closes it\n");
+}
+
+TEST(validate, an_entry_of_a_list_lacks_its_parenthesis) {
+  EXPECT_THAT(fragmentMessages("const vec3 list[2] = vec3[2](\n"
+                               "  vec3(1.0, 0.0, 0.0,\n"
+                               "  vec3(0.0));\n" +
+                               kLater),
+              testing::HasSubstr("/a.fsh:3:7: error: 'constructor' : too many arguments\n"
+                                 "    vec3(1.0, 0.0, 0.0,\n"
+                                 "        ^\n"
+                                 "  hint: no ')' of this line closes it\n"));
 }
 
 TEST(validate, the_end_of_a_function_without_brace_is_before_the_next_function) {
