@@ -7,6 +7,7 @@ shaders/, text that stands there exactly once, what replaces it.
 STEP = "program/p0_floodfill_step.glsl"
 IMAGE_STEP = "program/p2_floodfill_step.glsl"
 IMAGE_LIST = "program/p1_floodfill_list.glsl"
+DISTANCE = "program/s6_voxel_distance.glsl"
 POWERS = "include/voxel/power_step.glsl"
 GI = "program/d0_gi.glsl"
 RULE = "include/voxel/propagation.glsl"
@@ -103,8 +104,8 @@ MUTANTS = [
     ("A12 multiplied by visibility", "A12.*",
      [(FIELD, NO_VALUE, "true, true, true"),
       (RULE, SOLID, ""),
-      (RULE, "return light_at(before);",
-       "return light_at(before) * float(!is_opaque_voxel(v.code));")]),
+      (RULE, "return in_volume(there) ? light_at(there + scroll) : vec3(0.0);",
+       "return light_at(there + scroll) * float(!is_opaque_voxel(v.code));")]),
     ("A13 in place, ascending order", "A13.*",
      [(RULE, NEIGHBOURS, "        if ((i & 1) == 1)\n"
                          "            light = max(light, before(cell + offset, scroll));\n" + NEIGHBOURS),
@@ -214,4 +215,16 @@ MUTANTS = [
      [(POWERS, "min(sound(tinted(step_gain * sum, cell, code)), stored_max)", "tinted(step_gain * sum, cell, code)")]),
     ("image: sides differ at rest", "image.light_at_rest*",
      [(POWERS, "mix(power, own, rests)", "power")]),
+    ("rays: leaps one cell too long", "rays.*", [(DISTANCE, "uint open = ~0u;", "uint open = ~0u;\n        count(planes, open);")]),
+    ("rays: blocks are not seen along y", "rays.*",
+     [(DISTANCE, "add_row(bits, word + ivec3(0, k, i));", "")]),
+    ("rays: blocks are not seen along x", "rays.*", [(DISTANCE, "bits.here << i | ", "")]),
+    ("rays: distances not made anew after an edit", "rays.*",
+     [("include/voxel/distance.glsl", "changed_within(imageLoad(voxel_memory, change_of_any).r, 1) || ", "")]),
+    ("rays: distances not made anew after a move", "rays.*",
+     [("include/voxel/distance.glsl", "volume_scroll() != ivec3(0) ||", "")]),
+    ("rays: all that is there stops", "rays.*",
+     [("program/s1_voxel_bits.glsl", "full |= uint(code == voxel_solid ||", "full |= uint(code > 0 ||")]),
+    ("rays: cells of leaps not kept to the cube", "rays.*",
+     [("include/voxel/trace.glsl", "walk.cell + walk.stride * reach, bvec3", "walk.cell + walk.stride, bvec3")]),
 ]

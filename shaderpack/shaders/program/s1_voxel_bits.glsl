@@ -1,4 +1,4 @@
-// Which cells hold something, a bit each, when that may have changed.
+// Which cells hold something, and which are filled, a bit each, when that may have changed.
 #include "/settings.glsl"
 
 layout(local_size_x = 64) in;
@@ -20,8 +20,13 @@ void main() {
         ivec2 texel = atlas_texel(first);
         int cells = min(32, VOLUME - first.x);
         uint bits = 0u;
-        for (int x = 0; x < cells; ++x)
-            bits |= uint(texelFetch(shadowcolor0, texel + ivec2(x, 0), 0).a > 0.0) << uint(x);
+        uint full = 0u;
+        for (int x = 0; x < cells; ++x) {
+            int code = int(texelFetch(shadowcolor0, texel + ivec2(x, 0), 0).a * 255.0 + 0.5);
+            bits |= uint(code != voxel_air) << uint(x);
+            full |= uint(code == voxel_solid || (code >= voxel_lamp && code < voxel_small_lamp)) << uint(x);
+        }
         imageStore(voxel_bits, word, uvec4(bits));
+        imageStore(voxel_bits, word + ivec3(words_of_row, 0, 0), uvec4(full));
     }
 }

@@ -84,6 +84,7 @@ void main() {
             open = ~covered(bits, k);
             count(planes, open);
         }
+        planes |= imageLoad(voxel_bits, word + ivec3(words_of_row, 0, 0)).r;
         store_distances(word, planes);
     }
 }

@@ -2,8 +2,10 @@
 // empty cube about it (Chebyshev); 0 where something is. Made anew when the voxels change
 // (s1_voxel_bits, s6_voxel_distance).
 //
-//   voxel_bits      r32ui, 32 cells along x in a texel: is something there?
-//   voxel_distance  r32ui, 8 cells along x in a texel, 4 bits each: 0..farthest_reach
+//   voxel_bits      r32ui, 32 cells along x in a texel: is something there? Then, in as many texels
+//                   again: does a block fill the cell?
+//   voxel_distance  r32ui, 8 cells along x in a texel, 4 bits each: 0..farthest_reach, 15 where a block
+//                   fills the cell
 #if !defined INCLUDED_VOXEL_DISTANCE
 #define INCLUDED_VOXEL_DISTANCE
 
@@ -22,7 +24,8 @@ bool distances_are_old() {
 #else
 layout(r32ui) uniform readonly uimage3D voxel_distance;
 
-/// Cells nearer than this on every axis are empty; 0: this one is not. Only for cells in the volume.
+/// Cells nearer than this on every axis are empty; 0: this one is not, or it is outside, where images
+/// read 0; 15: nothing passes.
 int empty_reach(ivec3 cell) {
     uint eight = imageLoad(voxel_distance, ivec3(cell.x >> 3, cell.yz)).r;
     return int(eight >> uint((cell.x & 7) * 4) & 15u);

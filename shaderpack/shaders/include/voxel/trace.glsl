@@ -26,54 +26,91 @@ bool touches(int code, float low, float high, float miss_squared) {
     return true;
 }
 
-/// Where a ray is on its way through the cells.
+/// Where a ray is on its way through the cells. Floats, as they are compared and rounded faster.
 struct Walk {
     vec3 origin;
     vec3 direction;
     vec3 inverse;
-    ivec3 stride;
-    ivec3 cell;
-    ivec3 axis;   // of the face by which it came into the cell
-    float enter;  // and how far that is
+    vec3 stride;  // -1 or 1
+    vec3 cell;
+    int reach;    // 0: something is here, or the ray has left the volume; stopped: what is here stops it
 };
+
+const int stopped = 15;
 
 Walk begin_walk(vec3 origin, vec3 direction) {
     // A zero would make 0 * inf; no direction is that exact.
     direction = mix(direction, vec3(1e-6), lessThan(abs(direction), vec3(1e-6)));
-    return Walk(origin, direction, 1.0 / direction, ivec3(sign(direction)), ivec3(floor(origin)),
-                ivec3(0), 0.0);
+    return Walk(origin, direction, 1.0 / direction, sign(direction), floor(origin), 1);
 }
 
-/// Ways to the planes by which the ray leaves the cube of cells nearer than `reach`.
-vec3 ways_out(Walk walk, int reach) {
-    ivec3 plane = walk.cell + ivec3(greaterThan(walk.stride, ivec3(0))) + walk.stride * (reach - 1);
-    return (vec3(plane) - walk.origin) * walk.inverse;
+ivec3 cell_of(Walk walk) { return ivec3(walk.cell); }
+
+/// Ways to the planes by which the ray leaves the cube of cells nearer than `reach`; by which it came
+/// into its cell for 0.
+vec3 ways_out(Walk walk, float reach) {
+    return (walk.cell + (0.5 - walk.origin + walk.stride * (reach - 0.5))) * walk.inverse;
 }
 
-/// To the first cell beyond that cube. One axis at a time, ties included, so that no ray slips
-/// through a diagonal edge.
-void leave_cube(inout Walk walk, int reach) {
+/// To the first cell beyond that cube. One axis at a time, ties included, so that no ray slips through
+/// a diagonal edge.
+void leave_cube(inout Walk walk, float reach) {
     vec3 leave = ways_out(walk, reach);
-    walk.axis = leave.x < leave.y ? (leave.x < leave.z ? ivec3(1, 0, 0) : ivec3(0, 0, 1))
-                                  : (leave.y < leave.z ? ivec3(0, 1, 0) : ivec3(0, 0, 1));
-    walk.enter = min(leave.x, min(leave.y, leave.z));
-    ivec3 there = ivec3(floor(walk.origin + walk.direction * walk.enter));
-    there = clamp(there, walk.cell - (reach - 1), walk.cell + (reach - 1));
-    walk.cell = there + walk.axis * (walk.cell + walk.stride * reach - there);
+    bool x = leave.x < leave.y && leave.x < leave.z;
+    bool y = !x && leave.y < leave.z;
+    vec3 there = walk.cell;
+#if DISTANCES
+    there = floor(walk.origin + walk.direction * min(leave.x, min(leave.y, leave.z)));
+    there = clamp(there, walk.cell - (reach - 1.0), walk.cell + (reach - 1.0));
+#endif
+    walk.cell = mix(there, walk.cell + walk.stride * reach, bvec3(x, y, !x && !y));
 }
 
 /// On to the next cell that is not known to be empty.
 void walk_on(inout Walk walk) {
 #if DISTANCES
-    int reach = in_volume(walk.cell) ? max(1, empty_reach(walk.cell)) : 1;
-    for (int i = 0; i < 3 * VOLUME && reach > 0; ++i) {
-        leave_cube(walk, reach);
-        if (!in_volume(walk.cell)) return;
-        reach = empty_reach(walk.cell);
+    walk.reach = max(1, walk.reach);
+    for (int i = 0; i < 3 * VOLUME && uint(walk.reach - 1) < uint(stopped - 1); ++i) {
+        leave_cube(walk, float(walk.reach));
+        walk.reach = empty_reach(cell_of(walk));
     }
 #else
-    leave_cube(walk, 1);
+    leave_cube(walk, 1.0);
+    walk.reach = 0;
 #endif
+}
+
+vec4 texel_of(ivec3 cell) { return texelFetch(shadowcolor0, atlas_texel(cell), 0); }
+
+/// Does what is in the ray's cell stop it?
+bool meets(Walk walk, int code) {
+    vec3 leave = ways_out(walk, 1.0);
+    vec3 came = ways_out(walk, 0.0);
+    vec2 ways = vec2(max(came.x, max(came.y, came.z)), min(leave.x, min(leave.y, leave.z)));
+    vec2 heights = walk.origin.y + walk.direction.y * ways - walk.cell.y;
+    vec3 to_center = walk.cell + 0.5 - walk.origin;
+    float along = dot(to_center, walk.direction);
+    float miss_squared = dot(to_center, to_center) - along * along;
+    return touches(code, min(heights.x, heights.y), max(heights.x, heights.y), miss_squared);
+}
+
+/// Where the ray came into its cell, and what it finds there.
+void describe(inout Hit hit, Walk walk, vec4 texel) {
+    vec3 came = ways_out(walk, 0.0);
+    bool x = came.x > came.y && came.x > came.z;
+    bool y = !x && came.y > came.z;
+    hit.cell = cell_of(walk);
+    hit.voxel = decode_voxel(texel);
+    hit.position = walk.origin + walk.direction * max(came.x, max(came.y, came.z));
+    hit.normal = -vec3(x, y, !x && !y) * walk.stride;
+    // A slab entered beside its block is hit on its flat face.
+    float height = hit.position.y - walk.cell.y;
+    bool above = hit.voxel.code == voxel_slab_bottom && height > 0.5;
+    bool below = hit.voxel.code == voxel_slab_top && height < 0.5;
+    if (above || below) {
+        hit.normal = vec3(0.0, above ? 1.0 : -1.0, 0.0);
+        hit.position += walk.direction * ((0.5 - height) * walk.inverse.y);
+    }
 }
 
 /// First block from `origin` (volume space) on. The first cell is not tested: rays start on a face,
@@ -81,40 +118,19 @@ void walk_on(inout Walk walk) {
 Hit trace(vec3 origin, vec3 direction) {
     Walk walk = begin_walk(origin, direction);
     Hit hit;
-    hit.found = false;
     hit.transmittance = vec3(1.0);
-    vec4 texel = vec4(0.0);
-    for (int i = 0; i < 3 * VOLUME; ++i) {
-        walk_on(walk);
-        if (!in_volume(walk.cell)) break;
-
-        texel = texelFetch(shadowcolor0, atlas_texel(walk.cell), 0);
+    walk_on(walk);
+    // What a full block stops has no turn here, and branches save nothing on some drivers.
+    for (int i = 0; i < 3 * VOLUME && walk.reach != stopped && in_volume(cell_of(walk)); ++i) {
+        vec4 texel = texel_of(cell_of(walk));
         int code = int(texel.a * 255.0 + 0.5);
-        vec3 leave = ways_out(walk, 1);
-        float exit = min(leave.x, min(leave.y, leave.z));
-        vec2 heights = origin.y + walk.direction.y * vec2(walk.enter, exit) - float(walk.cell.y);
-        vec3 to_center = vec3(walk.cell) + 0.5 - origin;
-        float along = dot(to_center, walk.direction);
-        float miss_squared = dot(to_center, to_center) - along * along;
-        if (touches(code, min(heights.x, heights.y), max(heights.x, heights.y), miss_squared)) {
-            hit.found = true;
-            break;
-        }
+        if (meets(walk, code)) break;
         if (code == voxel_translucent) hit.transmittance *= texel.rgb * texel.rgb;
+        walk_on(walk);
     }
-
-    hit.cell = walk.cell;
-    hit.voxel = decode_voxel(texel);
-    hit.position = origin + walk.direction * walk.enter;
-    hit.normal = -vec3(walk.axis * walk.stride);
-    // A slab entered beside its block is hit on its flat face.
-    float height = hit.position.y - float(walk.cell.y);
-    bool above = hit.voxel.code == voxel_slab_bottom && height > 0.5;
-    bool below = hit.voxel.code == voxel_slab_top && height < 0.5;
-    if (above || below) {
-        hit.normal = vec3(0.0, above ? 1.0 : -1.0, 0.0);
-        hit.position += walk.direction * ((0.5 - height) * walk.inverse.y);
-    }
+    hit.found = in_volume(cell_of(walk));
+    vec4 texel = hit.found ? texel_of(cell_of(walk)) : vec4(0.0);
+    describe(hit, walk, texel);
     return hit;
 }
 
