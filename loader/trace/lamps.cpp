@@ -14,6 +14,7 @@ double powerOf(const LampFace& face) {
 
 /// Can any point of the box see the front?
 bool facesBox(const LampFace& face, glm::vec3 low, glm::vec3 high) {
+  if (face.radius > 0) return true;
   float farthest = 0;
   for (int axis = 0; axis < 3; ++axis) {
     const float toward = face.normal[axis] > 0 ? high[axis] : low[axis];

@@ -9,9 +9,10 @@
 
 namespace orris {
 
-/// One face of a lamp; its front gives `radiance`.
+/// One face of a lamp; its front gives `radiance`. Or a ball, which is no obstacle and is not met.
 struct LampFace {
   std::uint32_t quad = 0;
+  float radius = 0;                                    ///< of a ball about `corner`; 0: a face
   glm::vec3 corner{0}, edgeU{0}, edgeV{0}, normal{0};  ///< grid space
   glm::vec3 radiance{0};
   float area = 1;

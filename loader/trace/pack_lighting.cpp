@@ -68,7 +68,7 @@ LampLight PackLighting::lampLight(int id, int level, const vec3& mean) const {
   const vec3 radiance = functions_->lamp_radiance({color, Functions::voxel_lamp + level});
   if (!functions_->is_small_lamp(id)) return {radiance, 6};
   const float radius = Functions::small_lamp_radius;
-  return {radiance * Functions::small_lamp_boost, 4 * Functions::pi * radius * radius};
+  return {radiance * Functions::small_lamp_boost, 4 * Functions::pi * radius * radius, radius};
 }
 
 bool PackLighting::isThin(int id) const {

@@ -25,7 +25,8 @@ struct LightingInput {
 /// How a lamp lights: as a block that fills its cell, or as a ball in it.
 struct LampLight {
   glm::vec3 radiance{0};
-  float area = 6;  ///< of the shape that has this radiance, in square blocks
+  float area = 6;    ///< of the shape that has this radiance, in square blocks
+  float radius = 0;  ///< of a ball in the middle of its cell; 0: the block's own faces shine
 };
 
 class PackLighting {

@@ -59,6 +59,8 @@ struct PathTracer::Query {
   Ray ray;
   glm::vec3 value{0};              ///< light, before what filters take
   std::uint32_t target = kNoQuad;  ///< must be met; kNoQuad: the sky
+  const LampFace* ball = nullptr;  ///< must be reached, if only the blocks of its lamp
+  float reach = 0;                 ///< the way to it
   RayHit hit;
 
   void send(const TraceSurface& from, const glm::vec3& direction, std::uint64_t& count,
@@ -76,7 +78,10 @@ struct PathTracer::Query {
     if (counts.record != nullptr) counts.record->push_back(ray);
   }
   glm::vec3 arrived() const {
-    return wanted && hit.quad == target ? value * hit.filter : glm::vec3(0);
+    const bool met =
+        ball == nullptr ? hit.quad == target
+                        : hit.distance >= reach || hit.cell == glm::ivec3(glm::floor(ball->corner));
+    return wanted && met ? value * hit.filter : glm::vec3(0);
   }
 };
 
@@ -114,15 +119,41 @@ void PathTracer::askSun(const TraceSurface& surface, Query& query, RayCounts& co
   query.send(surface, toSun, counts.sun, counts);
 }
 
+/// Asks for the light of a ball: a direction within the cone that it fills.
+void PathTracer::askBall(const TraceSurface& surface, const LampDraw& drawn, glm::vec2 u,
+                         Query& query, RayCounts& counts) {
+  const LampFace& ball = *drawn.face;
+  const glm::vec3 to = ball.corner - surface.position;
+  const float far = glm::length(to);
+  // Its own lamp's faces lie within it.
+  if (far <= ball.radius) return;
+  const float edge = std::sqrt(1 - ball.radius * ball.radius / (far * far));
+  const float z = glm::mix(1.0f, edge, u.x), across = std::sqrt(std::max(0.0f, 1 - z * z));
+  const glm::vec3 axis = to / far;
+  const glm::vec3 side = glm::normalize(
+      glm::cross(axis, std::abs(axis.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0)));
+  const glm::vec2 turn = cosineSine(u.y - 0.5f);
+  const glm::vec3 direction = axis * z + across * (turn.x * side + turn.y * glm::cross(axis, side));
+  const float cosine = glm::dot(surface.normal, direction);
+  if (cosine <= 0) return;
+  // 2 pi (1 - edge) is the cone's solid angle.
+  query.value = ball.radiance * (2 * (1 - edge) * cosine / drawn.probability);
+  query.ball = &ball;
+  query.reach = far - ball.radius;
+  query.send(surface, direction, counts.lamp, counts);
+}
+
 /// Asks for the light of one lamp, drawn at random, as mean radiance.
 void PathTracer::askLamp(const TraceSurface& surface, SampleRandom& random, Query& query,
                          RayCounts& counts) const {
   query.wanted = false;
+  query.ball = nullptr;
   if (scene_.lamps.empty()) return;
   const LampDraw drawn = scene_.lamps.draw(surface.cell, random.one());
   if (drawn.face == nullptr) return;
   const LampFace& lamp = *drawn.face;
   const glm::vec2 at = random.pair();
+  if (lamp.radius > 0) return askBall(surface, drawn, at, query, counts);
   const glm::vec3 to = lamp.corner + lamp.edgeU * at.x + lamp.edgeV * at.y - surface.position;
   const float squared = glm::dot(to, to);
   if (!(squared > 1e-10f)) return;

@@ -78,6 +78,8 @@ class PathTracer {
   void askSun(const TraceSurface& surface, Query& query, RayCounts& counts) const;
   void askLamp(const TraceSurface& surface, SampleRandom& random, Query& query,
                RayCounts& counts) const;
+  static void askBall(const TraceSurface& surface, const LampDraw& drawn, glm::vec2 u, Query& query,
+                      RayCounts& counts);
   glm::vec3 metLamp(const RayHit& hit, const TraceSurface& from, const glm::vec3& direction) const;
   void setSurface(const RayHit& hit, const glm::vec3& direction, TraceSurface& surface,
                   int level = 0) const;

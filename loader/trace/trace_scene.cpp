@@ -1,6 +1,7 @@
 #include "trace/trace_scene.h"
 
 #include <algorithm>
+#include <numbers>
 
 #include "trace/scene_quads.h"
 #include "world/block_faces.h"
@@ -51,7 +52,8 @@ class SceneBuilder {
     bool seen = false;
     bool thin = false, water = false, emits = false;
     std::uint8_t filter = 0;
-    glm::vec3 radiance{0};  ///< of every lit face
+    glm::vec3 radiance{0};  ///< of every lit face, or of the ball
+    float ball = 0;         ///< radius
     int topFace = -1;
   };
 
@@ -60,6 +62,7 @@ class SceneBuilder {
   void addCells();
   void addCell(glm::ivec3 cell, std::size_t first, std::size_t end);
   void addLamp(const TraceQuad& quad);
+  void addBall(glm::ivec3 cell, const State& state);
   std::uint8_t filterAt(glm::ivec3 cell) const;
 
   const TraceSceneInput& input_;
@@ -102,8 +105,9 @@ void SceneBuilder::describeStates() {
     state.water = lighting_->isWater(id);
     if (placed.quad.emission > 0) {
       const LampLight light = lighting_->lampLight(id, placed.quad.emission, glm::vec3(mean));
-      state.radiance =
-          light.radiance * (light.area / (drawnArea(facts, input_.atlas) * std::max(mean.w, 0.1f)));
+      const float shown = drawnArea(facts, input_.atlas) * std::max(mean.w, 0.1f);
+      state.ball = light.radius;
+      state.radiance = light.radiance * (light.radius > 0 ? 1 : light.area / shown);
       state.emits = true;
     } else if (placed.quad.translucent && (facts.fluid || isWhole(facts)) &&
                filters_.size() < 255) {
@@ -167,12 +171,24 @@ void SceneBuilder::addCell(glm::ivec3 cell, std::size_t first, std::size_t end) 
     quad.translucent = quad.translucent && !state.emits;
     quad.filters = quad.translucent && state.filter == 0;
     if (isUnitSide(placed_[i])) made.faces = std::uint8_t(made.faces | 1 << placed_[i].face);
-    if (state.emits) {
+    if (state.emits && state.ball == 0) {
       quad.lamp = std::uint32_t(lamps_.size());
       addLamp(quad);
     }
     quads_.push_back(quad);
   }
+  if (first < end) addBall(cell, states_[placed_[first].quad.state]);
+}
+
+void SceneBuilder::addBall(glm::ivec3 cell, const State& state) {
+  if (state.ball == 0) return;
+  LampFace ball;
+  ball.quad = kNoQuad;
+  ball.radius = state.ball;
+  ball.corner = glm::vec3(cell - low_) + 0.5f;
+  ball.radiance = state.radiance;
+  ball.area = 4 * std::numbers::pi_v<float> * state.ball * state.ball;
+  lamps_.push_back(ball);
 }
 
 void SceneBuilder::addLamp(const TraceQuad& quad) {

@@ -172,8 +172,40 @@ float powerOf(const std::string& block, int id) {
 // The pack's rays take a lamp for a cube, a small one for a ball of radius 1/4, 5 times as bright.
 TEST(Lamps, have_the_power_of_the_shape_the_pack_gives_them) {
   EXPECT_NEAR(powerOf("sea_lantern", kWhiteLamp), 6 * 16, 1e-3f);
-  EXPECT_NEAR(powerOf("torch", 201), 5 * 4 * 3.14159265f / 16 * 16 * 14 * 14 / 225, 5);
+  EXPECT_NEAR(powerOf("torch", 201), 5 * 4 * 3.14159265f / 16 * 16 * 14 * 14 / 225, 1e-3f);
   EXPECT_GT(powerOf("lantern", 201), 40);
+}
+
+// A ball of radiance L and radius r gives a plane L (r / d)^2 cos, while it is whole above it. The
+// lantern's own faces and whatever is behind it are no obstacles; a stone between is one.
+TEST(Lamps, small_ones_light_as_balls) {
+  const auto lit = [](const std::string& between, glm::ivec3 floor) {
+    const BlockScene scene = test::blockScene(
+        R"({"size": [9, 6, 9], "blocks": [{"box": "black_concrete", "min": [0,0,0], "max": [8,0,8]},
+        {"block": "lantern", "at": [4,3,4]}, {"block": ")" +
+            between + R"(", "at": [4,2,4]}],
+        "cameras": [{"name": "a", "position": [2, 2, 8], "yaw": 180, "pitch": 0, "fov": 60}]})",
+        {{"minecraft:lantern", 206}}, lampsOf("16"));
+    TraceSettings settings;
+    settings.bounces = 1;
+    const PathTracer tracer(scene.scene, {}, settings);
+    RayCounts counts;
+    const glm::ivec3 cell = floor - scene.scene.origin;
+    return test::estimate(20000, [&](std::uint32_t i) {
+      SampleRandom random(9, 1, i);
+      const TraceSurface at = test::surfaceOn(cell, FaceDirection::Up, {0.5f, 0.5f});
+      return double(tracer.incoming(at, random, counts).r);
+    });
+  };
+  for (const glm::ivec3 floor : {glm::ivec3(4, 0, 4), {7, 0, 4}, {1, 0, 0}}) {
+    const Estimate found = lit("air", floor);
+    const double squared =
+        2.5 * 2.5 + (floor.x - 4) * (floor.x - 4) + (floor.z - 4) * (floor.z - 4);
+    const double truth = 5 * 16 / 16.0 / squared * 2.5 / std::sqrt(squared);
+    EXPECT_NEAR(found.mean, truth, 0.003 * truth + 4 * found.error) << floor.x;
+    EXPECT_GT(found.mean, 0.01);
+  }
+  EXPECT_LT(lit("stone", {4, 0, 4}).mean, 1e-3);
 }
 
 TEST(Lamps, are_drawn_with_the_probability_they_tell) {
