@@ -36,6 +36,9 @@
 #define COUNT 2
 #define HEAT 3
 
+#define HIT 1
+#define SAMPLED 2
+
 #define ATLAS_2D 1
 #define IMAGE_3D 2
 
@@ -62,6 +65,7 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 // Global illumination
 #define GI_METHOD FACE_CACHE // [NONE BOUNCE_1 BOUNCE_2 BOUNCE_4 FLOODFILL FACE_CACHE]
 #define GI_SAMPLES 1 // [1 2 4]
+#define GI_LAMPS HIT // [HIT SAMPLED]
 #define VOXEL_SIZE 64 // [32 48 64 96 128]
 #define RAY_WALK DISTANCE // [GRID DISTANCE]
 
@@ -132,6 +136,7 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 #define LAMPS 0
 #endif
 #define LIGHT_GRID (LAMPS && LIGHT_METHOD >= TILED)
+#define LAMP_RAYS (FACES && !LAMPS && GI_LAMPS == SAMPLED)
 #define LAMPS_FORWARD (LAMPS && LIGHT_METHOD == FORWARD)
 
 // Views of the grid.

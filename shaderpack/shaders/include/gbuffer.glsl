@@ -29,6 +29,12 @@ vec3 player_position(vec2 uv, float depth) {
     return (gbufferModelViewInverse * vec4(view.xyz / view.w, 1.0)).xyz;
 }
 
+/// Of the light on the back of a thin surface, what shows as a share of what the front would
+/// reflect: it passes as much as it reflects, at most what is left of it.
+vec3 passed_share(vec3 albedo) {
+    return min(vec3(1.0), (1.0 - albedo) / max(albedo, vec3(1e-3)));
+}
+
 Surface read_surface(ivec2 pixel) {
     float depth = texelFetch(depthtex0, pixel, 0).r;
     vec4 color = texelFetch(colortex1, pixel, 0);

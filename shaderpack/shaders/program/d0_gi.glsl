@@ -22,7 +22,14 @@ void main() { gl_Position = ftransform(); }
 #include "/include/voxel/light_field.glsl"
 #endif
 #if FACES
+layout(rgba16f) uniform readonly image3D face_light;
+layout(r32ui) uniform readonly uimage2D face_memory;
 #include "/include/faces/face_cache.glsl"
+#endif
+#if LAMP_RAYS
+layout(r32ui) uniform readonly uimage2D face_list;
+layout(r32ui) uniform readonly uimage2D face_tally;
+#include "/include/faces/lamp_sample.glsl"
 #endif
 
 #if LAMPS
@@ -35,11 +42,6 @@ const int gi_bounces = 4;
 const int gi_bounces = 2;
 #else
 const int gi_bounces = 1;
-#endif
-
-#if FACES
-layout(rgba16f) uniform readonly image3D face_light;
-layout(r32ui) uniform readonly uimage2D face_memory;
 #endif
 
 uniform sampler2D colortex3;
@@ -58,22 +60,60 @@ bool lit_directly(int bounce, vec3 position) {
 #endif
 }
 
+/// Plants and leaves look to either side by chance: turns the normal of half of the rays round.
+/// Returns what counts for the light that comes from there.
+vec3 choose_side(Surface s, inout vec3 normal) {
+    if (!s.thin) return vec3(1.0);
+    if (next_random().x < 0.5) return vec3(2.0);
+    normal = -normal;
+    return 2.0 * passed_share(s.albedo);
+}
+
+// Share of a block of leaves' side that is open.
+const float leaf_holes = 0.15;
+
+/// Where a ray begins in a block of leaves, as when it looks out of the back of one of its sides, it
+/// passes another: adds the sun on that, and takes what it stops.
+void leave_leaves(vec3 origin, vec3 direction, vec3 light, float sky, inout vec3 throughput,
+                  inout vec3 radiance) {
+    Hit side;
+    side.cell = ivec3(floor(origin));
+    side.voxel = voxel_at(side.cell);
+    if (side.voxel.code != voxel_solid) return;
+    side.position = origin + direction * way_out(origin, direction);
+    vec3 from_middle = side.position - vec3(side.cell) - 0.5;
+    vec3 size = abs(from_middle);
+    float most = max(size.x, max(size.y, size.z));
+    side.normal = sign(from_middle) * vec3(greaterThanEqual(size, vec3(most)));
+    radiance += throughput * side.voxel.color * sun_at(side, light, sky);
+    throughput *= mix(side.voxel.color, vec3(1.0), leaf_holes);
+}
+
 /// One sample of the mean incoming radiance.
 vec3 gather(Surface s, vec3 light) {
-    vec3 origin = to_volume(s.player) + s.normal * ray_offset;
     vec3 normal = s.normal;
-    vec3 throughput = vec3(1.0);
+    vec3 throughput = choose_side(s, normal);
+    vec3 origin = to_volume(s.player) + normal * ray_offset;
     vec3 radiance = vec3(0.0);
+#if LAMP_RAYS
+    radiance += throughput * lamp_sample(Receiver(origin, normal));
+#endif
     for (int bounce = 0; bounce < gi_bounces; ++bounce) {
         vec3 direction = cosine_direction(normal, next_random().xy);
-        Hit hit = trace(origin, direction);
+        if (s.thin && bounce == 0)
+            leave_leaves(origin, direction, light, s.light.y, throughput, radiance);
+        Hit hit = trace_from_face(origin, direction);
         throughput *= hit.transmittance;
         if (!hit.found) {
             radiance += throughput * sky_beyond(direction, s.light.y);
             break;
         }
         if (is_lamp_voxel(hit.voxel.code)) {
+#if LAMP_RAYS
+            radiance += throughput * met_lamp(hit, origin);
+#else
             radiance += throughput * lamp_light(hit.voxel) * float(!lit_directly(bounce, hit.position));
+#endif
             break;
         }
         normal = hit.normal;

@@ -48,11 +48,8 @@ vec3 indirect_radiance(Surface s, ivec2 pixel) {
 #endif
     vec3 lightmap = ambient_radiance(light, s.normal);
 #if VOXELS
-    // The volume's edge sees too little: fade to the lightmap over four cells.
-    vec3 position = to_volume(s.player);
-    vec3 margin = min(position, float(VOLUME) - position);
-    float inside = clamp(min(margin.x, min(margin.y, margin.z)) / 4.0, 0.0, 1.0);
-    return mix(lightmap, texelFetch(GI_RESULT, pixel, 0).rgb + AMBIENT_MINIMUM, inside);
+    return mix(lightmap, texelFetch(GI_RESULT, pixel, 0).rgb + AMBIENT_MINIMUM,
+               inside_volume(to_volume(s.player)));
 #else
     return lightmap;
 #endif

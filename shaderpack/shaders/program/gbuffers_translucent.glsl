@@ -14,6 +14,10 @@ out vec2 light;
 out vec3 player;
 flat out vec3 normal;
 flat out float is_water;
+#if FACES && !LAMPS
+in vec4 at_midBlock;
+flat out vec3 block;  // its middle, player space
+#endif
 
 void main() {
     gl_Position = ftransform();
@@ -27,12 +31,18 @@ void main() {
 #endif
     player = (gbufferModelViewInverse * (gl_ModelViewMatrix * gl_Vertex)).xyz;
     normal = normalize(mat3(gbufferModelViewInverse) * (gl_NormalMatrix * gl_Normal));
+#if FACES && !LAMPS
+    block = player + at_midBlock.xyz / 64.0;
+#endif
     is_water = float(int(floor(mc_Entity.x + 0.5)) == block_water);
 }
 
 #else
 
-#if AIR_LIGHT
+#if LAMPS || (FACES && DISTANCES)
+#extension GL_ARB_shader_image_load_store : enable
+#endif
+#if VOXELS
 #define READ_VOXELS
 #endif
 #include "/include/math/color.glsl"
@@ -40,11 +50,14 @@ void main() {
 #include "/include/lighting/direct.glsl"
 #include "/include/lighting/shadow.glsl"
 #if LAMPS
-#extension GL_ARB_shader_image_load_store : enable
 #include "/include/lights/lit_by_lamps.glsl"
 #endif
 #if AIR_LIGHT
 #include "/include/voxel/light_field.glsl"
+#endif
+#if FACES
+#include "/include/faces/face_lookup.glsl"
+#include "/include/lighting/hit.glsl"
 #endif
 
 in vec2 uv;
@@ -53,13 +66,17 @@ in vec2 light;
 in vec3 player;
 flat in vec3 normal;
 flat in float is_water;
+#if FACES && !LAMPS
+flat in vec3 block;
+#endif
 
 uniform sampler2D gtexture;
 
 /* RENDERTARGETS: 0 */
 layout(location = 0) out vec4 out_color;
 
-/// Mean radiance over the hemisphere: with floodfill, lamps from its cells instead of the lightmap.
+/// Mean radiance over the hemisphere: with floodfill, lamps from its cells instead of the lightmap;
+/// with the face cache, that of the block's face.
 vec3 indirect_radiance(vec3 n) {
 #if AIR_LIGHT
     vec3 position = to_volume(player);
@@ -71,7 +88,31 @@ vec3 indirect_radiance(vec3 n) {
 #if LAMPS
     levels.x *= unlisted_share(player);
 #endif
-    return ambient_radiance(levels, n);
+    vec3 lightmap = ambient_radiance(levels, n);
+#if FACES && !LAMPS
+    vec3 middle = to_volume(block);
+    vec4 cached = cached_light(ivec3(floor(middle)), n);
+    float share = cached.a > 0.0 ? inside_volume(middle) : 0.0;
+    return mix(lightmap, cached.rgb + AMBIENT_MINIMUM, share);
+#else
+    return lightmap;
+#endif
+}
+
+/// What water mirrors: the scene, as the voxels know it, or the sky where that reaches it.
+vec3 mirrored_radiance(vec3 n, vec3 direction, vec3 l) {
+    float sky = light.y * light.y;
+#if FACES
+    vec3 position = to_volume(player);
+    if (inside_volume(position) > 0.0) {
+        Hit hit = trace(position + n * ray_offset, direction);
+        if (hit.found && is_lamp_voxel(hit.voxel.code)) return hit.transmittance * lamp_light(hit.voxel);
+        if (hit.found)
+            return hit.transmittance * hit.voxel.color *
+                   (sun_at(hit, l, light.y) + cached_light(hit.cell, hit.normal).rgb);
+    }
+#endif
+    return sky_radiance(direction) * sky;
 }
 
 void main() {
@@ -91,10 +132,10 @@ void main() {
     radiance += albedo / pi * lamps_irradiance(player, n, 0.0);
 #endif
 
-    // Water mirrors the sky where the sky reaches it. Fresnel: Schlick, reflectance 0.02.
+    // Fresnel: Schlick, reflectance 0.02.
     float fresnel = is_water * (0.02 + 0.98 * pow(1.0 - clamp(dot(n, v), 0.0, 1.0), 5.0));
-    vec3 mirrored = sky_radiance(reflect(-v, n)) * (light.y * light.y);
-    out_color = vec4(mix(radiance, mirrored, fresnel), mix(color.a, 1.0, fresnel));
+    if (fresnel > 0.0) radiance = mix(radiance, mirrored_radiance(n, reflect(-v, n), l), fresnel);
+    out_color = vec4(radiance, mix(color.a, 1.0, fresnel));
 }
 
 #endif

@@ -27,7 +27,6 @@ bool first_of_face(ivec3 cell, int face) {
 
 void list_face(ivec3 cell, int face, int code, int sky) {
     bool lamp = is_lamp_voxel(code);
-    if (code == voxel_translucent) return;
     if (code >= voxel_small_lamp) face = face_ball;
     if (!lamp && !is_due(cell, face)) return;
     if (!first_of_face(cell, face)) return;

@@ -15,6 +15,30 @@ vec3 lamp_light(Voxel v) {
     return lamp_radiance(v) * (v.code >= voxel_small_lamp ? small_lamp_boost : 1.0);
 }
 
+/// The way from `origin` to where a ray leaves its first cell.
+float way_out(vec3 origin, vec3 direction) {
+    direction = mix(direction, vec3(1e-6), lessThan(abs(direction), vec3(1e-6)));
+    vec3 ways = (floor(origin) + step(0.0, direction) - origin) / direction;
+    return min(ways.x, min(ways.y, ways.z));
+}
+
+/// The first block of a ray from a face. The face shares its cell with the water above it, or with a
+/// small lamp that stands on it; the lamp's own faces lie in its ball, and see none.
+Hit trace_from_face(vec3 origin, vec3 direction) {
+    ivec3 cell = ivec3(floor(origin));
+    Voxel own = voxel_at(cell);
+    vec3 to_center = vec3(cell) + 0.5 - origin;
+    float along = dot(to_center, direction);
+    float off = dot(to_center, to_center) - along * along;
+    const float ball = small_lamp_radius * small_lamp_radius;
+    if (own.code >= voxel_small_lamp && along > 0.0 && off < ball && dot(to_center, to_center) > ball)
+        return Hit(true, cell, origin, -direction, own, vec3(1.0));
+    Hit hit = trace(origin, direction);
+    if (own.code == voxel_translucent)
+        hit.transmittance *= filtered(own.color, way_out(origin, direction));
+    return hit;
+}
+
 /// Where no sky light comes, the volume ends inside of a cave, not under the sky.
 vec3 sky_beyond(vec3 direction, float sky) {
     return sky_radiance(direction) * smoothstep(0.0, 0.1, sky);

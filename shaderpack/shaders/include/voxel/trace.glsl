@@ -82,12 +82,16 @@ void walk_on(inout Walk walk) {
 
 vec4 texel_of(ivec3 cell) { return texelFetch(shadowcolor0, atlas_texel(cell), 0); }
 
-/// Does what is in the ray's cell stop it?
-bool meets(Walk walk, int code) {
+/// The ways to where the ray comes into its cell and to where it leaves it.
+vec2 ways_through(Walk walk) {
     vec3 leave = ways_out(walk, 1.0);
     vec3 came = ways_out(walk, 0.0);
-    vec2 ways = vec2(max(came.x, max(came.y, came.z)), min(leave.x, min(leave.y, leave.z)));
-    vec2 heights = walk.origin.y + walk.direction.y * ways - walk.cell.y;
+    return vec2(max(came.x, max(came.y, came.z)), min(leave.x, min(leave.y, leave.z)));
+}
+
+/// Does what is in the ray's cell stop it?
+bool meets(Walk walk, int code) {
+    vec2 heights = walk.origin.y + walk.direction.y * ways_through(walk) - walk.cell.y;
     vec3 to_center = walk.cell + 0.5 - walk.origin;
     float along = dot(to_center, walk.direction);
     float miss_squared = dot(to_center, to_center) - along * along;
@@ -125,7 +129,10 @@ Hit trace(vec3 origin, vec3 direction) {
         vec4 texel = texel_of(cell_of(walk));
         int code = int(texel.a * 255.0 + 0.5);
         if (meets(walk, code)) break;
-        if (code == voxel_translucent) hit.transmittance *= texel.rgb * texel.rgb;
+        if (code == voxel_translucent) {
+            vec2 ways = ways_through(walk);
+            hit.transmittance *= filtered(texel.rgb * texel.rgb, ways.y - ways.x);
+        }
         walk_on(walk);
     }
     hit.found = in_volume(cell_of(walk));

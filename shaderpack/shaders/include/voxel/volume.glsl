@@ -35,6 +35,12 @@ vec3 to_volume(vec3 player) { return player + cameraPositionFract + float(VOLUME
 
 vec3 from_volume(vec3 position) { return position - cameraPositionFract - float(VOLUME / 2); }
 
+/// The volume's edge sees too little: 1 inside, fading to 0 over the outermost four cells.
+float inside_volume(vec3 position) {
+    vec3 margin = min(position, float(VOLUME) - position);
+    return clamp(min(margin.x, min(margin.y, margin.z)) / 4.0, 0.0, 1.0);
+}
+
 /// How many cells the volume moved since the last frame; a cell was at cell + scroll before.
 /// Whole blocks as the host gives them: int() of a position would make the cell at 0 two wide.
 ivec3 volume_scroll() { return cameraPositionInt - previousCameraPositionInt; }

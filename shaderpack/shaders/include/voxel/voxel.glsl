@@ -40,6 +40,9 @@ vec3 lamp_radiance(Voxel v) {
     return v.color * (EMISSION_STRENGTH * level * level);
 }
 
+/// What is left of light after so many blocks of a translucent colour.
+vec3 filtered(vec3 color, float way) { return pow(max(color, vec3(1e-3)), vec3(way)); }
+
 #if defined READ_VOXELS
 #include "/include/voxel/volume.glsl"
 

@@ -1,0 +1,15 @@
+// The face cache as a texture, for programs after the shadow pass.
+#if !defined INCLUDED_FACES_FACE_LOOKUP
+#define INCLUDED_FACES_FACE_LOOKUP
+
+#include "/include/faces/face_cache.glsl"
+
+uniform sampler3D face_light_texture;
+
+/// B of a block's face; a: on how many updates it rests, 0 where there is none.
+vec4 cached_light(ivec3 cell, vec3 normal) {
+    if (!in_volume(cell)) return vec4(0.0);
+    return trusted(texelFetch(face_light_texture, face_texel(cell, face_of(normal)), 0));
+}
+
+#endif
