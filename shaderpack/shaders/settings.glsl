@@ -14,6 +14,8 @@
 
 #define PUBLISHED 1
 #define NORMAL_OFFSET 2
+#define TEXEL 1
+#define HARDWARE 2
 #define SOLID_AWARE 2
 #define CONSERVING 2
 
@@ -59,6 +61,9 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 // Shadows
 #define SHADOW_METHOD MAP_PCF // [NONE MAP MAP_PCF]
 #define SHADOW_BIAS NORMAL_OFFSET // [PUBLISHED NORMAL_OFFSET]
+#define SHADOW_COMPARE TEXEL // [TEXEL HARDWARE]
+#define SHADOW_SNAP // Keep the texels of the map in place in the world
+#define SHADOW_DISTORTION 0.0 // [0.0 0.5 0.7 0.85]
 #define SHADOW_RESOLUTION 1024 // [1024 2048 4096]
 #define SHADOW_DISTANCE 64.0 // [32.0 48.0 64.0 96.0 128.0]
 

@@ -29,7 +29,7 @@ out float vertex_sky;  // level 0..15
 
 void main() {
     vec4 view = gl_ModelViewMatrix * gl_Vertex;
-    gl_Position = place_shadow(gl_ProjectionMatrix * view);
+    gl_Position = place_shadow(shadow_clip(gl_ProjectionMatrix * view));
     vertex_uv = (gl_TextureMatrix[0] * gl_MultiTexCoord0).xy;
     vertex_mid_uv = mc_midTexCoord;
     vertex_tint = gl_Color.rgb;

@@ -9,13 +9,21 @@ float unmapped_visibility(float sky) { return smoothstep(0.3, 0.6, sky); }
 
 #if SHADOW_MAP
 
+#if SHADOW_COMPARE == HARDWARE
+const bool shadowHardwareFiltering1 = true;
+uniform sampler2DShadow shadowtex1;
+#else
 uniform sampler2D shadowtex1;
+#endif
 
 #if SHADOW_METHOD == MAP_PCF
 const int shadow_radius = 1;
 #else
 const int shadow_radius = 0;
 #endif
+
+/// How far from its middle a tap reads, in texels.
+const float shadow_tap = SHADOW_COMPARE == HARDWARE ? 1.0 : 0.5;
 
 /// Receiver and bias for a surface: xyz texel position and depth 0..1, w depth to allow.
 vec4 shadow_receiver(vec3 player, vec3 normal, vec3 light, int radius) {
@@ -25,21 +33,29 @@ vec4 shadow_receiver(vec3 player, vec3 normal, vec3 light, int radius) {
     // In depth, so it grows with the range of the light: shadows stand off their casters.
     float bias = max(0.05 * (1.0 - cosine), 0.005);
 #else
-    // The least offset along the normal that hides the slope of a plane within the filter,
-    // (radius + 1/2) texels along the diagonal; never more than 2.12 texels.
-    float texel = 2.0 * SHADOW_DISTANCE / float(shadow_map_size.y);
-    float sine = sqrt(1.0 - cosine * cosine);
-    player += normal * ((float(radius) + 0.5) * 1.4143 * texel * sine);
+    // The least offset along the normal that hides the slope of a plane within the filter, along
+    // the diagonal of the texels; bounded, as the sine is.
+    vec2 middle = (shadowProjection * (shadowModelView * vec4(player, 1.0))).xy;
+    float reach = (float(radius) + shadow_tap) * 1.4143 * shadow_texel(middle + shadow_snap());
+    player += normal * (reach * sqrt(1.0 - cosine * cosine));
     float bias = 0.01 * depth_per_block;
 #endif
-    vec3 clip = (shadowProjection * (shadowModelView * vec4(player, 1.0))).xyz;
-    vec3 unit = clip * 0.5 + 0.5;
+    vec4 clip = shadow_clip(shadowProjection * (shadowModelView * vec4(player, 1.0)));
+    vec3 unit = clip.xyz * 0.5 + 0.5;
     return vec4(unit.xy * vec2(shadow_map_size), unit.z, bias);
 }
 
-bool lit_at(ivec2 texel, float depth) {
-    texel = clamp(texel, ivec2(0), shadow_map_size - 1);
-    return depth <= texelFetch(shadowtex1, texel + ivec2(0, shadow_map_bottom), 0).r;
+/// Share of one tap that is lit. `position` in texels of the map.
+float lit_at(vec2 position, float depth) {
+#if SHADOW_COMPARE == HARDWARE
+    // Of four texels; none may be a row of the voxels.
+    position = clamp(position, vec2(0.5), vec2(shadow_map_size) - 0.5);
+    vec2 uv = (position + vec2(0.0, shadow_map_bottom)) / float(SHADOW_RESOLUTION);
+    return texture(shadowtex1, vec3(uv, depth));
+#else
+    ivec2 texel = clamp(ivec2(floor(position)), ivec2(0), shadow_map_size - 1);
+    return float(depth <= texelFetch(shadowtex1, texel + ivec2(0, shadow_map_bottom), 0).r);
+#endif
 }
 
 /// Share of the light that arrives, 0..1.
@@ -47,11 +63,10 @@ float light_visibility(vec3 player, vec3 normal, vec3 light, int radius, float s
     vec4 receiver = shadow_receiver(player, normal, light, radius);
     bool outside = any(lessThan(receiver.xyz, vec3(0.0))) ||
                    any(greaterThan(receiver.xyz, vec3(shadow_map_size, 1.0)));
-    ivec2 texel = ivec2(floor(receiver.xy));
     float lit = 0.0;
     for (int y = -radius; y <= radius; ++y)
         for (int x = -radius; x <= radius; ++x)
-            lit += float(lit_at(texel + ivec2(x, y), receiver.z - receiver.w));
+            lit += lit_at(receiver.xy + vec2(x, y), receiver.z - receiver.w);
     float taps = float((2 * radius + 1) * (2 * radius + 1));
     return outside ? unmapped_visibility(sky) : lit / taps;
 }
