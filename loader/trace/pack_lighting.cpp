@@ -53,6 +53,7 @@ vec3 PackLighting::reflectDirect(const vec3& albedo, const vec3& n, const vec3& 
                                  const vec3& l) const {
   const float cosine = std::max(dot(n, l), 0.0f);
   if (directLight_ == "NONE") return vec3(0);
+  if (directLight_ == "PHONG_PUBLISHED") return functions_->reflect_as_published(albedo, n, v, l);
   return cosine * (directLight_ == "LAMBERT_GGX" ? functions_->reflect_ggx(albedo, n, v, l)
                                                  : functions_->reflect_phong(albedo, n, v, l));
 }

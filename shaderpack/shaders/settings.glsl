@@ -8,6 +8,7 @@
 
 #define PHONG 1
 #define LAMBERT_GGX 2
+#define PHONG_PUBLISHED 3
 
 #define MAP 1
 #define MAP_PCF 2
@@ -51,7 +52,7 @@
 #define ACES 2
 
 // Direct light
-#define DIRECT_LIGHT PHONG // [NONE PHONG LAMBERT_GGX]
+#define DIRECT_LIGHT PHONG // [NONE PHONG PHONG_PUBLISHED LAMBERT_GGX]
 #define SUN_STRENGTH 8.0 // [0.0 2.0 4.0 6.0 8.0 12.0 16.0]
 #define SKY_STRENGTH 1.0 // [0.0 0.25 0.5 1.0 1.5 2.0]
 #define EMISSION_STRENGTH 16.0 // [2.0 4.0 8.0 16.0 32.0 64.0]

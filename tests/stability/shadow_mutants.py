@@ -1,0 +1,45 @@
+"""Mistakes put into shadow maps and reflection, and the tests that must find them.
+
+For kill_list.py --table; rows as in mutants.py.
+"""
+
+MAP = "include/lighting/shadow.glsl"
+SPACE = "include/lighting/shadow_space.glsl"
+DIRECT = "include/lighting/direct.glsl"
+
+MUTANTS = [
+    ("C1 filter wider than its bias", "*C1*", [(MAP, "y <= radius; ++y", "y <= radius + 1; ++y"),
+                                              (MAP, "x <= radius; ++x", "x <= radius + 1; ++x")]),
+    ("C2 constant bias", "C2.*", [(MAP, "max(0.05 * (1.0 - cosine), 0.005)", "0.0005")]),
+    ("C3 published bias in blocks", "C3.published*",
+     [(MAP, "max(0.05 * (1.0 - cosine), 0.005)",
+       "max(0.05 * (1.0 - cosine), 0.005) * depth_per_block")]),
+    ("C3 half of the normal offset", "*C3_normal*", [(MAP, "* 1.4143 *", "* 0.5 *")]),
+    ("C3 a block of bias", "*C3_normal*",
+     [(MAP, "float bias = 0.01 * depth_per_block;", "float bias = 2.0 * depth_per_block;")]),
+    ("C4 normal of the camera's space", "C4.*",
+     [(MAP, "clamp(dot(normal, light), 0.0, 1.0)",
+       "clamp(dot(mat3(gbufferModelView) * normal, light), 0.0, 1.0)")]),
+    ("C5 border of the map goes on outside", "C5.what*",
+     [(MAP, "return outside ? unmapped_visibility(sky) : lit / taps;", "return lit / taps;")]),
+    ("C5 casters before the near plane vanish", "C5.casters*",
+     [(SPACE, "max(clip.z, -1.0)", "clip.z")]),
+    ("C6 taps half a texel apart", "C6.nine*", [(MAP, "vec2(x, y), receiver.z", "0.5 * vec2(x, y), receiver.z")]),
+    ("C6 hardware reads the middle of a texel", "C6.one*",
+     [(MAP, "vec2 uv = (position + ", "vec2 uv = (floor(position) + 0.5 + ")]),
+    ("C7 no snap", "C7.texels*", [(SPACE, "return -fract(", "return -0.0 * fract(")]),
+    ("C7 no distortion", "C7.a_distorted*",
+     [(SPACE, "return clip / (SHADOW_DISTORTION * length(clip) + (1.0 - SHADOW_DISTORTION));",
+       "return clip;")]),
+    ("E2 lobe without cosine", "E2.white*",
+     [(DIRECT, "return cosine * reflect_phong(", "return reflect_phong(")]),
+    ("E2 Lambert below the specular part", "E2.white*",
+     [(DIRECT, "(1.0 - ggx_share(nl)) * (1.0 - ggx_share(nv)) / (1.0 - ggx_mean_share)", "1.0")]),
+    ("E2 published lobe with a cosine", "E2.published*",
+     [(DIRECT, "published_specular * lobe)", "published_specular * lobe * max(dot(n, l), 0.0))")]),
+    ("E3 lit from behind", "E3.no*", [(DIRECT, "float cosine = max(dot(n, l), 0.0);",
+                                      "float cosine = abs(dot(n, l));")]),
+    ("E3 albedo twice", "E3.reflected*",
+     [(DIRECT, "return albedo * ((1.0 - phong_specular) / pi)",
+       "return albedo * albedo * ((1.0 - phong_specular) / pi)")]),
+]
