@@ -21,20 +21,6 @@ Diagnostic slip(std::string id, SourceLocation at, std::string_view line, std::s
   return d;
 }
 
-void checkProgramName(const PropertyEntry& entry, std::string_view program,
-                      Diagnostics& diagnostics) {
-  static const std::vector<std::string> kPasses{"setup",   "begin",    "shadow",    "shadowcomp",
-                                                "prepare", "deferred", "composite", "final"};
-  program = program.substr(program.rfind('/') + 1);
-  const size_t digits = program.find_first_of("0123456789");
-  const std::string stem(program.substr(0, digits));
-  if (std::ranges::find(kPasses, stem) != kPasses.end()) return;
-  const std::string meant = likelyMeant(stem, kPasses);
-  if (meant.empty()) return;
-  diagnostics.push_back(slip("program-unknown", entry.at, entry.lines.front(),
-                             fmt::format("no program is called {}", program), meant));
-}
-
 void checkConditionNames(const PropertyEntry& entry, const std::vector<std::string>& options,
                          Diagnostics& diagnostics) {
   forEachWord(entry.value, [&](std::string_view word) {
@@ -58,9 +44,6 @@ void checkPropertyNames(std::span<const ShaderPack> folders, Diagnostics& diagno
     const std::string_view key = entry.key;
     if (!key.starts_with(kProgram) || !key.ends_with(kEnabled)) continue;
     if (key.size() <= kProgram.size() + kEnabled.size()) continue;
-    checkProgramName(entry,
-                     key.substr(kProgram.size(), key.size() - kProgram.size() - kEnabled.size()),
-                     diagnostics);
     checkConditionNames(entry, options, diagnostics);
   }
 }

@@ -8,7 +8,7 @@
 
 namespace orris {
 
-/// Programs and options of "program.*.enabled" in shaders.properties.
+/// Options in the conditions of "program.*.enabled" in shaders.properties.
 void checkPropertyNames(std::span<const ShaderPack> folders, Diagnostics& diagnostics);
 
 }  // namespace orris

@@ -43,13 +43,15 @@ bool isProgramName(std::string_view name) {
 /// Newer hosts know more programs than this one, so only a near miss is reported.
 void checkProgram(const PropertyContext& context, std::string_view program) {
   if (isProgramName(program)) return;
-  std::vector<std::string> names{"final"};
+  std::vector<std::string> names{"final", "composite",  "deferred", "prepare",
+                                 "begin", "shadowcomp", "setup"};
   for (const GeometryProgram& known : geometryPrograms()) names.emplace_back(known.name);
-  const std::string nearest = nearestName(program, names);
-  if (nearest.empty() || program.starts_with("dh_") || nearest.starts_with(program)) return;
+  const std::string_view stem = program.substr(0, program.find_first_of("0123456789"));
+  const std::string nearest = nearestName(stem, names);
+  if (nearest.empty() || stem.starts_with("dh_") || nearest.starts_with(stem)) return;
   // "gbuffers_terrain_translucent" is no slip of "gbuffers_terrain_cutout".
   const size_t difference =
-      std::max(nearest.size(), program.size()) - std::min(nearest.size(), program.size());
+      std::max(nearest.size(), stem.size()) - std::min(nearest.size(), stem.size());
   if (difference > 2) return;
   context.warn("program-unknown", fmt::format("no program is called {}", program),
                fmt::format("did you mean {}?", nearest), program);
