@@ -61,6 +61,7 @@ struct Transfer {
 
 Transfer transferOf(const Texture& texture) {
   const TextureFormat* format = findFormat(texture.internalFormat);
+  if (format == nullptr && texture.integer) return {GL_STENCIL_INDEX, 1, FormatClass::Uint};
   if (format == nullptr) return {GL_DEPTH_COMPONENT, 1, FormatClass::Float};
   return {format->pixelFormat, format->channels, format->formatClass};
 }
@@ -92,7 +93,10 @@ Framebuffer createFramebuffer(const std::vector<const Texture*>& colors, const T
     drawBuffers.push_back(point);
     attach(framebuffer, point, *texture);
   }
-  if (depth != nullptr) attach(framebuffer, GL_DEPTH_ATTACHMENT, *depth);
+  if (depth != nullptr) {
+    const bool stencil = depth->internalFormat == GL_DEPTH24_STENCIL8;
+    attach(framebuffer, stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT, *depth);
+  }
   if (drawBuffers.empty()) drawBuffers.push_back(GL_NONE);
   NamedFramebufferDrawBuffers(id, GLsizei(drawBuffers.size()), drawBuffers.data());
   NamedFramebufferReadBuffer(id, drawBuffers.front());
@@ -109,6 +113,9 @@ std::vector<float> readPixels(const Texture& texture, int& channels) {
   const size_t count =
       size_t(texture.width) * size_t(texture.height) * size_t(texture.depth) * size_t(channels);
   PixelStorei(GL_PACK_ALIGNMENT, 1);
+  // Mesa packs a stencil as bytes whatever type is asked for.
+  if (transfer.format == GL_STENCIL_INDEX)
+    return readAs<GLubyte>(texture, transfer.format, GL_UNSIGNED_BYTE, count);
   switch (transfer.formatClass) {
     case FormatClass::Int:
       return readAs<GLint>(texture, transfer.format, GL_INT, count);

@@ -59,6 +59,30 @@ Texture createDepthTexture(int width, int height, int levels, const std::string&
   return texture;
 }
 
+Texture createDepthStencilTexture(int width, int height, const std::string& label) {
+  Texture texture = createStorage(GL_TEXTURE_2D, GL_DEPTH24_STENCIL8, width, height, 1, 1, label);
+  setParameters(texture, {.linear = false});
+  return texture;
+}
+
+Texture createStencilView(const Texture& depthStencil, const std::string& label) {
+  Texture view;
+  GLuint id = 0;
+  // A name that was never bound, as glTextureView asks for.
+  GenTextures(1, &id);
+  TextureView(id, GL_TEXTURE_2D, depthStencil.id(), depthStencil.internalFormat, 0, 1, 0, 1);
+  view.handle = Handle<deleteTexture>(id);
+  view.target = GL_TEXTURE_2D;
+  view.internalFormat = depthStencil.internalFormat;
+  view.width = depthStencil.width;
+  view.height = depthStencil.height;
+  view.integer = true;
+  if (!label.empty()) ObjectLabel(GL_TEXTURE, id, GLsizei(label.size()), label.data());
+  TextureParameteri(id, GL_DEPTH_STENCIL_TEXTURE_MODE, GL_STENCIL_INDEX);
+  setParameters(view, {});
+  return view;
+}
+
 void setParameters(const Texture& texture, const TextureParameters& parameters) {
   const GLuint id = texture.id();
   // Integer texels cannot be filtered: a linear filter would make the texture incomplete.

@@ -29,6 +29,10 @@ struct TextureParameters {
 Texture createTexture(int dimensions, const TextureFormat& format, int width, int height, int depth,
                       int levels, const std::string& label);
 Texture createDepthTexture(int width, int height, int levels, const std::string& label);
+/// Depth of 24 bits with a stencil of 8.
+Texture createDepthStencilTexture(int width, int height, const std::string& label);
+/// The stencil of a texture of createDepthStencilTexture as integers, which must outlive it.
+Texture createStencilView(const Texture& depthStencil, const std::string& label);
 void setParameters(const Texture& texture, const TextureParameters& parameters);
 /// Whole level 0; `pixels` tightly packed, rows without padding.
 void upload(const Texture& texture, unsigned pixelFormat, unsigned pixelType, const void* pixels);
