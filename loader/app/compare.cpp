@@ -10,6 +10,7 @@
 #include "app/report.h"
 #include "image/image.h"
 #include "image/image_compare.h"
+#include "image/mask_compare.h"
 
 namespace orris {
 namespace {
@@ -19,6 +20,8 @@ struct CompareOptions {
   float gain = 8;
   float threshold = 1.0f / 255;
   std::optional<double> limits[5];
+  bool mask = false;
+  std::optional<double> maxEdge, maxInterior;
   OutputOptions output;
 };
 
@@ -60,6 +63,47 @@ void printResult(const ImageDifference& difference, const CompareOptions& option
   printJson(json, report);
 }
 
+/// Counts as a share of all pixels, since sizes differ.
+void checkMaskLimits(const MaskDifference& difference, const CompareOptions& options,
+                     Report& report) {
+  const auto check = [&](const char* name, long long count, const std::optional<double>& limit,
+                         const char* flag) {
+    const double share = difference.pixels == 0 ? 0 : double(count) / double(difference.pixels);
+    if (limit && share > *limit)
+      report.error("limit-exceeded",
+                   fmt::format("{} is {:.6g}, {} allows {:.6g}", name, share, flag, *limit));
+  };
+  check("edge", difference.edge, options.maxEdge, "--max-edge");
+  check("interior", difference.interior, options.maxInterior, "--max-interior");
+}
+
+int runMasks(const CompareOptions& options, const ImageF& image, const ImageF& reference,
+             Report& report) {
+  Diagnostics diagnostics;
+  const auto difference = compareMasks(image, reference, diagnostics);
+  if (difference && !options.differencePath.empty() &&
+      !writeImage(options.differencePath, maskDifferenceImage(image, reference), diagnostics)) {
+    report.add(diagnostics);
+    return kUsage;
+  }
+  report.add(diagnostics);
+  if (!difference) return kProblems;
+  checkMaskLimits(*difference, options, report);
+  if (!options.output.json)
+    std::cout << fmt::format("{:<14} {}\n{:<14} {}\n{:<14} {:.6g}\n{:<14} {}\n", "pixels",
+                             difference->pixels, "edge", difference->edge, "edgeShare",
+                             difference->edgeShare(), "interior", difference->interior);
+  printJson({{"image", options.image},
+             {"reference", options.reference},
+             {"pixels", difference->pixels},
+             {"lit", difference->lit},
+             {"edge", difference->edge},
+             {"edgeShare", difference->edgeShare()},
+             {"interior", difference->interior}},
+            report);
+  return report.status();
+}
+
 int runCompare(const CompareOptions& options) {
   Report report(options.output);
   Diagnostics diagnostics;
@@ -67,6 +111,7 @@ int runCompare(const CompareOptions& options) {
   const std::optional<ImageF> reference = readImage(options.reference, diagnostics);
   report.add(diagnostics);
   if (!image || !reference) return kUsage;
+  if (options.mask) return runMasks(options, *image, *reference, report);
 
   const auto difference = compareImages(*image, *reference, options.threshold, diagnostics);
   report.add(diagnostics);
@@ -103,6 +148,15 @@ void addCompareCommand(CLI::App& app, int& status) {
                         fmt::format("fail when {} is {}", kMetrics[i].name,
                                     kMetrics[i].higherIsBetter ? "lower" : "higher"));
   }
+  command->add_flag("--mask", options->mask,
+                    "compare masks of shadows: wrong pixels on edges of B and inside");
+  command
+      ->add_option("--max-edge", options->maxEdge, "with --mask: fail when more pixels are wrong")
+      ->needs("--mask");
+  command
+      ->add_option("--max-interior", options->maxInterior,
+                   "with --mask: fail when more pixels inside are wrong")
+      ->needs("--mask");
   addOutputFlags(*command, options->output);
   command->callback([options, &status] { status = runCompare(*options); });
 }

@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -13,6 +15,7 @@
 #include "app/trace_scene_input.h"
 #include "image/image.h"
 #include "trace/checkpoint.h"
+#include "trace/shadow_mask.h"
 
 namespace orris {
 namespace {
@@ -27,6 +30,8 @@ struct TraceOptions {
   TraceLimits limits;
   int bounces = -1, jobs = 0;
   bool resume = false;
+  bool shadowMask = false;
+  std::string lamp;
 };
 
 std::string checkpointOf(const std::string& picture) { return picture + ".trace"; }
@@ -128,6 +133,40 @@ int runTrace(const TraceOptions& options, Report& report, nlohmann::json& result
   return status;
 }
 
+/// "x,y,z" in world blocks.
+std::optional<glm::dvec3> placeOf(const std::string& text) {
+  glm::dvec3 place(0);
+  char end = 0;
+  if (std::sscanf(text.c_str(), "%lf,%lf,%lf%c", &place.x, &place.y, &place.z, &end) != 3)
+    return std::nullopt;
+  return place;
+}
+
+/// Which pixels the sun, or a lamp, reaches: nothing is sampled.
+int runShadowMask(const TraceOptions& options, Report& report, nlohmann::json& result) {
+  int status = kClean;
+  if (!checkWritable(options.picture, report, status)) return status;
+  const auto lamp = placeOf(options.lamp);
+  if (!options.lamp.empty() && !lamp) {
+    report.error("usage", "--lamp \"" + options.lamp + "\" is no place", "write x,y,z");
+    return kUsage;
+  }
+  const auto view = openReferenceScene(options.pack, options.scene, options.image, report, status);
+  if (!view) return status;
+  const glm::dvec4 light = lamp ? glm::dvec4(*lamp, 1) : glm::dvec4(view->shadowLight, 0);
+  const ImageF mask = shadowMask(view->scene, view->camera, CasterRays(view->casters), light);
+  Diagnostics diagnostics;
+  if (!writeImage(options.picture, mask, diagnostics)) status = kUsage;
+  report.add(diagnostics);
+  const auto lit = std::count_if(mask.pixels.begin(), mask.pixels.end(),
+                                 [](float value) { return value > 0.5f; });
+  result = {
+      {"size", {mask.width, mask.height}}, {"lit", lit}, {"casters", view->casters.faces.size()}};
+  if (!options.output.json && !options.output.quiet)
+    std::cout << fmt::format("{} of {} pixels lit\n", lit, mask.pixels.size());
+  return status;
+}
+
 void addTraceFlags(CLI::App& command, TraceOptions& options) {
   command.add_option("-o,--output", options.picture, "picture: .exr, with both halves")
       ->type_name("OUT")
@@ -149,6 +188,11 @@ void addTraceFlags(CLI::App& command, TraceOptions& options) {
   command.add_option("--merge", options.merge, "put shards together: their OUT.trace files")
       ->type_name("FILE")
       ->excludes("--shard");
+  command.add_flag("--shadow-mask", options.shadowMask,
+                   "write which pixels the sun reaches, by one ray each: .png or .exr");
+  command.add_option("--lamp", options.lamp, "with --shadow-mask: a lamp at x,y,z instead")
+      ->type_name("PLACE")
+      ->needs("--shadow-mask");
   command.add_flag("--resume", options.resume, "go on from OUT.trace, if there is one")
       ->excludes("--merge");
 }
@@ -168,7 +212,7 @@ void addTraceCommand(CLI::App& app, int& status) {
   command->callback([options, &status] {
     Report report(options->output);
     nlohmann::json result = nlohmann::json::object();
-    status = runTrace(*options, report, result);
+    status = (options->shadowMask ? runShadowMask : runTrace)(*options, report, result);
     result["status"] = status;
     printJson(std::move(result), report);
   });

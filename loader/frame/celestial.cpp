@@ -27,6 +27,11 @@ glm::vec3 sunDirection(float skyAngle, float sunPathRotation) {
 }
 
 // Iris: ShadowMatrices.
+glm::vec3 shadowLightDirection(float skyAngle, float sunPathRotation) {
+  const glm::vec3 sun = sunDirection(skyAngle, sunPathRotation);
+  return sunAngleOf(skyAngle) <= 0.5f ? sun : -sun;
+}
+
 glm::mat4 shadowModelViewMatrix(float sunAngle, float sunPathRotation, float interval,
                                 const glm::dvec3& cameraPosition) {
   const float angle = sunAngle <= 0.5f ? sunAngle : sunAngle - 0.5f;

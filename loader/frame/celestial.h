@@ -15,6 +15,10 @@ float sunAngleOf(float skyAngle);
 /// Direction to the sun in world axes, unit length.
 glm::vec3 sunDirection(float skyAngle, float sunPathRotation);
 
+/// Direction to sun or moon, whichever casts shadows. Unlike the uniforms, which go through the
+/// camera's matrices, it stays the same to the bit while the camera turns.
+glm::vec3 shadowLightDirection(float skyAngle, float sunPathRotation);
+
 /// Player space to shadow view, with the snap to the interval grid.
 glm::mat4 shadowModelViewMatrix(float sunAngle, float sunPathRotation, float interval,
                                 const glm::dvec3& cameraPosition);

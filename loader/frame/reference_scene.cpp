@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 
+#include "frame/celestial.h"
 #include "frame/gpu_scene.h"
 #include "frame/loaded_pack.h"
 
@@ -43,7 +44,9 @@ ReferenceScene buildReferenceScene(World world, const ShaderPack& pack, const Ca
   return {buildTraceScene({data.world.blocks, data.facts, blockIds, data.atlas, data.mesh,
                            lightingOf(frame, options)}),
           {frame.cameraPosition, frame.gbufferModelViewInverse, frame.gbufferProjectionInverse,
-           frame.width, frame.height}};
+           frame.width, frame.height},
+          castersOf(data.mesh, data.atlas),
+          shadowLightDirection(frame.skyAngle, directives.sunPathRotation)};
 }
 
 }  // namespace orris

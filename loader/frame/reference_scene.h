@@ -6,6 +6,7 @@
 
 #include "pack/shader_pack.h"
 #include "trace/path_tracer.h"
+#include "world/casters.h"
 #include "world/world.h"
 
 namespace orris {
@@ -13,6 +14,8 @@ namespace orris {
 struct ReferenceScene {
   TraceScene scene;
   TraceCamera camera;
+  CasterSet casters;         ///< what casts shadows of one light
+  glm::vec3 shadowLight{0};  ///< direction to sun or moon, whichever casts
 };
 
 /// `pack` is the reference pack, or another with its options (settings.glsl) and block ids; only

@@ -133,8 +133,9 @@ void SceneBuilder::measure() {
     low = glm::min(low, placed.cell);
     high = glm::max(high, placed.cell);
   }
-  low_ = low;
-  size_ = high - low + 1;
+  // A rim of air: rays from outside start before faces that lie in the last side of all.
+  low_ = low - 1;
+  size_ = high - low + 3;
 }
 
 void SceneBuilder::addCells() {
