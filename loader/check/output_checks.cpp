@@ -145,7 +145,7 @@ class FragmentOutputs {
     const bool writes =
         !stage_.fragData.empty() ||
         std::ranges::any_of(outputs_, [](const auto* output) { return output->used; });
-    if (writes || group == ProgramGroup::Shadow) return;
+    if (writes || group == ProgramGroup::Shadow || group == ProgramGroup::ShadowVolume) return;
     if (std::ranges::any_of(kOtherWorks, [&](std::string_view word) {
           return text.find(word) != std::string::npos;
         }))

@@ -29,6 +29,8 @@ std::string bufferName(const BufferName& buffer) {
       return fmt::format("depthtex{}", buffer.index);
     case BufferName::Kind::ShadowDepth:
       return fmt::format("shadowtex{}", buffer.index);
+    case BufferName::Kind::Stencil:
+      return fmt::format("stenciltex{}", buffer.index);
   }
   return "";
 }
@@ -64,6 +66,8 @@ std::string groupName(const FramePass& pass) {
       return "shadowcomp";
     case ProgramGroup::Prepare:
       return "prepare";
+    case ProgramGroup::ShadowVolume:
+      return "shadowvolume";
     case ProgramGroup::Deferred:
       return "deferred";
     case ProgramGroup::Composite:

@@ -70,6 +70,9 @@ std::optional<Bound> bufferOf(const ShaderPack& pack, const ProgramSource& progr
       return targetOf(pack, true, buffer.index);
     case Kind::Depth:
       return Bound{.what = fmt::format("depthtex{}", buffer.index), .depth = true};
+    case Kind::Stencil:
+      return Bound{.what = fmt::format("stenciltex{}, whose values are integers", buffer.index),
+                   .component = 'u'};
     case Kind::ShadowDepth: {
       const auto index = static_cast<std::size_t>(std::clamp(buffer.index, 0, 1));
       return Bound{

@@ -51,6 +51,7 @@ bool FrameRenderer::setPack(std::shared_ptr<const ShaderPack> pack, const SceneD
 
 void FrameRenderer::updateScene(const SceneData& scene) {
   loaded_->scene->uploadMesh(scene, blockIdsOf(*pack_, scene.world.blocks), vertexStyleOf(*pack_));
+  if (loaded_->volumes) loaded_->volumes->setCasters(castersOf(scene.mesh, scene.atlas));
 }
 
 bool FrameRenderer::resize(int width, int height, Diagnostics& diagnostics) {
@@ -91,7 +92,7 @@ void FrameRenderer::render(const FrameState& state) {
 void FrameRenderer::runStep(const Step& step, const FrameState& state) {
   const auto start = Clock::now();
   const bool draws = step.kind == Step::Kind::Fullscreen || step.kind == Step::Kind::Draw ||
-                     step.kind == Step::Kind::DrawShadow;
+                     step.kind == Step::Kind::DrawShadow || step.kind == Step::Kind::ShadowVolumes;
   // A program beyond a limit of the driver was reported when it was built.
   if (draws && !programOf(step).program.linked) return;
   if (loaded_->storesFromShaders) gl::MemoryBarrier(GL_ALL_BARRIER_BITS);
@@ -114,6 +115,9 @@ void FrameRenderer::runStep(const Step& step, const FrameState& state) {
     case Step::Kind::Draw:
     case Step::Kind::DrawShadow:
       drawGeometry(step, state);
+      break;
+    case Step::Kind::ShadowVolumes:
+      drawShadowVolumes(step, state);
       break;
     case Step::Kind::CopyShadowDepth:
       loaded_->copyDepth(loaded_->targets->shadowDepth(0), loaded_->targets->shadowDepth(1));

@@ -55,6 +55,10 @@ class FrameRenderer {
   const ShaderPack& pack() const { return *pack_; }
   const std::shared_ptr<const ShaderPack>& sharedPack() const { return pack_; }
   const Schedule& schedule() const { return schedule_; }
+  /// Of shadow volumes: faces that the last frame counted apart for the eye, and silhouettes made
+  /// since the load; 0 without volumes.
+  int facesAtEye() const;
+  int silhouetteBuilds() const;
   /// Depth under the screen centre in the last frame, if a program asked for it.
   float centerDepth() const { return centerDepth_; }
   const std::vector<StepTime>& stepTimes() const { return stepTimes_; }
@@ -80,6 +84,7 @@ class FrameRenderer {
                DrawState& draw);
   void drawClouds(const Step& step, const GpuProgram& program, const FrameState& state,
                   DrawState& draw);
+  void drawShadowVolumes(const Step& step, const FrameState& state);
   void dispatch(const Step& step, const FrameState& state);
   void present(const Step& step, const FrameState& state);
   void buildMipmaps(const Step& step);

@@ -75,6 +75,8 @@ FrameRenderer::Loaded::Loaded(const ShaderPack& pack, const Schedule& schedule,
   resources = std::make_unique<PackResources>(pack, schedule.width, schedule.height, diagnostics);
   if (schedule.noisetex)
     noise = makeNoiseTexture(std::clamp(pack.directives.noiseTextureResolution, 1, 4096));
+  if (schedule.stencil)
+    volumes = std::make_unique<ShadowVolumes>(castersOf(sceneData.mesh, sceneData.atlas));
   if (previous == nullptr || freshTargets) return;
   resources->clearImages(true);
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "frame/frame_renderer.h"
+#include "frame/shadow_volumes.h"
 
 namespace orris {
 
@@ -27,6 +28,7 @@ struct FrameRenderer::Loaded {
   std::shared_ptr<RenderTargets> targets;
   std::shared_ptr<GpuScene> scene;
   std::unique_ptr<PackResources> resources;
+  std::unique_ptr<ShadowVolumes> volumes;  ///< only where the schedule has them
   gl::Texture noise;
   CustomUniforms custom;
   std::unique_ptr<SamplerBinder> binder;

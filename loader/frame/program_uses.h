@@ -17,7 +17,7 @@ ProgramUses usesOf(const ProgramSource& program);
 
 /// A buffer as a sampler or image name means it.
 struct BufferName {
-  enum class Kind { Color, ShadowColor, Depth, ShadowDepth } kind = Kind::Color;
+  enum class Kind { Color, ShadowColor, Depth, ShadowDepth, Stencil } kind = Kind::Color;
   int index = 0;
   bool image = false;
 };

@@ -39,7 +39,13 @@ RenderTarget makeTarget(const TargetPlan& plan, const char* kind, Diagnostics& d
 
 void clearDepth(const gl::Texture& texture) {
   const float one = 1;
-  if (texture.id() != 0) gl::ClearTexImage(texture.id(), 0, GL_DEPTH_COMPONENT, GL_FLOAT, &one);
+  if (texture.id() == 0) return;
+  if (texture.internalFormat == GL_DEPTH24_STENCIL8) {
+    const std::uint32_t farUnshadowed = 0xffffff00;
+    gl::ClearTexImage(texture.id(), 0, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, &farUnshadowed);
+  } else {
+    gl::ClearTexImage(texture.id(), 0, GL_DEPTH_COMPONENT, GL_FLOAT, &one);
+  }
 }
 
 void copyWhole(const gl::Texture& from, const gl::Texture& to) {
@@ -54,11 +60,15 @@ RenderTargets::RenderTargets(const Schedule& schedule, bool floatScreen, Diagnos
     color_.emplace(plan.index, makeTarget(plan, "colortex", diagnostics));
   for (const TargetPlan& plan : schedule.shadowcolor)
     shadowColor_.emplace(plan.index, makeTarget(plan, "shadowcolor", diagnostics));
-  depth_[0] = gl::createDepthTexture(schedule.width, schedule.height, 1, "depthtex0");
-  if (schedule.depthtex1)
-    depth_[1] = gl::createDepthTexture(schedule.width, schedule.height, 1, "depthtex1");
-  if (schedule.depthtex2)
-    depth_[2] = gl::createDepthTexture(schedule.width, schedule.height, 1, "depthtex2");
+  // Copies need one format.
+  const auto makeDepth = [&](const char* name) {
+    return schedule.stencil ? gl::createDepthStencilTexture(schedule.width, schedule.height, name)
+                            : gl::createDepthTexture(schedule.width, schedule.height, 1, name);
+  };
+  depth_[0] = makeDepth("depthtex0");
+  if (schedule.depthtex1) depth_[1] = makeDepth("depthtex1");
+  if (schedule.depthtex2) depth_[2] = makeDepth("depthtex2");
+  if (schedule.stencil) stencil_ = gl::createStencilView(depth_[0], "stenciltex0");
   if (const int size = schedule.shadowResolution; size > 0) {
     shadowDepth_[0] = gl::createDepthTexture(size, size, levelsFor(size, size), "shadowtex0");
     if (schedule.shadowtex1)
@@ -76,7 +86,8 @@ RenderTarget* RenderTargets::find(bool shadow, int index) {
 
 const gl::Framebuffer& RenderTargets::framebuffer(const Step& step, std::string& error) {
   const bool shadow = step.group == ProgramGroup::Shadow || step.group == ProgramGroup::ShadowComp;
-  const bool geometry = step.kind == Step::Kind::Draw || step.kind == Step::Kind::DrawShadow;
+  const bool geometry = step.kind == Step::Kind::Draw || step.kind == Step::Kind::DrawShadow ||
+                        step.kind == Step::Kind::ShadowVolumes;
   std::string key = fmt::format("{}{}", shadow ? "s" : "c", geometry ? "d" : "");
   std::vector<const gl::Texture*> colors;
   for (int buffer : step.writes) {

@@ -28,6 +28,8 @@ class RenderTargets {
 
   RenderTarget* find(bool shadow, int index);
   const gl::Texture& depth(int index) const { return depth_[index]; }
+  /// The stencil of depth(0); id 0 without shadow volumes.
+  const gl::Texture& stencil() const { return stencil_; }
   const gl::Texture& shadowDepth(int index) const { return shadowDepth_[index]; }
   const gl::Texture& screen() const { return screen_; }
 
@@ -47,7 +49,7 @@ class RenderTargets {
  private:
   void clearTarget(RenderTarget& target, const float fogColor[3]);
   std::map<int, RenderTarget> color_, shadowColor_;
-  gl::Texture depth_[3], shadowDepth_[2], screen_;
+  gl::Texture depth_[3], stencil_, shadowDepth_[2], screen_;
   std::map<std::string, gl::Framebuffer> framebuffers_;
 };
 

@@ -67,6 +67,10 @@ SamplerBinder::Choice SamplerBinder::chooseBuffer(const SamplerBinding& sampler,
       if (step.group == ProgramGroup::ShadowComp) break;
       return {&targets_.depth(buffer.index), {}};
     }
+    case BufferName::Kind::Stencil:
+      // While geometry is drawn the stencil is attached.
+      if (isGeometry(step)) break;
+      return {&targets_.stencil(), {.integer = true}};
     case BufferName::Kind::ShadowDepth: {
       const ShadowDepthSettings& settings = directives_.shadowtex[buffer.index];
       const bool compare = gl::isShadowSampler(sampler.type);

@@ -9,6 +9,7 @@
 
 #include "frame/program_uses.h"
 #include "frame/schedule_targets.h"
+#include "pack/features.h"
 
 namespace orris {
 namespace {
@@ -61,6 +62,7 @@ class Builder {
     addGeometry(kSky, Kind::Draw);
     addGeometry(kOpaque, Kind::Draw);
     const size_t afterOpaque = schedule_.frame.size();
+    addShadowVolumes();
     addGroup(ProgramGroup::Deferred, schedule_.frame);
     addGeometry(kTranslucent, Kind::Draw);
     addGroup(ProgramGroup::Composite, schedule_.frame);
@@ -240,6 +242,29 @@ class Builder {
     addGroup(ProgramGroup::ShadowComp, schedule_.frame);
   }
 
+  // Our extension: only where a program looks at the result.
+  void addShadowVolumes() {
+    const ProgramSource* program = pack_.find("shadowvolume");
+    if (program == nullptr || program->stages.empty() || !declaresShadowVolumes()) return;
+    const auto reads = [&](size_t i) {
+      return isFullscreen(pack_.programs[i].group) && uses_[i].contains("stenciltex0");
+    };
+    for (size_t i = 0; i < pack_.programs.size() && !schedule_.stencil; ++i)
+      schedule_.stencil = reads(i);
+    if (!schedule_.stencil) return;
+    Step& step = add(Kind::ShadowVolumes, program->name);
+    step.program = indexOf(program);
+    step.group = ProgramGroup::ShadowVolume;
+  }
+
+  bool declaresShadowVolumes() const {
+    const auto& p = pack_.properties;
+    return std::count(p.orrisOptionalFeatures.begin(), p.orrisOptionalFeatures.end(),
+                      kShadowVolumes) != 0 ||
+           std::count(p.orrisRequiredFeatures.begin(), p.orrisRequiredFeatures.end(),
+                      kShadowVolumes) != 0;
+  }
+
   void addFinal() {
     const ProgramSource* program = pack_.find("final");
     if (program != nullptr && !program->computes.empty()) addCompute(*program, schedule_.frame);
@@ -311,7 +336,7 @@ bool Schedule::sameTargets(const Schedule& other) const {
   return width == other.width && height == other.height &&
          shadowResolution == other.shadowResolution && colortex == other.colortex &&
          shadowcolor == other.shadowcolor && shadowtex1 == other.shadowtex1 &&
-         depthtex1 == other.depthtex1 && depthtex2 == other.depthtex2;
+         depthtex1 == other.depthtex1 && depthtex2 == other.depthtex2 && stencil == other.stencil;
 }
 
 Schedule buildSchedule(const ShaderPack& pack, int width, int height, const SceneContents& scene,

@@ -52,6 +52,7 @@ struct Step {
     Fullscreen,
     Draw,             ///< `geometry` from the camera
     DrawShadow,       ///< `geometry` from the light
+    ShadowVolumes,    ///< counts volumes in the stencil of depthtex0
     CopyShadowDepth,  ///< shadowtex0 -> shadowtex1
     ShadowMipmaps,
     SampleCenterDepth,
@@ -79,6 +80,7 @@ struct Schedule {
   int shadowResolution = 0;  ///< 0: no shadow targets at all
   std::vector<TargetPlan> colortex, shadowcolor;
   bool shadowtex1 = false, depthtex1 = false, depthtex2 = false, noisetex = false;
+  bool stencil = false;  ///< the depth textures have one, for shadow volumes
   bool centerDepth = false;
   std::vector<Step> setup;  ///< once after load and resize
   std::vector<Step> frame;

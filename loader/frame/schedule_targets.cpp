@@ -97,6 +97,8 @@ class TargetPlanner {
         case BufferName::Kind::ShadowDepth:
           touched.shadowDepth[buffer->index] = true;
           break;
+        case BufferName::Kind::Stencil:
+          break;
       }
     }
   }

@@ -45,7 +45,7 @@ const std::vector<std::string>& supportedFeatures() {
 }
 
 const std::vector<std::string>& supportedOrrisFeatures() {
-  static const std::vector<std::string> kNames;
+  static const std::vector<std::string> kNames{kShadowVolumes};
   return kNames;
 }
 

@@ -11,6 +11,10 @@
 
 namespace orris {
 
+/// Program "shadowvolume" draws the volumes that casters keep the light from; what it counts is
+/// readable as the usampler2D stenciltex0.
+inline constexpr const char* kShadowVolumes = "STENCIL_SHADOW_VOLUMES";
+
 /// Flags of iris.features.* and of orris.features.* that this host offers, upper case.
 const std::vector<std::string>& supportedFeatures();
 const std::vector<std::string>& supportedOrrisFeatures();

@@ -61,7 +61,8 @@ bool recognise(std::string_view name, ProgramFile& file) {
 
 /// Compute shaders belong to fullscreen passes, setup and the shadow pass.
 bool takesCompute(const ProgramFile& file) {
-  return file.group != ProgramGroup::Gbuffers && file.group < ProgramGroup::DistantHorizons &&
+  return file.group != ProgramGroup::Gbuffers && file.group != ProgramGroup::ShadowVolume &&
+         file.group < ProgramGroup::DistantHorizons &&
          (file.group != ProgramGroup::Shadow || file.program == "shadow");
 }
 
@@ -148,6 +149,7 @@ const std::vector<GeometryProgram>& geometryPrograms() {
       {"gbuffers_weather", "gbuffers_textured_lit", Gbuffers},
       {"gbuffers_water", "gbuffers_terrain", Gbuffers},
       {"gbuffers_hand_water", "gbuffers_hand", Gbuffers},
+      {"shadowvolume", "", ShadowVolume},
       {"dh_terrain", "", DistantHorizons},
       {"dh_water", "dh_terrain", DistantHorizons},
       {"dh_generic", "dh_terrain", DistantHorizons},

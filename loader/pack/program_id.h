@@ -17,6 +17,7 @@ enum class ProgramGroup {
   ShadowComp,
   Prepare,
   Gbuffers,
+  ShadowVolume,  ///< our extension, pack/features.h kShadowVolumes
   Deferred,
   Composite,
   Final,

@@ -44,7 +44,8 @@ const std::vector<Setting>& settings() {
     std::vector<Setting> all{{"clouds", {"off", "fast", "fancy"}},
                              {"dhClouds", {"off", "on", "fancy"}},
                              {"shadow.culling", {"true", "false", "reversed"}},
-                             {"particles.ordering", {"mixed", "after", "before"}}};
+                             {"particles.ordering", {"mixed", "after", "before"}},
+                             {"shadowvolume.method", {"auto", "zpass", "zfail"}}};
     for (const std::string_view key : {"shadow.enabled",
                                        "shadowTerrain",
                                        "shadowTranslucent",

@@ -318,7 +318,10 @@ TEST(ContractProperties, each_key_is_read) {
       EXPECT_TRUE(settings.contains(key)) << key;
       Diagnostics diagnostics;
       const bool offers = key == "clouds" || key == "dhClouds";
-      const std::string value = offers ? "fancy" : key == "particles.ordering" ? "mixed" : "true";
+      const std::string value = offers                         ? "fancy"
+                                : key == "particles.ordering"  ? "mixed"
+                                : key == "shadowvolume.method" ? "auto"
+                                                               : "true";
       const ShaderProperties properties = parsed(key + "=" + value + "\n", diagnostics);
       EXPECT_TRUE(diagnostics.empty()) << formatDiagnostic(diagnostics[0]);
       EXPECT_EQ(properties.settings.at(key), value);
