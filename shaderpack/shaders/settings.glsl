@@ -12,6 +12,9 @@
 
 #define MAP 1
 #define MAP_PCF 2
+#define VOLUME_ZPASS 3
+#define VOLUME_ZFAIL 4
+#define VOLUME_AUTO 5
 
 #define PUBLISHED 1
 #define NORMAL_OFFSET 2
@@ -60,12 +63,13 @@
 const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 45.0 60.0]
 
 // Shadows
-#define SHADOW_METHOD MAP_PCF // [NONE MAP MAP_PCF]
+#define SHADOW_METHOD MAP_PCF // [NONE MAP MAP_PCF VOLUME_ZPASS VOLUME_ZFAIL VOLUME_AUTO]
 #define SHADOW_BIAS NORMAL_OFFSET // [PUBLISHED NORMAL_OFFSET]
 #define SHADOW_COMPARE TEXEL // [TEXEL HARDWARE]
 #define SHADOW_SNAP // Keep the texels of the map in place in the world
 #define SHADOW_DISTORTION 0.0 // [0.0 0.5 0.7 0.85]
 #define SHADOW_RESOLUTION 1024 // [1024 2048 4096]
+//#define SHADOW_VIEW // Show where the sun arrives, and nothing else
 #define SHADOW_DISTANCE 64.0 // [32.0 48.0 64.0 96.0 128.0]
 
 // Global illumination
@@ -114,7 +118,15 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 
 // Derived: not options.
 #define VOXELS (GI_METHOD != NONE)
-#define SHADOW_MAP (SHADOW_METHOD != NONE)
+
+// Shadow volumes where the host has them; elsewhere the map. Rays of global illumination ask for the
+// sun at places that no pixel shows, so with them there is a map as well.
+#if SHADOW_METHOD >= VOLUME_ZPASS && defined ORRIS_FEATURE_STENCIL_SHADOW_VOLUMES
+#define SHADOW_VOLUMES 1
+#else
+#define SHADOW_VOLUMES 0
+#endif
+#define SHADOW_MAP (SHADOW_METHOD != NONE && (!SHADOW_VOLUMES || VOXELS))
 
 // OptiFine has no images, macOS neither images nor compute shaders; shaders.properties says the same.
 #if defined IS_IRIS && !defined MC_OS_MAC

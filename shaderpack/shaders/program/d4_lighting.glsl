@@ -11,7 +11,7 @@ void main() { gl_Position = ftransform(); }
 #include "/include/gbuffer.glsl"
 #include "/include/lighting/ambient.glsl"
 #include "/include/lighting/direct.glsl"
-#include "/include/lighting/shadow.glsl"
+#include "/include/lighting/sun_visibility.glsl"
 #if LAMPS_FORWARD
 #include "/include/lights/lamps.glsl"
 
@@ -55,6 +55,16 @@ vec3 indirect_radiance(Surface s, ivec2 pixel) {
 #endif
 }
 
+#ifdef SHADOW_VIEW
+/// Visibility of sun or moon; 0 on what turns away from it or lies along it, as the truth has it.
+float sun_arrives(Surface s, ivec2 pixel) {
+    vec3 l = light_direction();
+    float cosine = dot(s.normal, l);
+    vec3 n = s.thin && cosine < 0.0 ? -s.normal : s.normal;
+    return float((s.thin ? abs(cosine) : cosine) > 0.01) * sun_visibility(pixel, s.player, n, l, s.light.y);
+}
+#endif
+
 vec3 light_surface(Surface s, ivec2 pixel) {
     vec3 l = light_direction();
     vec3 v = -normalize(s.player);
@@ -64,7 +74,7 @@ vec3 light_surface(Surface s, ivec2 pixel) {
     vec3 radiance = s.albedo * (EMISSION_STRENGTH * level * level);
     radiance += s.albedo * indirect_radiance(s, pixel);
 #if DIRECT_LIGHT != NONE
-    radiance += light_irradiance() * light_visibility(s.player, n, l, shadow_radius, s.light.y) *
+    radiance += light_irradiance() * sun_visibility(pixel, s.player, n, l, s.light.y) *
                 reflect_direct(s.albedo, n, v, l);
 #endif
 #if LAMPS_FORWARD
@@ -83,6 +93,9 @@ void main() {
     out_color = vec4(s.sky ? behind : light_surface(s, pixel), 1.0);
 #if LIGHT_DEBUG_VIEW
     out_color = vec4(light_debug(s), 1.0);
+#endif
+#ifdef SHADOW_VIEW
+    out_color = vec4(vec3(s.sky ? 1.0 : sun_arrives(s, pixel)), 1.0);
 #endif
 }
 

@@ -16,10 +16,10 @@ uniform sampler2DShadow shadowtex1;
 uniform sampler2D shadowtex1;
 #endif
 
-#if SHADOW_METHOD == MAP_PCF
-const int shadow_radius = 1;
-#else
+#if SHADOW_METHOD == MAP
 const int shadow_radius = 0;
+#else
+const int shadow_radius = 1;
 #endif
 
 /// How far from its middle a tap reads, in texels.

@@ -1,0 +1,24 @@
+// Share of the sun's or the moon's light that reaches what a pixel shows.
+#if !defined INCLUDED_LIGHTING_SUN_VISIBILITY
+#define INCLUDED_LIGHTING_SUN_VISIBILITY
+
+#include "/include/lighting/shadow.glsl"
+
+#if SHADOW_VOLUMES
+
+// Number of shadow volumes that hold what the pixel shows, modulo 256.
+uniform usampler2D stenciltex0;
+
+float sun_visibility(ivec2 pixel, vec3 player, vec3 normal, vec3 light, float sky) {
+    return float(texelFetch(stenciltex0, pixel, 0).r == 0u);
+}
+
+#else
+
+float sun_visibility(ivec2 pixel, vec3 player, vec3 normal, vec3 light, float sky) {
+    return light_visibility(player, normal, light, shadow_radius, sky);
+}
+
+#endif
+
+#endif
