@@ -1,0 +1,175 @@
+// Shadow volumes in the frame against rays: failure-modes D1 to D9 as far as pixels show them.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "frame/schedule.h"
+#include "volume_lab.h"
+
+namespace orris::test {
+namespace {
+
+constexpr double kEdgeShare = 0.002;
+/// A tower beside a roof on a post.
+constexpr const char* kScene = R"({"box": "stone", "min": [12, 2, 12], "max": [13, 9, 13]},
+  {"box": "stone", "min": [18, 8, 10], "max": [24, 8, 20]},
+  {"box": "stone", "min": [21, 2, 15], "max": [21, 7, 15]},
+  {"box": "oak_leaves", "min": [5, 5, 5], "max": [8, 7, 8]},
+  {"box": "stone_brick_slab[type=bottom]", "min": [6, 2, 18], "max": [10, 2, 24]},
+  {"box": "stone_brick_stairs[facing=north]", "min": [12, 2, 24], "max": [16, 2, 24]})";
+
+void expectTrue(const MaskDifference& difference, const std::string& what) {
+  EXPECT_EQ(difference.interior, 0) << what;
+  EXPECT_LE(difference.edgeShare(), kEdgeShare) << what;
+  EXPECT_GT(difference.lit, difference.pixels / 20) << what;
+  EXPECT_LT(difference.lit, difference.pixels * 19 / 20) << what;
+}
+
+TEST(ShadowVolumes, are_drawn_only_where_a_program_reads_them) {
+  const auto stepsOf = [](const std::string& method, const OptionValues& options) {
+    const VolumeLab lab({.blocks = kScene, .method = method, .size = 16, .options = options});
+    const Schedule schedule = const_cast<VolumeLab&>(lab).session().session().renderer().schedule();
+    int steps = 0;
+    for (const Step& step : schedule.frame) steps += step.kind == Step::Kind::ShadowVolumes;
+    EXPECT_EQ(schedule.stencil, steps == 1);
+    return std::pair(steps, schedule.shadowResolution);
+  };
+  EXPECT_EQ(stepsOf("VOLUME_AUTO", {}), std::pair(1, 0)) << "and no shadow map";
+  EXPECT_EQ(stepsOf("MAP_PCF", {}), std::pair(0, 1024));
+  EXPECT_EQ(stepsOf("NONE", {}), std::pair(0, 0));
+}
+
+TEST(D1, volumes_of_each_method_are_those_of_rays_seen_from_the_light) {
+  for (const char* method : {"VOLUME_ZPASS", "VOLUME_ZFAIL", "VOLUME_AUTO"}) {
+    VolumeLab lab({.blocks = kScene, .time = 3000, .method = method});
+    lab.look({4, 16, 30}, {17, 3, 14});
+    expectTrue(lab.difference(), method);
+  }
+}
+
+TEST(D1, only_z_pass_is_wrong_with_the_eye_in_a_volume) {
+  // Under the roof.
+  const auto differenceOf = [](const std::string& method) {
+    VolumeLab lab({.blocks = kScene, .method = method, .sunPathRotation = "0.0"});
+    lab.look({20.3, 4.2, 12.4}, {14, 2, 20});
+    return lab.difference();
+  };
+  expectTrue(differenceOf("VOLUME_ZFAIL"), "z-fail");
+  expectTrue(differenceOf("VOLUME_AUTO"), "automatic");
+  const MaskDifference wrong = differenceOf("VOLUME_ZPASS");
+  EXPECT_GT(wrong.interior, wrong.pixels / 3);
+}
+
+TEST(D2, a_path_in_and_out_of_shadow_has_no_wrong_pixel_inside) {
+  VolumeLab lab({.blocks = kScene, .time = 4000, .size = 64});
+  int inside = 0;
+  for (int frame = 0; frame < 24; ++frame) {
+    const double t = frame / 23.0;
+    lab.look({10 + 16 * t, 3.4 + t, 18.7 - 1.3 * t}, {16, 2.5, 10 + 4 * t});
+    const MaskDifference difference = lab.difference();
+    EXPECT_EQ(difference.interior, 0) << frame;
+    EXPECT_LE(difference.edgeShare(), 2 * kEdgeShare) << frame << ": of 4096 pixels";
+    inside += lab.session().session().renderer().facesAtEye() > 0;
+  }
+  EXPECT_GT(inside, 3);
+  EXPECT_LT(inside, 21);
+}
+
+TEST(D3, caps_of_leaves_lie_behind_what_is_seen) {
+  for (const char* method : {"VOLUME_ZFAIL", "VOLUME_AUTO"})
+    for (const glm::dvec3 eye : {glm::dvec3(3, 12, 3), {16, 5, 16}, {6.5, 3, 12}}) {
+      VolumeLab lab({.blocks = R"({"box": "oak_leaves", "min": [5, 5, 5], "max": [8, 7, 8]})",
+                     .time = 3000,
+                     .method = method});
+      lab.look(eye, {7, 5, 7});
+      const MaskDifference difference = lab.difference();
+      EXPECT_LE(difference.interior, 2) << method;
+      EXPECT_LE(difference.edgeShare(), 0.02) << method << ": holes are edges all over";
+    }
+}
+
+// Leaves have a face between each two of them, so that a column of n makes n volumes.
+TEST(D4, counts_are_exact_modulo_256) {
+  for (const int volumes : {1, 255, 256, 257}) {
+    VolumeLab lab(
+        {.blocks = fmt::format(R"({{"box": "oak_leaves", "min": [8, 20, 8], "max": [8, {}, 8]}})",
+                               19 + volumes),
+         .sunPathRotation = "0.0",
+         .size = 17,
+         .box = {16, 300, 16}});
+    lab.look({8.5, 10, 12.5}, {8.5, 2, 8.5}, 10);
+    lab.drawn();
+    EXPECT_EQ(lab.count(8, 8), volumes % 256);
+    EXPECT_EQ(lab.drawn().at(8, 8)[0] > 0.5f, volumes == 256) << volumes;
+  }
+}
+
+TEST(D5, a_lone_pane_casts_its_outline_and_nothing_else) {
+  for (const char* method : {"VOLUME_ZPASS", "VOLUME_ZFAIL", "VOLUME_AUTO"}) {
+    VolumeLab lab({.blocks = R"({"block": "white_carpet", "at": [[16, 8, 16]]})",
+                   .method = method,
+                   .sunPathRotation = "0.0",
+                   .size = 128});
+    lab.look({16.5, 30, 16.6}, {16.5, 2, 16.5}, 40);
+    const ImageF light = lab.drawn();
+    int dark = 0;
+    for (const float value : light.pixels) dark += value < 0.5f;
+    const MaskDifference difference = lab.difference();
+    EXPECT_EQ(difference.interior, 0) << method;
+    EXPECT_GT(difference.lit, difference.pixels * 3 / 4);
+  }
+}
+
+TEST(D8, light_along_faces_and_edges) {
+  const std::string diagonal = R"({"box": "stone", "min": [10, 2, 10], "max": [13, 6, 13]},
+    {"box": "stone", "min": [14, 2, 14], "max": [17, 6, 17]},
+    {"box": "stone", "min": [10, 7, 14], "max": [13, 9, 17]})";
+  for (const char* method : {"VOLUME_ZPASS", "VOLUME_ZFAIL", "VOLUME_AUTO"}) {
+    VolumeLab lab({.blocks = diagonal, .method = method, .sunPathRotation = "0.0"});
+    for (const glm::dvec3 eye : {glm::dvec3(4, 14, 4), {26, 12, 20}, {14, 20, 14}}) {
+      lab.look(eye, {14, 3, 14.01});
+      const MaskDifference difference = lab.difference();
+      EXPECT_EQ(difference.interior, 0) << method;
+      EXPECT_LE(difference.edgeShare(), kEdgeShare) << method;
+    }
+  }
+}
+
+TEST(D9, the_automatic_choice_is_z_fail_pixel_for_pixel) {
+  VolumeLab automatic({.blocks = kScene, .time = 2500, .size = 64});
+  VolumeLab zFail({.blocks = kScene, .time = 2500, .method = "VOLUME_ZFAIL", .size = 64});
+  int differing = 0, atEye = 0;
+  for (int i = 0; i < 40; ++i) {
+    // Over all of the scene, many of the places in shadow and some on whole blocks.
+    const glm::dvec3 eye(4 + i * 7 % 25, 3 + i % 5 * 1.5, 4 + i * 11 % 25);
+    const glm::dvec3 place = eye + glm::dvec3(i % 2 * 0.37, 0, i % 3 * 0.21);
+    const BlockWorld& blocks = automatic.session().session().scene().world.blocks;
+    if (blocks.indexAt(glm::ivec3(glm::floor(place))) != 0) continue;
+    automatic.look(place, {16, 4, 16.01});
+    zFail.look(place, {16, 4, 16.01});
+    // Light, not counts: on faces that turn away z-fail may count their own cap.
+    const ImageF a = automatic.drawn(), b = zFail.drawn();
+    for (std::size_t k = 0; k < a.pixels.size(); k += std::size_t(a.channels))
+      differing += (a.pixels[k] > 0.5f) != (b.pixels[k] > 0.5f);
+    atEye += automatic.session().session().renderer().facesAtEye() > 0;
+  }
+  EXPECT_GT(atEye, 2);
+  EXPECT_LT(atEye, 30);
+  // Runs of edges are merged for one of them only: single pixels along edges.
+  EXPECT_LE(differing, 40 * 64 * 64 / 5000);
+}
+
+TEST(ShadowVolumes, silhouettes_are_made_again_only_for_another_light) {
+  VolumeLab lab({.blocks = kScene, .time = 3000, .size = 32});
+  auto& session = lab.session().session();
+  for (int i = 0; i < 5; ++i) {
+    lab.look({4.0 + i, 16, 30}, {17, 3, 14});
+    lab.drawn();
+  }
+  EXPECT_EQ(session.renderer().silhouetteBuilds(), 1);
+  session.setTime(3600);
+  lab.drawn();
+  EXPECT_EQ(session.renderer().silhouetteBuilds(), 2);
+}
+
+}  // namespace
+}  // namespace orris::test

@@ -1,0 +1,77 @@
+#include "volume_lab.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "frame/reference_scene.h"
+#include "world/world_json.h"
+
+namespace orris::test {
+namespace {
+
+// The floor is two blocks thick, so that its underside makes no edge that is seen.
+constexpr const char* kWorld = R"({{
+  "size": [{0}, {1}, {2}],
+  "blocks": [{{"box": "stone", "min": [0, 0, 0], "max": [{3}, 1, {4}]}}, {5}],
+  "cameras": [{{"name": "eye", "position": [8.5, 8.5, 8.5]}}],
+  "environment": {{"time": {6}}}
+}})";
+
+std::string worldOf(const VolumeSetup& setup) {
+  return fmt::format(kWorld, setup.box.x, setup.box.y, setup.box.z, setup.box.x - 1,
+                     setup.box.z - 1, setup.blocks, setup.time);
+}
+
+OptionValues optionsOf(const VolumeSetup& setup) {
+  OptionValues options = setup.options;
+  options["GI_METHOD"] = "NONE";
+  options["SHADOW_VIEW"] = "true";
+  options["SHADOW_METHOD"] = setup.method;
+  options["sunPathRotation"] = setup.sunPathRotation;
+  return options;
+}
+
+}  // namespace
+
+VolumeLab::VolumeLab(const VolumeSetup& setup)
+    : setup_(setup),
+      world_(worldOf(setup)),
+      session_(SessionSetup{world_, optionsOf(setup), setup.size, setup.size, {}}) {}
+
+void VolumeLab::look(glm::dvec3 from, glm::dvec3 to, float fov) {
+  session_.look(from, to);
+  Camera camera = session_.session().camera();
+  camera.fov = fov;
+  session_.session().setCamera(camera);
+}
+
+ImageF VolumeLab::drawn() {
+  session_.renderFrames(1);
+  return session_.dump("colortex0");
+}
+
+int VolumeLab::count(int x, int y) {
+  return int(std::lround(session_.dump("stenciltex0").at(x, y)[0]));
+}
+
+ImageF VolumeLab::truth() const {
+  Diagnostics diagnostics;
+  auto world = parseWorldJson({.text = world_, .file = "world.json"}, diagnostics);
+  auto& session = const_cast<PackSession&>(session_).session();
+  const ReferenceScene scene =
+      buildReferenceScene(std::move(*world), session.renderer().pack(), session.camera(),
+                          setup_.size, setup_.size, diagnostics);
+  return shadowMask(scene.scene, scene.camera, CasterRays(scene.casters),
+                    glm::dvec4(scene.shadowLight, 0));
+}
+
+MaskDifference VolumeLab::difference() {
+  Diagnostics diagnostics;
+  const auto result = compareMasks(drawn(), truth(), diagnostics);
+  EXPECT_TRUE(result);
+  return result.value_or(MaskDifference{});
+}
+
+}  // namespace orris::test

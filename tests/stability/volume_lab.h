@@ -1,0 +1,39 @@
+// Our pack's shadow volumes beside the shadows that rays find.
+#pragma once
+
+#include "../shaderpack/pack_session.h"
+#include "image/mask_compare.h"
+#include "trace/shadow_mask.h"
+
+namespace orris::test {
+
+struct VolumeSetup {
+  std::string blocks;  ///< list of a world.json
+  int time = 6000;
+  std::string method = "VOLUME_AUTO";
+  std::string sunPathRotation = "-30.0";
+  int size = 96;  ///< pixels, both ways
+  glm::ivec3 box{32, 24, 32};
+  OptionValues options{};
+};
+
+class VolumeLab {
+ public:
+  explicit VolumeLab(const VolumeSetup& setup);
+  /// Draws from one point to another.
+  void look(glm::dvec3 from, glm::dvec3 to, float fov = 70);
+  /// 1 where the frame has light.
+  ImageF drawn();
+  /// The stencil at a pixel, (0, 0) top left.
+  int count(int x, int y);
+  ImageF truth() const;
+  MaskDifference difference();
+  PackSession& session() { return session_; }
+
+ private:
+  VolumeSetup setup_;
+  std::string world_;
+  PackSession session_;
+};
+
+}  // namespace orris::test
