@@ -36,7 +36,13 @@ def places(rng, count):
         yield int((x + rng.random()) * width), int((z + rng.random()) * width)
 
 
-def make_world(count, seed):
+def turning(position, frames):
+    """Events: the camera turns by a degree a frame, so that its clusters change."""
+    return [{"frame": frame, "camera": {"name": "eye", "position": position, "yaw": 180 + frame % 30,
+                                        "pitch": 12}} for frame in range(1, frames)]
+
+
+def make_world(count, seed, frames):
     rng = random.Random(seed)
     houses = make_houses(rng)
     height = [[0] * SIZE for _ in range(SIZE)]
@@ -58,6 +64,7 @@ def make_world(count, seed):
         "cameras": [{"name": "eye", "position": [middle, 7, middle], "yaw": 180, "pitch": 12},
                     {"name": "low", "position": [middle, 2.6, middle], "yaw": 135, "pitch": 0}],
         "environment": {"time": 18000},
+        "events": turning([middle, 7, middle], frames),
     }
 
 
@@ -66,11 +73,12 @@ def main():
     parser.add_argument("count", type=int, help=f"lamps, 1 to {SIZE * SIZE}")
     parser.add_argument("folder", type=pathlib.Path, help="of the world")
     parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--turn", type=int, default=0, metavar="FRAMES", help="turn the camera for so long")
     args = parser.parse_args()
     if not 1 <= args.count <= SIZE * SIZE:
         parser.error("count out of range")
     args.folder.mkdir(parents=True, exist_ok=True)
-    (args.folder / "world.json").write_text(json.dumps(make_world(args.count, args.seed)) + "\n")
+    (args.folder / "world.json").write_text(json.dumps(make_world(args.count, args.seed, args.turn)) + "\n")
 
 
 if __name__ == "__main__":

@@ -61,6 +61,20 @@ nlohmann::json toJson(const TargetPlan& plan, const char* kind) {
           {"sides", plan.needsAlt ? 2 : 1}};
 }
 
+/// What the pack counts: its custom images of whole numbers that are one short row.
+nlohmann::json describeCounters(const FrameRenderer& renderer) {
+  constexpr float kMost = 64;
+  nlohmann::json counters = nlohmann::json::object();
+  for (const CustomImage& image : renderer.pack().properties.images) {
+    const bool row = !image.relative && image.size[0] <= kMost && image.size[1] == 1;
+    if (!row || image.dimensions > 2 || image.pixelFormat != "RED_INTEGER") continue;
+    if (const std::optional<ImageF> values = renderer.dump(image.name))
+      for (const float value : values->pixels)
+        counters[image.name].push_back(static_cast<long long>(value));
+  }
+  return counters;
+}
+
 }  // namespace
 
 bool isLinear(const std::string& path) { return std::filesystem::path(path).extension() != ".png"; }
@@ -115,6 +129,7 @@ nlohmann::json describe(RenderSession& session, const gl::DriverInfo& driver) {
           {"programs", programs},
           {"steps", steps},
           {"targets", targets},
+          {"counters", describeCounters(session.renderer())},
           {"shadowResolution", schedule.shadowResolution}};
 }
 

@@ -261,6 +261,16 @@ void main() { gl_FragData[0] = vec4(TONE * 0.25); }
 LITTLE_WORLD = """{ "size": [4, 4, 4], "blocks": [{ "block": "stone", "at": [1, 1, 1] }],
   "cameras": [{ "name": "a", "position": [3, 3, 3] }],
   "events": [{ "frame": 1, "option": { "name": "TONE", "value": "3" } }] }"""
+COUNTER = """iris.features.required = CUSTOM_IMAGES COMPUTE_SHADERS
+image.count = none RED_INTEGER R32UI UNSIGNED_INT false false 2 1
+image.large = none RED_INTEGER R32UI UNSIGNED_INT false false 65 1
+"""
+COUNTING = """#version 430 compatibility
+layout(local_size_x = 1) in;
+const ivec3 workGroups = ivec3(1, 1, 1);
+layout(r32ui) uniform uimage2D count;
+void main() { imageAtomicAdd(count, ivec2(1, 0), 1u); }
+"""
 SMALL = "-o out.png --size 16x16"
 OUTPUTS = [
     Case("render_writes_what_is_asked",
@@ -310,6 +320,10 @@ program.composite.enabled = false
          stdout=[r'"cause": ".*TONE=3"', r'"frame": 1,',
                  r'"programsBuilt": \[\n\s+"composite"\n\s+\],\n\s+"programsReused": [1-9]'],
          creates=["out.png"]),
+    Case("json_tells_what_the_pack_counts", [f"render pack world {SMALL} --frames 3 --json"], 0,
+         {**pack({"shaders.properties": COUNTER, "begin.csh": COUNTING}),
+          "world/world.json": LITTLE_WORLD},
+         stdout=[r'"counters": \{\n\s+"count": \[\n\s+0,\n\s+3\n\s+\]\n\s+\}'], creates=["out.png"]),
     Case("settings_file_then_set", ["options pack --settings mine.txt --set TONE=2"], 0,
          {**pack({"composite.fsh": COMPOSITE}), "mine.txt": "TONE=3\n"}, stdout=["^TONE = 2"]),
     Case("settings_file", ["options pack --settings mine.txt"], 0,
