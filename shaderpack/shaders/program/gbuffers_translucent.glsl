@@ -76,9 +76,9 @@ uniform sampler2D gtexture;
 layout(location = 0) out vec4 out_color;
 
 /// Mean radiance over the hemisphere: with floodfill, lamps from its cells instead of the lightmap;
-/// with the face cache, that of the block's face.
+/// with the face cache, that of the block's face. Both hold the lamps' light, which LAMPS adds itself.
 vec3 indirect_radiance(vec3 n) {
-#if AIR_LIGHT
+#if AIR_LIGHT && !LAMPS
     vec3 position = to_volume(player);
     if (in_volume(ivec3(floor(position))))
         return ambient_radiance(vec2(0.0, light.y), n) +
