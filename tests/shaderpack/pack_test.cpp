@@ -115,7 +115,7 @@ TEST(pack, lamps_have_what_their_method_needs) {
   };
   const std::set<std::string> table = {"lamp_cells", "lamp_tally", "light_state", "light_table"};
   std::set<std::string> grid = table;
-  grid.insert({"light_bits", "light_list", "light_grid"});
+  grid.insert({"light_bits", "light_list"});
   const std::tuple<const char*, std::set<std::string>, const char*> expected[] = {
       {"NONE", {}, "----"},    {"FORWARD", table, "2--5"},  {"DEFERRED", table, "2--5"},
       {"TILED", grid, "2345"}, {"CLUSTERED", grid, "2345"}, {"AUTO", grid, "2345"}};
@@ -125,6 +125,9 @@ TEST(pack, lamps_have_what_their_method_needs) {
     EXPECT_EQ(images(pack.value()), names) << method;
     EXPECT_EQ(programs(*pack), found) << method;
   }
+  // Sixteen images are possible: more would be a warning.
+  EXPECT_TRUE(
+      loadReferencePack({.values = {{"GI_METHOD", "FACE_CACHE"}, {"LIGHT_METHOD", "CLUSTERED"}}}));
 }
 
 TEST(pack, floodfill_buffer_has_the_size_of_its_atlas) {

@@ -127,7 +127,7 @@ TEST(lamps, two_runs_give_the_same_bits) {
   PackSession first = sessionOf(world, "CLUSTERED"), second = sessionOf(world, "CLUSTERED");
   first.renderFrames(2);
   second.renderFrames(2);
-  for (const char* buffer : {"colortex0", "light_table", "light_list", "light_grid"})
+  for (const char* buffer : {"colortex0", "light_table", "light_list", "light_bits"})
     EXPECT_EQ(first.dump(buffer).pixels, second.dump(buffer).pixels) << buffer;
 }
 

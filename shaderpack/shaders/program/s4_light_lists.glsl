@@ -10,7 +10,6 @@ const ivec3 workGroups = ivec3(64, 1, 1);
 
 layout(r32ui) uniform uimage3D light_bits;
 layout(r16ui) uniform writeonly uimage3D light_list;
-layout(r32ui) uniform writeonly uimage2D light_grid;
 
 /// Lamps of the cluster, whether there is room or not.
 uint list_lamps(ivec2 cluster, int words) {
@@ -36,7 +35,7 @@ void main() {
     for (int i = int(gl_GlobalInvocationID.x); i < clusters; i += threads) {
         ivec2 cluster = ivec2(i % grid_tiles, i / grid_tiles);
         uint count = list_lamps(cluster, words);
-        imageStore(light_grid, cluster, uvec4(min(count, list_capacity)));
+        imageStore(light_bits, ivec3(length_word, cluster), uvec4(min(count, list_capacity)));
         imageAtomicAdd(lamp_tally, lamp_entries, count);
         imageAtomicMax(lamp_tally, lamp_longest, count);
         if (count > list_capacity) imageAtomicAdd(lamp_tally, lamp_dropped, count - list_capacity);

@@ -1,9 +1,9 @@
 // Clusters of the view: tiles of the screen times slices of distance along the view's axis
 // (Olsson et al. 2012, "Clustered Deferred and Forward Shading"). TILED has one slice.
 //
-//   light_bits   r32ui, kept, empty between frames: for each cluster one bit a lamp
+//   light_bits   r32ui, kept: (word, tile, slice), one bit a lamp, empty between frames; in the word
+//                length_word the length of the list
 //   light_list   r16ui, kept: (entry, tile, slice), indices into the table, in their order
-//   light_grid   r32ui, kept: (tile, slice), length of the list
 //
 // Which cluster a surface is in follows from where it is, not from the pixel or the depth buffer, so
 // translucent surfaces and any projection have one too.
@@ -19,6 +19,7 @@ const int grid_slices = LIGHT_GRID_SLICES;
 const int grid_clusters = grid_tiles * grid_slices;
 
 const uint list_capacity = uint(LIGHT_LIST);
+const int length_word = LIGHT_CAPACITY / 32;
 
 // Slice 0 ends at first_slice; the others divide the way from there to far_slice, the last has no end.
 const float first_slice = LIGHT_FIRST_SLICE;

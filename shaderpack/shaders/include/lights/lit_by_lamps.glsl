@@ -11,7 +11,7 @@ layout(r32ui) uniform readonly uimage2D light_state;
 #include "/include/lights/grid.glsl"
 
 layout(r16ui) uniform readonly uimage3D light_list;
-layout(r32ui) uniform readonly uimage2D light_grid;
+layout(r32ui) uniform readonly uimage3D light_bits;
 #endif
 
 vec3 light_of_lamp(uint lamp, vec3 position, vec3 normal, float thin) {
@@ -26,7 +26,7 @@ uint lamp_count() { return imageLoad(light_state, ivec2(state_lamps, 0)).r; }
 /// Lamps to ask at the cluster.
 uint cluster_count(ivec2 cluster) {
     uint lamps = lamp_count();
-    return has_lists(lamps) ? imageLoad(light_grid, cluster).r : lamps;
+    return has_lists(lamps) ? imageLoad(light_bits, ivec3(length_word, cluster)).r : lamps;
 }
 
 vec3 cluster_irradiance(ivec2 cluster, vec3 position, vec3 normal, float thin) {
