@@ -9,6 +9,9 @@ GI = "program/d0_gi.glsl"
 CACHE = "include/faces/face_cache.glsl"
 VOLUME = "include/voxel/volume.glsl"
 LIST = "include/faces/face_list.glsl"
+LAMPS = "include/faces/lamp_sample.glsl"
+HIT = "include/lighting/hit.glsl"
+TRANSLUCENT = "program/gbuffers_translucent.glsl"
 
 MUTANTS = [
     ("key without direction", "face_cache.closed_wall*",
@@ -21,13 +24,13 @@ MUTANTS = [
      [(COMMIT, "if (!entered(cell)) continue;",
        "continue;")]),
     ("lamp hit and lamp ray both count", "face_cache.lamps_at*",
-     [(UPDATE, "is_near_lamp(hit, f.origin) ? lamp_light(hit.voxel) : vec3(0.0)",
+     [(LAMPS, "far < lamp_near ? lamp_light(hit.voxel) : vec3(0.0)",
        "lamp_light(hit.voxel)")]),
     ("no lamp ray", "face_cache.lamps_at*",
-     [(UPDATE, " + lamp_sample(f);",
+     [(UPDATE, " + lamp_sample(f.from);",
        ";")]),
     ("shadow ray not traced", "face_cache.closed_wall*",
-     [(UPDATE, "bool seen = hit.found && hit.cell == chosen.cell;",
+     [(LAMPS, "bool seen = hit.found && hit.cell == chosen.cell;",
        "bool seen = true;")]),
     ("no albedo in the feedback", "face_cache.one_cell*",
      [(UPDATE, "radiance = hit.voxel.color * (",
@@ -71,4 +74,31 @@ MUTANTS = [
     ("quads enter a face again", "face_cache.only_a*",
      [(LIST, "if (!first_of_face(cell, face)) return;",
        "")]),
+    ("lamp in the first cell passed by", "indirect.small_lamps*",
+     [(HIT, "if (own.code >= voxel_small_lamp && along > 0.0",
+       "if (false && along > 0.0")]),
+    ("glass in the first cell passed by", "indirect.glass_takes*",
+     [(HIT, "if (own.code == voxel_translucent)",
+       "if (false)")]),
+    ("first cell of rays to lamps passed by", "indirect.glass_takes*",
+     [(LAMPS, "Hit hit = trace_from_face(r.origin, chosen.direction);",
+       "Hit hit = trace(r.origin, chosen.direction);")]),
+    ("glass by the lightmap", "indirect.glass_and_water*",
+     [(TRANSLUCENT, "float share = cached.a > 0.0 ? inside_volume(middle) : 0.0;",
+       "float share = 0.0;")]),
+    ("faces of glass not listed", "indirect.glass_and_water*",
+     [(LIST, "bool lamp = is_lamp_voxel(code);",
+       "bool lamp = is_lamp_voxel(code);\n    if (code == voxel_translucent) return;")]),
+    ("water mirrors the sky alone", "indirect.water*",
+     [(TRANSLUCENT, "if (inside_volume(position) > 0.0) {",
+       "if (false) {")]),
+    ("plants seen from the front only", "indirect.plants*",
+     [(GI, "if (next_random().x < 0.5) return vec3(2.0);",
+       "return vec3(1.0);")]),
+    ("pixel hits and samples lamps", "indirect.rays_to_lamps*",
+     [(GI, "radiance += throughput * met_lamp(hit, origin);",
+       "radiance += throughput * lamp_light(hit.voxel);")]),
+    ("pixel leaves sampled lamps out", "indirect.rays_to_lamps*",
+     [(GI, "radiance += throughput * lamp_sample(Receiver(origin, normal));",
+       ";")]),
 ]

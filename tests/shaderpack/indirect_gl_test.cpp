@@ -1,0 +1,159 @@
+// Indirect light of what is no full block: glass, water, plants, lamps in the cell where a ray begins;
+// and lamps by rays to them.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "face_field.h"
+
+namespace orris::test {
+namespace {
+
+constexpr int kVolume = 32;
+
+OptionValues options(OptionValues more = {}) {
+  more.insert({{"GI_METHOD", "FACE_CACHE"},
+               {"VOXEL_SIZE", std::to_string(kVolume)},
+               {"GI_FILTER", "false"},
+               {"AMBIENT_MINIMUM", "0.0"}});
+  return more;
+}
+
+/// A closed black room of 9 x 7 x 9 at night, and what else `blocks` says.
+std::string darkRoom(const std::string& blocks) {
+  return fmt::format(R"({{"size": [9, 7, 9],
+      "blocks": [{{"hollow": "black_concrete", "min": [0, 0, 0], "max": [8, 6, 8]}}, {}],
+      "cameras": [{{"name": "eye", "position": [4.5, 3.5, 6.5]}}],
+      "environment": {{"time": 18000}}}})",
+                     blocks);
+}
+
+// A ball of radius r and radiance L gives a point below it L r^2 h / d^3.
+TEST(indirect, small_lamps_light_the_floor_that_they_stand_on) {
+  std::string rods = R"({"block": "end_rod[facing=up]", "at": [)";
+  for (int i = 0; i < 9; ++i)
+    rods += fmt::format("{}[{}, 1, {}]", i > 0 ? ", " : "", 2 + i % 3 * 2, 2 + i / 3 * 2);
+  PackSession pack(darkRoom(rods + "]}"),
+                   options({{"FACE_SHARE", "1"}, {"FACE_WINDOW", "128"}, {"FACE_GAIN", "1.0"}}));
+  pack.renderFrames(130);
+  double form = 0, found = 0;
+  constexpr int kSteps = 32;
+  for (int i = 0; i < kSteps * kSteps; ++i) {
+    const double x = (i % kSteps + .5) / kSteps - .5, z = (i / kSteps + .5) / kSteps - .5;
+    form += .5 / std::pow(x * x + z * z + .25, 1.5) / 16 / (kSteps * kSteps);
+  }
+  const FaceField field = faceField(pack, kVolume);
+  for (int i = 0; i < 9; ++i) found += field.red({2 + i % 3 * 2, 0, 2 + i / 3 * 2}, kUp) / 9;
+  const double lamp = 5 * 16 * 14 * 14 / 225.0;
+  EXPECT_NEAR(found / (lamp * form), 1, .2);
+}
+
+// From the floor of a shaft to the lamp at its end, glass in between: every ray has 1 to sqrt(3) blocks of
+// glass on its way, in the cell where it begins.
+TEST(indirect, glass_takes_light_where_a_ray_begins) {
+  const auto floorLight = [](const std::string& filling) {
+    PackSession pack(fmt::format(R"({{"size": [9, 7, 9],
+        "blocks": [{{"box": "black_concrete", "min": [0, 0, 0], "max": [8, 3, 8]}},
+                   {{"block": "glowstone", "at": [4, 3, 4]}}, {{"block": "air", "at": [4, 2, 4]}},
+                   {{"block": "{}", "at": [4, 1, 4]}}],
+        "cameras": [{{"name": "eye", "position": [4.5, 4.5, 6.5]}}],
+        "environment": {{"time": 18000}}}})",
+                                 filling),
+                     options({{"FACE_SHARE", "1"}, {"FACE_WINDOW", "128"}, {"FACE_GAIN", "1.0"}}));
+    pack.renderFrames(150);
+    const float stored =
+        pack.voxels({.volume = kVolume, .columns = 32}).red(cellOf({4, 1, 4}, {4, 4, 6}, kVolume));
+    return std::pair(double(faceField(pack, kVolume).red({4, 0, 4}, kUp)), double(stored * stored));
+  };
+  const auto [clear, none] = floorLight("air");
+  const auto [tinted, color] = floorLight("light_gray_stained_glass");
+  ASSERT_LT(color, .6);
+  ASSERT_GT(color, .1);
+  EXPECT_LT(tinted / clear, 1.05 * color);
+  EXPECT_GT(tinted / clear, .9 * std::pow(color, std::sqrt(3.0)));
+}
+
+/// Mean of a narrow view, over frames after the cache has settled.
+glm::dvec3 seen(const std::string& world, const OptionValues& more, glm::dvec3 eye, glm::dvec3 at) {
+  PackSession pack(world, options(more));
+  pack.look(eye, at);
+  pack.renderFrames(90);
+  return pack.meanRadiance();
+}
+
+// The lightmap has every lamp orange.
+TEST(indirect, glass_and_water_have_the_colour_of_the_lamp) {
+  for (const char* block : {"white_stained_glass", "water"}) {
+    const std::string world =
+        darkRoom(fmt::format(R"({{"box": "black_concrete", "min": [1, 1, 1], "max": [7, 1, 7]}},
+            {{"box": "{}", "min": [3, 1, 1], "max": [5, 1, 5]}},
+            {{"box": "verdant_froglight", "min": [1, 6, 1], "max": [7, 6, 7]}})",
+                             block));
+    const glm::dvec3 light = seen(world, {}, {4.5, 5.5, 4.5}, {4.5, 2, 3.6});
+    EXPECT_GT(light.g, 1.5 * light.r) << block;
+    EXPECT_GT(light.g, .01) << block;
+  }
+}
+
+// At a flat angle water shows what is behind it: here a wall of lamps.
+TEST(indirect, water_mirrors_the_blocks_behind_it) {
+  const auto lit = [](const std::string& wall) {
+    return seen(darkRoom(R"({"box": "water", "min": [1, 1, 1], "max": [7, 1, 7]},
+                            {"box": ")" +
+                         wall + R"(", "min": [1, 2, 0], "max": [7, 4, 0]})"),
+                {}, {4.5, 2.6, 7.5}, {4.5, 1.9, 4.2})
+        .r;
+  };
+  EXPECT_GT(lit("glowstone"), 1);
+  EXPECT_LT(lit("black_concrete"), .01);
+}
+
+// Grass between the eye and a wall of lamps is seen by the light that passes it: about as bright as
+// with the lamps at the eye's side.
+TEST(indirect, plants_pass_light) {
+  const auto lit = [](int z) {
+    return seen(
+               darkRoom(fmt::format(
+                   R"({{"block": "grass_block", "at": [4, 1, 4]}}, {{"block": "fern", "at": [4, 2, 4]}},
+                        {{"box": "glowstone", "min": [1, 4, {0}], "max": [7, 5, {0}]}})",
+                   z)),
+               {{"GI_SAMPLES", "4"}}, {4.5, 2.5, 7.0}, {4.5, 2.4, 4.5})
+        .g;
+  };
+  const double behind = lit(0), before = lit(8);
+  EXPECT_GT(behind / before, .6);
+  EXPECT_LT(behind / before, 1.6);
+}
+
+/// Mean and spread over frames of the middle pixel of a room's floor.
+std::pair<double, double> floorOverFrames(const std::string& lamps) {
+  PackSession pack(darkRoom(R"({"box": "stone", "min": [1, 0, 1], "max": [7, 0, 7]},
+                               {"block": "glowstone", "at": [4, 5, 4]}, {"block": "lantern", "at": [6, 1, 2]})"),
+                   options({{"GI_LAMPS", lamps}, {"TEMPORAL_ACCUMULATION", "false"}}));
+  pack.look({4.5, 4.5, 7.0}, {3.5, 1, 4});
+  pack.renderFrames(60);
+  double sum = 0, squares = 0;
+  constexpr int kFrames = 12;
+  int count = 0;
+  for (int i = 0; i < kFrames; ++i) {
+    pack.renderFrames(1);
+    const ImageF image = pack.dump("colortex3");
+    for (std::size_t p = 0; p < image.pixels.size(); p += std::size_t(image.channels), ++count) {
+      sum += image.pixels[p];
+      squares += double(image.pixels[p]) * image.pixels[p];
+    }
+  }
+  const double mean = sum / count;
+  return {mean, std::sqrt(squares / count - mean * mean) / mean};
+}
+
+TEST(indirect, rays_to_lamps_count_each_once_and_take_away_noise) {
+  const auto [hit, hitNoise] = floorOverFrames("HIT");
+  const auto [sampled, sampledNoise] = floorOverFrames("SAMPLED");
+  EXPECT_NEAR(sampled / hit, 1, .06);
+  EXPECT_LT(sampledNoise, .4 * hitNoise);
+}
+
+}  // namespace
+}  // namespace orris::test
