@@ -68,7 +68,7 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 #define SHADOW_COMPARE TEXEL // [TEXEL HARDWARE]
 #define SHADOW_SNAP // Keep the texels of the map in place in the world
 #define SHADOW_DISTORTION 0.0 // [0.0 0.5 0.7 0.85]
-#define SHADOW_RESOLUTION 1024 // [1024 2048 4096]
+#define SHADOW_RESOLUTION 1024 // [256 512 1024 2048 4096]
 //#define SHADOW_VIEW // Show where the sun arrives, and nothing else
 #define SHADOW_DISTANCE 64.0 // [32.0 48.0 64.0 96.0 128.0]
 
@@ -180,6 +180,13 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 // Does something outlast the frame that is made of the voxels?
 #define NOTICE_CHANGES (FACES || FLOOD_IMAGE || DISTANCES)
 
+// Side of the shadow targets: the voxels need 1024 texels in a row.
+#if VOXELS && SHADOW_RESOLUTION < 1024
+#define SHADOW_TARGET 1024
+#else
+#define SHADOW_TARGET SHADOW_RESOLUTION
+#endif
+
 // Volumes of 96 and 128 need a shadow target of 2048; with a smaller one they fall back to 64.
 #if VOXEL_SIZE >= 96 && SHADOW_RESOLUTION < 2048
 #define VOLUME 64
@@ -206,7 +213,7 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 #define ATLAS_ROWS 4
 #endif
 
-const int shadowMapResolution = SHADOW_RESOLUTION;
+const int shadowMapResolution = SHADOW_TARGET;
 const float shadowDistance = SHADOW_DISTANCE;
 const float shadowDistanceRenderMul = 1.0;
 

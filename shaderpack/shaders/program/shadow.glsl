@@ -146,7 +146,7 @@ void emit_voxel() {
     vec2 corner = vec2(atlas_texel(cell));
     const vec2 legs[3] = vec2[3](vec2(0.0), vec2(1.5, 0.0), vec2(0.0, 1.5));
     for (int i = 0; i < 3; ++i) {
-        vec2 unit = (corner + legs[i]) / float(SHADOW_RESOLUTION);
+        vec2 unit = (corner + legs[i]) / float(SHADOW_TARGET);
         gl_Position = vec4(unit * 2.0 - 1.0, depth, 1.0);
         uv = vec2(0.0);
         EmitVertex();

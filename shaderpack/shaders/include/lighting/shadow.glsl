@@ -50,7 +50,7 @@ float lit_at(vec2 position, float depth) {
 #if SHADOW_COMPARE == HARDWARE
     // Of four texels; none may be a row of the voxels.
     position = clamp(position, vec2(0.5), vec2(shadow_map_size) - 0.5);
-    vec2 uv = (position + vec2(0.0, shadow_map_bottom)) / float(SHADOW_RESOLUTION);
+    vec2 uv = (position + vec2(0.0, shadow_map_bottom)) / float(SHADOW_TARGET);
     return texture(shadowtex1, vec3(uv, depth));
 #else
     ivec2 texel = clamp(ivec2(floor(position)), ivec2(0), shadow_map_size - 1);

@@ -10,11 +10,11 @@ const int shadow_map_bottom = ATLAS_ROWS * VOLUME;
 #else
 const int shadow_map_bottom = 0;
 #endif
-const ivec2 shadow_map_size = ivec2(SHADOW_RESOLUTION, SHADOW_RESOLUTION - shadow_map_bottom);
+const ivec2 shadow_map_size = ivec2(SHADOW_TARGET, SHADOW_TARGET - shadow_map_bottom);
 
 /// Clip space of the light to clip space of the target.
 vec4 place_shadow(vec4 clip) {
-    const float share = float(shadow_map_size.y) / float(SHADOW_RESOLUTION);
+    const float share = float(shadow_map_size.y) / float(SHADOW_TARGET);
     return vec4(clip.x, clip.y * share + (1.0 - share) * clip.w, clip.zw);
 }
 
