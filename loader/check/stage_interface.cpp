@@ -1,10 +1,9 @@
 #include "check/stage_interface.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <unordered_map>
 
+#include "check/stage_uses.h"
 #include "check/text_scanner.h"
 #include "glsl/condition.h"
 #include "glsl/outline.h"
@@ -15,63 +14,18 @@ namespace {
 using Statement = std::vector<TextToken>;
 using Storage = StageGlobal::Storage;
 
-/// What a word at file scope names.
-struct Known {
-  bool isFunction = false;
-  int index = 0;
-};
-
-/// Names of file scope, with a filter that turns most other words away without hashing.
-class NameTable {
- public:
-  void add(std::string_view name, Known known) {
-    byName_.emplace(name, known);
-    lengths_[static_cast<unsigned char>(name.front())] |= lengthBit(name);
-  }
-  const Known* find(std::string_view name) const {
-    if (!(lengths_[static_cast<unsigned char>(name.front())] & lengthBit(name))) return nullptr;
-    const auto found = byName_.find(name);
-    return found == byName_.end() ? nullptr : &found->second;
-  }
-
- private:
-  static std::uint64_t lengthBit(std::string_view name) {
-    return std::uint64_t{1} << std::min<std::size_t>(name.size(), 63);
-  }
-  std::unordered_map<std::string_view, Known> byName_;
-  std::array<std::uint64_t, 256> lengths_{};
-};
-
-/// What the body of a function (all overloads of a name together), or an initialiser, mentions.
-struct FunctionUses {
-  std::vector<int> calls;
-  std::vector<int> globals;
-  std::vector<FragDataUse> fragData;
-  bool reached = false;
-};
-
-int toInt(std::string_view text) {
-  int value = -1;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc() && end == text.data() + text.size() ? value : -1;
-}
-
 class StageReader {
  public:
   explicit StageReader(const StageText& stage) : scanner_(stage.text.text) { out_.stage = &stage; }
 
   StageInterface run() {
-    names_.add("gl_FragData", {false, kFragData});
-    names_.add("gl_FragColor", {false, kFragColor});
     while (readStatement()) {
     }
-    markReached();
+    uses_.markReached(out_);
     return std::move(out_);
   }
 
  private:
-  static constexpr int kFragData = -1, kFragColor = -2;
-
   bool readStatement() {
     statement_.clear();
     int depth = 0;
@@ -124,7 +78,7 @@ class StageReader {
     if (at(i).is('{')) return readBlock(i, std::move(global));
     std::vector<std::int64_t> sizes;
     i = readSizes(i, sizes);
-    if (at(i).isWord() && at(i + 1).is('(')) return addFunctionName(at(i).text);
+    if (at(i).isWord() && at(i + 1).is('(')) return uses_.addFunction(at(i).text);
     readDeclarators(i, global, sizes);
   }
 
@@ -228,7 +182,7 @@ class StageReader {
       FunctionUses initialiser;
       if (global.initialised) i = readInitialiser(i + 1, global, initialiser);
       addGlobal(std::move(global));
-      initialisers_.back() = std::move(initialiser);
+      uses_.setInitialiser(std::move(initialiser));
       if (!at(i).is(',')) break;
       ++i;
     }
@@ -241,7 +195,7 @@ class StageReader {
       if (depth == 0 && (t.is(',') || t.is(';'))) break;
       depth += t.is('(') || t.is('[') || t.is('{');
       depth -= t.is(')') || t.is(']') || t.is('}');
-      if (t.isWord() && !at(i - 1).is('.')) takeWord(t, {}, uses);
+      if (t.isWord() && !at(i - 1).is('.')) uses_.take(t, {}, scanner_, uses);
     }
     const bool integer = global.type == "int" || global.type == "uint";
     if (global.constant && integer && global.arraySizes.empty()) {
@@ -298,22 +252,16 @@ class StageReader {
   }
 
   void addGlobal(StageGlobal global) {
-    const int index = static_cast<int>(out_.globals.size());
-    if (!global.name.empty()) names_.add(global.name, {false, index});
+    std::vector<std::string_view> names;
+    if (!global.name.empty()) names.push_back(global.name);
     if (global.name.empty()) {
-      for (const BlockMember& member : global.members) names_.add(member.name, {false, index});
+      for (const BlockMember& member : global.members) names.push_back(member.name);
     }
+    uses_.addGlobal(names);
     out_.globals.push_back(std::move(global));
-    initialisers_.emplace_back();
   }
 
   // ---- functions
-
-  void addFunctionName(std::string_view name) {
-    if (const Known* known = names_.find(name); known && known->isFunction) return;
-    names_.add(name, {true, static_cast<int>(functions_.size())});
-    functions_.emplace_back();
-  }
 
   void readFunction() {
     std::size_t name = statement_.size();
@@ -324,16 +272,12 @@ class StageReader {
         break;
       }
     }
-    hidden_.clear();
     if (name >= statement_.size()) return readBody(nullptr);
-    addFunctionName(at(name).text);
-    const Known* known = names_.find(at(name).text);
-    const int index = known && known->isFunction ? known->index : -1;
-    if (at(name).text == "main" && index >= 0) roots_.push_back(index);
+    std::vector<std::string_view> parameters;
     for (std::size_t i = name + 2; i < statement_.size(); ++i) {
-      if (at(i).isWord() && at(i - 1).isWord()) hidden_.push_back(at(i).text);
+      if (at(i).isWord() && at(i - 1).isWord()) parameters.push_back(at(i).text);
     }
-    readBody(index < 0 ? nullptr : &functions_[static_cast<std::size_t>(index)]);
+    readBody(uses_.beginFunction(at(name).text, std::move(parameters)));
   }
 
   /// `uses` null: only finds the end.
@@ -343,7 +287,7 @@ class StageReader {
     for (TextToken token = scanner_.next(); token.kind != TextToken::Kind::End;
          token = scanner_.next()) {
       if (token.isWord()) {
-        if (uses && !previous.is('.')) takeWord(token, previous, *uses);
+        if (uses && !previous.is('.')) uses_.take(token, previous, scanner_, *uses);
       } else if (token.is('{')) {
         ++depth;
       } else if (token.is('}')) {
@@ -353,67 +297,10 @@ class StageReader {
     }
   }
 
-  void takeWord(const TextToken& word, const TextToken& previous, FunctionUses& uses) {
-    const Known* known = names_.find(word.text);
-    if (!known) return;
-    if (known->isFunction) return addOnce(uses.calls, known->index);
-    if (known->index < 0) return takeFragData(word, known->index, uses);
-    if (declaresLocal(previous)) hidden_.push_back(word.text);
-    if (std::find(hidden_.begin(), hidden_.end(), word.text) != hidden_.end()) return;
-    addOnce(uses.globals, known->index);
-  }
-
-  static void addOnce(std::vector<int>& list, int value) {
-    if (std::find(list.begin(), list.end(), value) == list.end()) list.push_back(value);
-  }
-
-  // "float name": a type before the word.
-  static bool declaresLocal(const TextToken& previous) {
-    return previous.isWord() && previous.text != "return" && previous.text != "else";
-  }
-
-  void takeFragData(const TextToken& word, int which, FunctionUses& uses) {
-    FragDataUse use{0, {word.line, word.column}};
-    if (which == kFragData) {
-      TextScanner ahead = scanner_;
-      const bool indexed = ahead.next().is('[');
-      const TextToken number = ahead.next();
-      use.index = indexed && ahead.next().is(']') ? toInt(number.text) : -1;
-    }
-    uses.fragData.push_back(use);
-  }
-
-  void markReached() {
-    for (const int root : roots_) reachFunction(root);
-    while (!open_.empty()) {
-      const FunctionUses* uses = open_.back();
-      open_.pop_back();
-      for (const int global : uses->globals) reachGlobal(static_cast<std::size_t>(global));
-      out_.fragData.insert(out_.fragData.end(), uses->fragData.begin(), uses->fragData.end());
-      for (const int call : uses->calls) reachFunction(call);
-    }
-  }
-
-  void reachFunction(int index) {
-    FunctionUses& uses = functions_[static_cast<std::size_t>(index)];
-    if (!uses.reached) open_.push_back(&uses);
-    uses.reached = true;
-  }
-
-  void reachGlobal(std::size_t index) {
-    if (!out_.globals[index].used) open_.push_back(&initialisers_[index]);
-    out_.globals[index].used = true;
-  }
-
   TextScanner scanner_;
   StageInterface out_;
   Statement statement_;
-  NameTable names_;
-  std::vector<FunctionUses> functions_;
-  std::vector<FunctionUses> initialisers_;  ///< of each global
-  std::vector<int> roots_;
-  std::vector<const FunctionUses*> open_;  ///< reached, not yet followed
-  std::vector<std::string_view> hidden_;   ///< locals and parameters of the function being read
+  StageUses uses_;
   std::unordered_map<std::string_view, std::int64_t> constants_;
 };
 
