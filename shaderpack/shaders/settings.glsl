@@ -143,6 +143,11 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 #endif
 #define AIR_LIGHT (GI_METHOD == FLOODFILL || (GI_METHOD == FACE_CACHE && !FACES))
 #define FLOOD_IMAGE (AIR_LIGHT && IMAGES && FLOODFILL_STORAGE == IMAGE_3D)
+#if FLOODFILL_RULE == CONSERVING
+#define FLOODFILL_FORMAT rgba32f
+#else
+#define FLOODFILL_FORMAT rgba16f
+#endif
 
 // Is a field of distances to the next block kept for the rays?
 #define DISTANCES (VOXELS && IMAGES && RAY_WALK == DISTANCE)

@@ -166,8 +166,8 @@ CellField PackSession::light(AtlasLayout layout) {
     return place + glm::ivec3(0, 0, step % 2 * n);
   });
   if (option("FLOODFILL_RULE", "PUBLISHED") == "CONSERVING") return stored;
-  const float root = 1 / std::stof(option("FLOODFILL_GAMMA", "2.2"));
-  return stored.mapped([&](float value) { return std::pow(value, root); });
+  const float root = 2 / std::stof(option("FLOODFILL_GAMMA", "2.2"));
+  return stored.mapped([&](float value) { return 65504 * std::pow(value / 60000, root); });
 }
 
 ImageF PackSession::dump(const std::string& buffer) {

@@ -61,17 +61,17 @@ void expectTheAtlas(const char* rule, const char* sky, double share, double leas
   EXPECT_GT(image.light().countLit(), 3000) << rule;
 }
 
-TEST(image, holds_the_light_of_the_atlas) { expectTheAtlas("PUBLISHED", "NONE", 5e-3, 3e-4); }
+TEST(image, holds_the_light_of_the_atlas) { expectTheAtlas("PUBLISHED", "NONE", 1e-2, 3e-4); }
 
 TEST(image, holds_the_light_of_the_atlas_under_the_sky) {
-  expectTheAtlas("PUBLISHED", "PUBLISHED", 5e-3, 3e-4);
+  expectTheAtlas("PUBLISHED", "PUBLISHED", 1e-2, 3e-4);
 }
 
 TEST(image, holds_the_same_bits_where_the_rule_conserves) {
   expectTheAtlas("CONSERVING", "PUBLISHED", 0, 0);
 }
 
-// Changes below a 2048th and below 1e-4 are left out.
+// Changes of the power below a 1024th and of light below 1e-4 are left out.
 TEST(image, falls_off_as_theory_predicts) {
   Lab image = labOf({.blocks = kLampBlock}, "IMAGE_3D");
   image.step(70);
@@ -81,7 +81,7 @@ TEST(image, falls_off_as_theory_predicts) {
   const CellField light = image.light();
   for (int r = 1; r <= 12; ++r) {
     const glm::ivec3 cell(16 + r, 16, 16);
-    EXPECT_NEAR(light.red(cell) / field.at(cell), 1, 5e-3) << r;
+    EXPECT_NEAR(light.red(cell) / field.at(cell), 1, 7e-3) << r;
   }
 }
 
@@ -98,7 +98,7 @@ TEST(image, bad_value_is_gone_after_a_step) {
     Lab clean = labOf({.blocks = kLampBlock}, "IMAGE_3D");
     Lab poked = labOf({.blocks = kLampBlock, .change = poke}, "IMAGE_3D");
     for (Lab* one : {&clean, &poked}) one->step(70);
-    EXPECT_EQ(countDifferent(clean.light(), poked.light(), 5e-3, 3e-4), 0) << value;
+    EXPECT_EQ(countDifferent(clean.light(), poked.light(), 1e-2, 3e-4), 0) << value;
   }
 }
 
@@ -123,7 +123,7 @@ TEST(image, rests_when_settled_and_wakes_for_edits) {
   image.step(99);
   EXPECT_EQ(activeBricks(image), 0);
   atlas.step(250);
-  EXPECT_EQ(countDifferent(atlas.light(), image.light(), 5e-3, 3e-4), 0);
+  EXPECT_EQ(countDifferent(atlas.light(), image.light(), 1e-2, 3e-4), 0);
 }
 
 TEST(image, light_at_rest_is_the_same_bits_in_every_frame) {

@@ -125,20 +125,22 @@ TEST(A18, wall_of_touching_edges_lets_nothing_through) {
 
 // Half of its cell stays open: light comes to a slab and along it, not through.
 TEST(A18, slabs_let_light_in_beside_them_and_not_through) {
-  for (const char* half : {"bottom", "top"}) {
-    const int lampSide = half == std::string("bottom") ? 1 : -1;
-    for (const int side : {lampSide, -lampSide}) {
-      Lab lab({.blocks = fmt::format(
-                   R"({{"box": "stone_slab[type={}]", "min": [0, 16, 0], "max": [31, 16, 31]}},
-                      {{"block": "glowstone", "at": [16, {}, 16]}})",
-                   half, 16 + 2 * side)});
-      lab.step(12);
-      const CellField light = lab.light();
-      EXPECT_GT(light.red({16, 16 + side, 16}), 0) << half << side;
-      EXPECT_EQ(light.red({16, 16, 16}) > 0, side == lampSide) << half << side;
-      EXPECT_EQ(light.red({16, 16 - side, 16}), 0) << half << side;
+  for (const char* storage : {"ATLAS_2D", "IMAGE_3D"})
+    for (const char* half : {"bottom", "top"}) {
+      const int lampSide = half == std::string("bottom") ? 1 : -1;
+      for (const int side : {lampSide, -lampSide}) {
+        Lab lab({.blocks = fmt::format(
+                     R"({{"box": "stone_slab[type={}]", "min": [0, 16, 0], "max": [31, 16, 31]}},
+                        {{"block": "glowstone", "at": [16, {}, 16]}})",
+                     half, 16 + 2 * side),
+                 .options = {{"FLOODFILL_STORAGE", storage}}});
+        lab.step(12);
+        const CellField light = lab.light();
+        EXPECT_GT(light.red({16, 16 + side, 16}), 0) << storage << half << side;
+        EXPECT_EQ(light.red({16, 16, 16}) > 0, side == lampSide) << storage << half << side;
+        EXPECT_EQ(light.red({16, 16 - side, 16}), 0) << storage << half << side;
+      }
     }
-  }
 }
 
 // Unlike true light, which a bend would dim far more.

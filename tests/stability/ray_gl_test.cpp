@@ -23,8 +23,9 @@ constexpr const char* kWorld = R"({
              {"block": "stone_slab[type=top]", "at": [[8, 3, 10], [19, 7, 19]]},
              {"block": "torch", "at": [[5, 5, 7], [17, 1, 11]]},
              {"block": "glowstone", "at": [[3, 25, 3], [25, 20, 25]]}],
-  "events": [{"frame": 3, "set": {"at": [15, 10, 10], "block": "lime_concrete"}},
-             {"frame": 3, "set": {"at": [13, 7, 6], "block": "lime_concrete"}}],
+  "events": [{"frame": 3, "set": {"at": [15, 14, 22], "block": "white_concrete"}},
+             {"frame": 3, "set": {"at": [17, 13, 23], "block": "white_concrete"}},
+             {"frame": 3, "set": {"at": [16, 15, 20], "block": "white_concrete"}}],
   "cameras": [{"name": "eye", "position": [16.5, 14.5, 27.5], "yaw": 180, "pitch": 10, "fov": 90}],
   "environment": {"time": 18000}
 })";

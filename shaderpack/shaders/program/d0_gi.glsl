@@ -8,7 +8,7 @@ void main() { gl_Position = ftransform(); }
 
 #else
 
-#if FACES || DISTANCES
+#if FACES || DISTANCES || FLOOD_IMAGE
 #extension GL_ARB_shader_image_load_store : enable
 #endif
 

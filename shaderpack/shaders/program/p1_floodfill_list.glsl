@@ -9,7 +9,7 @@ const ivec3 workGroups = ivec3(8, 1, 1);
 #include "/include/voxel/voxel.glsl"
 #include "/include/voxel/active_bricks.glsl"
 
-layout(rgba32f) uniform writeonly image3D flood_light;
+layout(FLOODFILL_FORMAT) uniform writeonly image3D flood_light;
 layout(r32ui) uniform uimage2D flood_list;
 layout(r32ui) uniform readonly uimage2D flood_memory;
 layout(r32ui) uniform readonly uimage2D voxel_memory;

@@ -1,5 +1,5 @@
 // Floodfill light by cell: colortex4, laid out as the voxels are, or with FLOODFILL_STORAGE=IMAGE_3D
-// an image (include/voxel/flood_image.glsl), which the programs after the propagation read as a texture.
+// an image (include/voxel/flood_image.glsl).
 #if !defined INCLUDED_VOXEL_LIGHT_FIELD
 #define INCLUDED_VOXEL_LIGHT_FIELD
 
@@ -9,20 +9,17 @@
 #if FLOOD_IMAGE
 #include "/include/voxel/flood_image.glsl"
 #if defined STEPS_LIGHT
-layout(rgba32f) uniform image3D flood_light;
-
-/// Before the step of this frame.
-vec3 stored_light(ivec3 cell) {
-    return from_stored(sound(imageLoad(flood_light, flood_texel(store_cell(cell), step_stamp() - 1u)).rgb));
-}
+layout(FLOODFILL_FORMAT) uniform image3D flood_light;
+const uint steps_back = 1u;  // what this frame's step reads
 #else
-uniform sampler3D flood_light_texture;
+layout(FLOODFILL_FORMAT) uniform readonly image3D flood_light;
+const uint steps_back = 0u;
+#endif
 
 vec3 stored_light(ivec3 cell) {
-    ivec3 texel = flood_texel(store_cell(cell), step_stamp());
-    return from_stored(sound(texelFetch(flood_light_texture, texel, 0).rgb));
+    ivec3 texel = flood_texel(store_cell(cell), step_stamp() - steps_back);
+    return from_stored(sound(imageLoad(flood_light, texel).rgb));
 }
-#endif
 #else
 uniform sampler2D colortex4;
 

@@ -1,18 +1,22 @@
-// The published step on I^gamma: y' = (alpha/6)^gamma * the sum of the open neighbours' y. Linear, so
-// without powers; by columns, so that a cell takes what its neighbours below and above have loaded.
+// The published step on y = I^gamma: y' = (alpha/6)^gamma * the sum of the open neighbours' y. Linear, so
+// without powers, of roots that are stored; by columns, so that a cell takes what its neighbours below and above have loaded.
 // Lamps and walls hold what they send (p1_floodfill_list).
 #if !defined INCLUDED_VOXEL_POWER_STEP
 #define INCLUDED_VOXEL_POWER_STEP
 
 #include "/include/voxel/changes.glsl"
 #include "/include/voxel/light_field.glsl"
+#include "/include/math/half.glsl"
 
 const float step_gain = pow(FLOODFILL_ALPHA / 6.0, FLOODFILL_GAMMA);
-// Smaller changes are none, by this share and the least light: what they add up to stays below what
-// half floats lose.
-const float change_least = 1.0 / 2048.0;
+// Smaller changes are none, by this share and the least light: about what half floats round.
+const float change_least = 1.0 / 1024.0;
+const float power_least = stored_least * stored_least;
 
-vec3 power_at(ivec3 place, uint before) { return imageLoad(flood_light, flood_texel(place, before)).rgb; }
+vec3 power_at(ivec3 place, uint before) {
+    vec3 root = imageLoad(flood_light, flood_texel(place, before)).rgb;
+    return root * root;
+}
 
 int code_at(ivec3 cell) {
     return int(texelFetch(shadowcolor0, atlas_texel(cell), 0).a * 255.0 + 0.5);
@@ -48,7 +52,7 @@ vec3 ring_power(Ring ring, ivec3 place, uint before) {
 /// A branch would be reckoned for every cell, a loop without turns is not.
 vec3 tinted(vec3 power, ivec3 cell, int code) {
     for (int turn = 0; turn < int(code == voxel_translucent); ++turn)
-        power *= to_stored(voxel_at(cell).color);
+        power *= pow(max(voxel_at(cell).color, vec3(1e-4)), vec3(FLOODFILL_GAMMA));
     return power;
 }
 
@@ -76,14 +80,16 @@ bool step_column(ivec3 lowest, uint stamp) {
         sum += down ? below : vec3(0.0);
         sum += up ? above : vec3(0.0);
 
-        vec3 power = min(sound(tinted(step_gain * sum, cell, code)), stored_max);
-        power = mix(power, vec3(0.0), lessThan(power, vec3(stored_least)));
-        // So that a cell that holds no number takes one.
-        bvec3 rests = lessThanEqual(abs(power - own), change_least * min(own, stored_max) + stored_least);
+        vec3 power = tinted(step_gain * sum, cell, code);
+        vec3 root = min(sound(sqrt(power)), stored_max);
+        root = mix(round_to_half(root), vec3(0.0), lessThan(root, vec3(stored_least)));
+        // Written so that a cell that holds no number takes one.
+        bvec3 rests = lessThanEqual(abs(power - own), change_least * min(own, stored_max * stored_max) + power_least);
+        vec3 before_root = sqrt(own);
         bool fixed_light = is_opaque_voxel(code);
-        power = fixed_light ? own : mix(power, own, rests);
-        imageStore(flood_light, flood_texel(place, stamp), vec4(power, 1.0));
-        changed = changed || !(all(rests) || fixed_light);
+        root = fixed_light ? before_root : mix(root, before_root, rests);
+        imageStore(flood_light, flood_texel(place, stamp), vec4(root, 1.0));
+        changed = changed || !(all(equal(root, before_root)) || fixed_light);
 
         below = own;
         code_below = code;
