@@ -324,7 +324,7 @@ program.composite.enabled = false
          {**pack({"composite.fsh": COMPOSITE, "shaders.properties": COUNTER,
                     "begin.csh": COUNTING}),
           "world/world.json": LITTLE_WORLD},
-         stdout=[r'"counters": \{\n\s+"count": \[\n\s+0,\n\s+3\n\s+\]\n\s+\}'], creates=["out.png"]),
+         stdout=[r'"counters": \{\n\s+"count": \[\n\s+0,\n\s+2\n\s+\]\n\s+\}'], creates=["out.png"]),
     Case("settings_file_then_set", ["options pack --settings mine.txt --set TONE=2"], 0,
          {**pack({"composite.fsh": COMPOSITE}), "mine.txt": "TONE=3\n"}, stdout=["^TONE = 2"]),
     Case("settings_file", ["options pack --settings mine.txt"], 0,
