@@ -24,8 +24,10 @@ TEST(pack, method_options_have_the_published_values) {
   const std::optional<ShaderPack> pack = loadReferencePack({});
   ASSERT_TRUE(pack);
   const auto values = [&](const char* name) { return pack->options.find(name)->values; };
-  EXPECT_THAT(values("DIRECT_LIGHT"), ElementsAre("NONE", "PHONG", "LAMBERT_GGX"));
-  EXPECT_THAT(values("SHADOW_METHOD"), ElementsAre("NONE", "MAP", "MAP_PCF"));
+  EXPECT_THAT(values("DIRECT_LIGHT"),
+              ElementsAre("NONE", "PHONG", "PHONG_PUBLISHED", "LAMBERT_GGX"));
+  EXPECT_THAT(values("SHADOW_METHOD"),
+              ElementsAre("NONE", "MAP", "MAP_PCF", "VOLUME_ZPASS", "VOLUME_ZFAIL", "VOLUME_AUTO"));
   EXPECT_THAT(values("GI_METHOD"),
               ElementsAre("NONE", "BOUNCE_1", "BOUNCE_2", "BOUNCE_4", "FLOODFILL", "FACE_CACHE"));
   EXPECT_THAT(values("LIGHT_METHOD"),
