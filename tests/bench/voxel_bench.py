@@ -1,16 +1,16 @@
 #!/usr/bin/env python3
-"""What the reference pack's voxel programs cost beside their published forms, on the driver at hand.
+"""What the reference pack's voxel programs cost beside their published forms, on a software rasteriser.
 
-Prints one line of JSON: a step of the floodfill in a volume of VOLUME^3 (atlas, texelFetch and pow; image
-with all bricks; with 5 % of them), and a ray (cell by cell; in leaps). Settings take turns; of each the least
-and the median of all frames are told, as the wall clock of a busy machine errs to one side."""
+Prints one line of JSON, nanoseconds of processor time: a step of the floodfill for each cell of a volume of
+VOLUME^3 (atlas, texelFetch and pow; image with all bricks; with 5 % of them; at rest), and a ray (cell by cell;
+in leaps). Settings take turns; a time is that of a long run less that of a short one, and less that of the same
+frames without the step or ray. The least of the rounds is told: other work on the machine only adds."""
 
 import argparse
-import csv
 import json
 import pathlib
+import resource
 import shutil
-import statistics
 import subprocess
 import tempfile
 
@@ -29,42 +29,35 @@ def copy_of(pack, folder, edits):
     return folder
 
 
-def times(args, pack, world, size, options, steps, wanted, folder):
-    """Milliseconds of the steps together, of each frame that is wanted."""
-    table = folder / "times.csv"
-    subprocess.run([args.orris, "render", pack, world, "-o", folder / "picture.png", "--size", size,
-                    "--frames", str(args.frames), "--timings", table, "--quiet", "--set",
-                    "SHADOW_RESOLUTION=2048", *options], check=True)
-    frames = {}
-    for row in csv.DictReader(table.open()):
-        if row["step"] in steps:
-            frames.setdefault(int(row["frame"]), []).append(float(row["milliseconds"]))
-    return [sum(parts) for frame, parts in frames.items() if wanted(frame)]
+def processor_seconds(args, pack, options, size, frames, folder):
+    before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+    subprocess.run([args.orris, "render", pack, args.world, "-o", folder / "picture.png", "--size", size,
+                    "--frames", str(frames), "--quiet", "--set", "SHADOW_RESOLUTION=2048", *options],
+                   check=True)
+    return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
 
 
-def measure(args, cases, steps, wanted, world, size, folder):
+def measure(args, cases, size, count, without, folder):
+    """Nanoseconds of each of `count` things in a frame, by case; `without` is the case that has none."""
     found = {name: [] for name in cases}
     for _ in range(args.rounds):
         for name, (pack, options) in cases.items():
-            found[name] += times(args, pack, world, size, options, steps, wanted, folder)
-    return {name: {"least": round(min(v), 3), "median": round(statistics.median(v), 3)}
-            for name, v in found.items()}
-
-
-def ratios(result, of):
-    base = result[of]
-    return {name: {kind: round(v[kind] / base[kind], 3) for kind in v} for name, v in result.items()}
+            seconds = [processor_seconds(args, pack, options, size, frames, folder)
+                       for frames in (4, 4 + args.frames)]
+            found[name].append((seconds[1] - seconds[0]) / args.frames)
+    least = {name: min(values) for name, values in found.items()}
+    return {name: round((value - least[without]) / count * 1e9, 1) for name, value in least.items()}
 
 
 def step_cases(args, folder):
     bricks = "(all || is_active(brick))"
     forced = [copy_of(args.pack, folder / name, [(LIST, bricks, text)])
-              for name, text in (("all", "true"), ("some", "brick % 20 == 0"))]
+              for name, text in (("all", "true"), ("some", "brick % 20 == 0"), ("none", "false"))]
     common = ["GI_METHOD=FLOODFILL", f"VOXEL_SIZE={args.volume}", "FLOODFILL_INTERVAL=1"]
     return {"published": (args.pack, [*common, "FLOODFILL_STORAGE=ATLAS_2D"]),
             "again": (args.pack, [*common, "FLOODFILL_STORAGE=ATLAS_2D"]),
             "all bricks": (forced[0], common), "5 % of the bricks": (forced[1], common),
-            "at rest or in motion": (args.pack, common)}
+            "none": (forced[2], common), "as it is": (args.pack, common)}
 
 
 def ray_cases(args, folder):
@@ -87,24 +80,17 @@ def main():
     parser.add_argument("world", type=pathlib.Path)
     parser.add_argument("--volume", type=int, default=128, help="VOXEL_SIZE of the steps")
     parser.add_argument("--rounds", type=int, default=3)
-    parser.add_argument("--frames", type=int, default=8)
+    parser.add_argument("--frames", type=int, default=20)
     parser.add_argument("--only", choices=["steps", "rays"])
     args = parser.parse_args()
     result = {}
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         if args.only != "rays":
-            steps = measure(args, step_cases(args, folder), {"prepare", "prepare1", "prepare2"},
-                            lambda frame: frame > 1, args.world, "64x36", folder)
-            result["step"] = {"milliseconds": steps, "over published": ratios(steps, "published")}
+            result["step"] = measure(args, step_cases(args, folder), "16x9", args.volume ** 3, "none",
+                                     folder)
         if args.only != "steps":
-            rays = measure(args, ray_cases(args, folder), {"deferred"}, lambda frame: frame > 1,
-                           args.world, "320x180", folder)
-            for kind in ("least", "median"):
-                none = rays["none"][kind]
-                for case in ("cells", "leaps"):
-                    rays[case][kind] = round(rays[case][kind] - none, 3)
-            result["ray"] = {"milliseconds": rays, "over cells": ratios(rays, "cells")["leaps"]}
+            result["ray"] = measure(args, ray_cases(args, folder), "320x180", 4 * 320 * 180, "none", folder)
     print(json.dumps(result))
 
 
