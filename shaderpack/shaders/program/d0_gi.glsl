@@ -112,7 +112,8 @@ vec3 gather(Surface s, vec3 light) {
 #if LAMP_RAYS
             radiance += throughput * met_lamp(hit, origin);
 #else
-            radiance += throughput * lamp_light(hit.voxel) * float(!lit_directly(bounce, hit.position));
+            radiance += throughput * lamp_light(hit.voxel) *
+                        float(!lit_directly(bounce, hit.position));
 #endif
             break;
         }

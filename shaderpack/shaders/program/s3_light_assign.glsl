@@ -68,7 +68,8 @@ float gap(Sphere s, int tile, int axis, vec2 between) {
 }
 
 void assign(uint lamp, Sphere s, int slice) {
-    vec2 slab = vec2(slice_start(slice), slice == grid_slices - 1 ? unbounded : slice_start(slice + 1));
+    bool last = slice == grid_slices - 1;
+    vec2 slab = vec2(slice_start(slice), last ? unbounded : slice_start(slice + 1));
     // What the sphere has in the slice, never nearer than surfaces are.
     vec2 between = vec2(max(slab.x, s.center.z - s.radius), min(slab.y, s.center.z + s.radius));
     between = max(between * vec2(1.0 - pad, 1.0 + pad), 1e-4);

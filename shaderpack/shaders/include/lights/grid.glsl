@@ -24,6 +24,7 @@ const int length_word = LIGHT_CAPACITY / 32;
 // Slice 0 ends at first_slice; the others divide the way from there to far_slice, the last has no end.
 const float first_slice = LIGHT_FIRST_SLICE;
 const float far_slice = float(LIGHT_DISTANCE);
+const float log_slices = float(max(grid_slices - 1, 1));
 
 /// Distance at which a slice begins. 0 for the first.
 float slice_start(int slice) {
@@ -31,7 +32,7 @@ float slice_start(int slice) {
 #if LIGHT_SLICING == LINEAR
     return far_slice * float(slice) / float(grid_slices);
 #else
-    return first_slice * exp2(float(slice - 1) * (log2(far_slice / first_slice) / float(max(grid_slices - 1, 1))));
+    return first_slice * exp2(float(slice - 1) * (log2(far_slice / first_slice) / log_slices));
 #endif
 }
 
@@ -42,7 +43,7 @@ int slice_of(float distance_along) {
     float guess = distance_along * (float(grid_slices) / far_slice);
 #else
     float guess = 1.0 + log2(max(distance_along, 1e-6) / first_slice) *
-                            (float(max(grid_slices - 1, 1)) / log2(far_slice / first_slice));
+                            (log_slices / log2(far_slice / first_slice));
 #endif
     int slice = int(clamp(floor(guess), 0.0, float(grid_slices - 1)));
     if (slice > 0 && distance_along < slice_start(slice)) slice -= 1;

@@ -26,7 +26,8 @@ void list_lamp(vec3 player, int id, int level, vec3 own) {
     // Faces of a block may differ in colour: the largest word wins, whatever their order, and the
     // checksum counts them all.
     uvec3 place = uvec3(cell);
-    imageAtomicAdd(lamp_tally, lamp_checksum, hash(uvec3(place.x | place.y << 16, place.z, lamp)).x);
+    imageAtomicAdd(lamp_tally, lamp_checksum,
+                   hash(uvec3(place.x | place.y << 16, place.z, lamp)).x);
     if (imageAtomicMax(lamp_cells, cell, lamp) != 0u) return;
     imageAtomicAdd(lamp_tally, cell.yz, 1u);
     imageAtomicAdd(lamp_tally, ivec2(lamp_volume, cell.z), 1u);
