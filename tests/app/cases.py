@@ -334,10 +334,20 @@ program.composite.enabled = false
          {**PACK, "world/world.json": LITTLE_WORLD}, ["none.txt"]),
 ]
 
+MASKS = {"lit.png": png(16, 16, (255, 255, 255)), "dark.png": png(16, 16, (0, 0, 0)),
+         "grey.png": png(16, 16, (64, 64, 64)), "small.png": png(8, 8, (0, 0, 0))}
 PICTURES = {"grey.png": png(20, 16, (100, 100, 100)), "same.png": png(20, 16, (100, 100, 100)),
             "red.png": png(20, 16, (151, 100, 100)), "small.png": png(8, 8, (100, 100, 100)),
             "text.png": "no picture\n"}
 COMPARISONS = [
+    Case("compare_masks", ["compare --mask lit.png lit.png --max-interior 0 --max-edge 0"], 0, MASKS,
+         stdout=["^pixels +256$", "^edge +0$", "^interior +0$"]),
+    Case("compare_masks_inside", ["compare --mask lit.png dark.png --max-interior 0 --diff d.png"], 1,
+         MASKS, ["interior is 1, --max-interior allows 0"], stdout=["^interior +256$"],
+         creates=["d.png"]),
+    Case("compare_masks_on_edges", ["compare --mask lit.png grey.png --max-edge 0.5"], 1, MASKS,
+         ["edge is 1, --max-edge allows 0.5"], stdout=["^edge +256$", "^interior +0$"]),
+    Case("compare_masks_of_two_sizes", ["compare --mask lit.png small.png"], 1, MASKS, ["differ in size"]),
     Case("compare_equal", ["compare grey.png same.png --max-rmse 0 --min-ssim 1"], 0, PICTURES,
          stdout=["^rmse +0$", "^maxAbsolute +0$", "^fractionAbove +0$", "^ssim +1$"]),
     Case("compare_difference_picture", ["compare red.png grey.png --diff diff.png"], 0, PICTURES,
@@ -422,6 +432,11 @@ CHARTS = [
 
 TRACE = f"trace {CORNELL} -o out.exr --size 16x9 --samples 2"
 TRACES = [
+    Case("trace_shadow_mask", [f"trace {CORNELL} -o mask.png --size 16x9 --shadow-mask",
+                               f"trace {CORNELL} -o mask.png --size 16x9 --shadow-mask --lamp 8,8,8"], 0,
+         stdout=["^[0-9]+ of 144 pixels lit$"], creates=["mask.png"]),
+    Case("trace_lamp_without_a_place",
+         [f"trace {CORNELL} -o mask.png --size 16x9 --shadow-mask --lamp 8,8"], 2, {}, ["is no place"]),
     Case("trace_picture", [TRACE, f"{TRACE} --seconds 60 --noise 0.001 --jobs 3 --resume"], 0,
          stdout=[r"^2 samples a pixel, noise [0-9.]+ % rms of the mean$"],
          creates=["out.exr", "out.exr.trace"]),

@@ -116,6 +116,9 @@ vec3 mirrored_radiance(vec3 n, vec3 direction, vec3 l) {
 }
 
 void main() {
+#ifdef SHADOW_VIEW
+    discard;
+#endif
     vec4 color = texture(gtexture, uv) * vec4(tint.rgb, 1.0);
     if (color.a < alphaTestRef) discard;
     vec3 albedo = to_linear(color.rgb);

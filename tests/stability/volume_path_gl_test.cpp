@@ -1,0 +1,120 @@
+// A hundred frames through each world, in and out of its shadows: volumes against rays.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "../shaderpack/pack_session.h"
+#include "frame/frame_state.h"
+#include "frame/reference_scene.h"
+#include "image/mask_compare.h"
+#include "trace/shadow_mask.h"
+
+namespace orris::test {
+namespace {
+
+constexpr int kFrames = 100, kWidth = 160, kHeight = 90;
+
+struct Path {
+  const char* name;
+  std::string world;                                     ///< beside the worlds of ours
+  std::vector<std::pair<glm::dvec3, glm::dvec3>> looks;  ///< from, to
+};
+
+const std::vector<Path>& paths() {
+  static const std::vector<Path> kPaths = {
+      {"pillars",
+       "pillars",
+       {{{22, 13, 46}, {21, 2, 18}},
+        {{12, 5, 22}, {11, 3, 8}},
+        {{7.4, 3.4, 16.2}, {24, 2.5, 9}},
+        {{34.6, 3.6, 12.2}, {10, 3, 14}},
+        {{30, 4, 31}, {38, 6, 20}}}},
+      {"terrain",
+       "terrain",
+       {{{48, 37, 94}, {44, 18, 40}},
+        {{60, 30, 70}, {40, 20, 40}},
+        {{40, 27, 50}, {70, 18, 30}},
+        {{20, 30, 30}, {60, 18, 60}}}},
+      {"smallhouse1",
+       "../../shared/worlds/smallhouse1.schem",
+       {{{-10.7, 31.3, 31.2}, {10, 10, 10}},
+        {{-6, 6, 24}, {10, 6, 10}},
+        {{24, 5, 23}, {8, 5, 10}},
+        {{10.5, 14.62, 10.5}, {4, 13, 10}}}},
+  };
+  return kPaths;
+}
+
+Camera cameraAt(const Path& path, double t) {
+  const double place = t * double(path.looks.size() - 1);
+  const auto i = std::min(std::size_t(place), path.looks.size() - 2);
+  const auto& [a, b] = std::pair(path.looks[i], path.looks[i + 1]);
+  const glm::dvec3 from = glm::mix(a.first, b.first, place - double(i));
+  const glm::dvec3 way = glm::mix(a.second, b.second, place - double(i)) - from;
+  Camera camera;
+  camera.position = from;
+  camera.yaw = float(glm::degrees(std::atan2(-way.x, way.z)));
+  camera.pitch = float(glm::degrees(std::atan2(-way.y, std::hypot(way.x, way.z))));
+  return camera;
+}
+
+TraceCamera traceCamera(RenderSession& session) {
+  const FrameState state = nextFrameState({.width = kWidth,
+                                           .height = kHeight,
+                                           .camera = session.camera(),
+                                           .environment = session.scene().world.environment},
+                                          session.renderer().pack().directives, nullptr);
+  return {state.cameraPosition, state.gbufferModelViewInverse, state.gbufferProjectionInverse,
+          kWidth, kHeight};
+}
+
+class VolumePath : public testing::TestWithParam<Path> {};
+
+TEST_P(VolumePath, equals_rays_inside_of_lit_and_dark) {
+  const std::string file = std::string(ORRIS_SOURCE_DIR "/worlds/") + GetParam().world;
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not beside this checkout";
+  PackSession pack = PackSession::ofWorld(
+      GetParam().world,
+      {{"GI_METHOD", "NONE"}, {"SHADOW_METHOD", "VOLUME_AUTO"}, {"SHADOW_VIEW", "true"}}, kWidth,
+      kHeight);
+  RenderSession& session = pack.session();
+  Diagnostics diagnostics;
+  const ReferenceScene truth =
+      buildReferenceScene(*loadWorld(file, 0, diagnostics), session.renderer().pack(),
+                          session.camera(), kWidth, kHeight, diagnostics);
+  const CasterRays casters(truth.casters);
+  long long edge = 0, interior = 0, pixels = 0;
+  int inShadow = 0;
+  for (int frame = 0; frame < kFrames; ++frame) {
+    session.setCamera(cameraAt(GetParam(), frame / double(kFrames - 1)));
+    const glm::ivec3 eye(glm::floor(session.camera().position));
+    if (session.scene().world.blocks.indexAt(eye) != 0) continue;  // nothing is right in there
+    pack.renderFrames(1);
+    inShadow += session.renderer().facesAtEye() > 0;
+    const ImageF mask =
+        shadowMask(truth.scene, traceCamera(session), casters, glm::dvec4(truth.shadowLight, 0));
+    const auto difference = compareMasks(pack.dump("colortex0"), mask, diagnostics);
+    ASSERT_TRUE(difference);
+    edge += difference->edge;
+    interior += difference->interior;
+    pixels += difference->pixels;
+  }
+  RecordProperty("edge", fmt::format("{}", edge));
+  RecordProperty("interior", fmt::format("{}", interior));
+  fmt::print("{}: {} pixels, {} wrong on edges ({:.4f} %), {} inside; the eye in shadow {} times\n",
+             GetParam().name, pixels, edge, 100.0 * double(edge) / double(pixels), interior,
+             inShadow);
+  EXPECT_GE(inShadow, 3);
+  EXPECT_LT(inShadow, kFrames - 3);
+  EXPECT_GT(pixels, (kFrames - 30) * kWidth * kHeight);
+  EXPECT_LT(double(edge), 0.002 * double(pixels));
+  // Single pixels along seams of volumes; docs/accuracy.md.
+  EXPECT_LT(double(interior), 5e-5 * double(pixels));
+}
+
+INSTANTIATE_TEST_SUITE_P(Worlds, VolumePath, testing::ValuesIn(paths()),
+                         [](const auto& path) { return std::string(path.param.name); });
+
+}  // namespace
+}  // namespace orris::test
