@@ -26,7 +26,11 @@ class ReplaceFile : public testing::Test {
   std::ptrdiff_t files() const {
     return std::distance(fs::directory_iterator(folder_), fs::directory_iterator());
   }
-  const fs::path folder_ = fs::path(testing::TempDir()) / "orris-replace-file";
+  // Each test has its own: they run side by side.
+  const fs::path folder_ =
+      fs::path(testing::TempDir()) /
+      ("orris-replace-file-" +
+       std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
   const std::string path_ = folder_ / "a.txt";
 };
 
