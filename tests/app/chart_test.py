@@ -38,7 +38,7 @@ FILES = {"composite.vsh": VERTEX, "composite.fsh": COMPOSITE, "final.vsh": VERTE
 WORLD = {"size": [2, 2, 2], "blocks": [{"box": "stone", "min": [0, 0, 0], "max": [1, 0, 1]}],
          "cameras": [{"name": "front", "position": [1, 1.5, 4], "yaw": 180, "pitch": 0},
                      {"name": "above", "position": [1, 5, 1], "yaw": 0, "pitch": 90}]}
-MEASURE = ("--size 96x64 --warm-up 2 --frames 4 --rounds 5 --visit 2 --buffer colortex0 "
+MEASURE = ("--size 48x32 --warm-up 2 --frames 4 --rounds 5 --visit 2 --buffer colortex0 "
            "--clock cpu --reference SHARE=1.0 --reference-frames 4")
 CHART = f"chart pack world -o out {MEASURE} --axis SHARE --axis WORK --baseline SHARE=1.0,WORK=200"
 
