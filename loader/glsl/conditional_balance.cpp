@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string_view>
@@ -76,6 +77,12 @@ std::string codeOf(const std::string& line, bool& inComment) {
   return code;
 }
 
+/// Equal for directives that read alike but for blanks.
+std::size_t conditionOf(std::string code) {
+  std::erase_if(code, [](char c) { return c == ' ' || c == '\t' || c == '\r'; });
+  return std::hash<std::string>()(code);
+}
+
 /// "#ifdef FRAGMENT_SHADER", "#if defined VSH".
 bool namesStage(std::string_view code) {
   constexpr std::string_view kWords[] = {"VERT", "FRAG", "GEOM", "COMPUTE", "TESS",
@@ -128,7 +135,8 @@ class FileConditionals {
         open > 0 ? UnbalancedConditional::Kind::Unclosed : UnbalancedConditional::Kind::Stray,
         origins_[partner], names_[partner], ""};
     result.place = {origins_[partner].site, places[found.front().place].line, 1};
-    if (found.size() > 1) result.other = origins_[found[1].partner];
+    for (std::size_t i = 1; i < found.size(); ++i)
+      result.others.push_back(origins_[found[i].partner]);
     return result;
   }
 
@@ -159,6 +167,8 @@ class FileConditionals {
                       .line = at.line,
                       .whole = isGuard,
                       .ofStages = kind == Kind::Open && namesStage(code),
+                      .last = directive == "else",
+                      .condition = kind == Kind::Open ? conditionOf(code) : 0,
                       .airy = kind == Kind::Close ? airy(room) : std::nullopt,
                       .shallowest = room.shallowest});
     rooms_.push_back(room);

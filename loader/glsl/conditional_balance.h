@@ -12,11 +12,11 @@ namespace orris {
 struct UnbalancedConditional {
   enum class Kind { Unclosed, Stray, Misspelt };
   Kind kind = Kind::Unclosed;
-  Origin at;              ///< the #if without #endif, the #endif without #if, or the slip
-  std::string directive;  ///< its name
-  std::string meant;      ///< of a misspelt one
-  Origin place;           ///< the line that its partner most likely belongs behind, or before
-  Origin other;           ///< another directive that may be the one; line 0: none
+  Origin at;                   ///< the #if without #endif, the #endif without #if, or the slip
+  std::string directive;       ///< its name
+  std::string meant;           ///< of a misspelt one
+  Origin place;                ///< the line that its partner most likely belongs behind, or before
+  std::vector<Origin> others;  ///< directives that may be the one instead
 };
 
 /// At most one for each file whose own conditionals do not pair, judged by indentation, by the braces

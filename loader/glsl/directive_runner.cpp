@@ -280,8 +280,8 @@ void DirectiveRunner::tellPlace(const UnbalancedConditional& found, std::string_
                                 std::string_view does) {
   reportUnbalanced(found.place, fmt::format("expected {} this line: nothing {} the #{} in line {}",
                                             missing, does, found.directive, found.at.line));
-  if (found.other.line > 0) {
-    reportUnbalanced(found.other,
+  for (const Origin& other : found.others) {
+    reportUnbalanced(other,
                      fmt::format("or nothing {} this one instead of line {}", does, found.at.line));
   }
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -14,10 +15,12 @@ using Kind = NestingMark::Kind;
 constexpr std::size_t kMostSteps = 100'000'000;
 constexpr int kAlone = 40, kOtherIndent = 4, kOtherDepth = 2, kOtherGroup = 8, kPartOfGuard = 20;
 constexpr int kOutside = 4, kElseOfNothing = 20, kMainAstray = 20;
+constexpr int kElseTwice = 20, kWithinItself = 3;
 // Layout that is often uneven weighs as much as a block twice as long.
 constexpr double kOtherSpacing = 0.7;
 // With lengths that differ by less than this, a factor of e, another partner is as good.
 constexpr double kSure = 1;
+constexpr int kMostOthers = 2;
 
 int misfit(const NestingMark& open, const NestingMark& close) {
   if (open.group != close.group) return kOtherGroup;
@@ -66,6 +69,7 @@ class Trial {
   /// An open mark, and in which of its branches the text is.
   struct Branch {
     int mark = 0, number = 0;
+    bool last = false;
     bool operator==(const Branch&) const = default;
   };
 
@@ -74,6 +78,7 @@ class Trial {
     if (mark.kind == Kind::Main) return takeMain();
     if (mark.kind == Kind::Open) {
       if (mark.inner && open_.empty()) cost_ += kAlone;
+      if (isWithinItself(mark)) cost_ += kWithinItself;
       return open_.push_back({i, 0});
     }
     if (open_.empty()) {
@@ -87,6 +92,8 @@ class Trial {
                                : misfit(open, mark);
     if (mark.kind == Kind::Middle) {
       if (open.whole) cost_ += kPartOfGuard;
+      if (open_.back().last) cost_ += kElseTwice;
+      open_.back().last = mark.last;
       ++open_.back().number;
       return;
     }
@@ -103,6 +110,13 @@ class Trial {
     if (i == kAdded) partner_ = std::size_t(other);
     if (other == kAdded) partner_ = std::size_t(i);
     open_.pop_back();
+  }
+
+  /// Nobody asks again for what holds already.
+  bool isWithinItself(const NestingMark& mark) const {
+    return mark.condition != 0 && std::ranges::any_of(open_, [&](const Branch& branch) {
+             return branch.number == 0 && at(branch.mark).condition == mark.condition;
+           });
   }
 
   // Each stage has one.
@@ -183,10 +197,11 @@ std::vector<MissingMark> findMissingMarks(std::span<const NestingMark> marks,
   std::vector<MissingMark> found{ofPartners[best].mark};
   const Cost least = ofPartners[best].cost;
   ofPartners.erase(ofPartners.begin() + std::ptrdiff_t(best));
-  const auto second = std::ranges::min_element(ofPartners, {}, &Best::cost);
-  const bool inDoubt = second != ofPartners.end() && second->cost.first == least.first &&
-                       second->cost.second - least.second < kSure;
-  if (inDoubt) found.push_back(second->mark);
+  std::ranges::stable_sort(ofPartners, {}, &Best::cost);
+  for (const Best& other : ofPartners | std::views::take(kMostOthers)) {
+    if (other.cost.first == least.first && other.cost.second - least.second < kSure)
+      found.push_back(other.mark);
+  }
   return found;
 }
 

@@ -25,6 +25,8 @@ struct NestingMark {
   bool inner = false;         ///< of an open one: only inside another
   bool mayElse = false;       ///< of an open one: an "else" can follow its partner
   bool hasElse = false;       ///< of a close one: an "else" follows
+  bool last = false;          ///< of a middle one: no other can follow it
+  std::size_t condition = 0;  ///< of an open one: equal for equal conditions, 0: unknown
   std::optional<bool> airy;   ///< is a blank line between it and the text inside?
   int shallowest = kNoLines;  ///< least depth since the mark before
   int lowest = kNoLines;      ///< least indent of the lines of its group since the mark before
@@ -47,7 +49,7 @@ struct MissingMark {
 };
 
 /// The place whose pairs fit best, and of these the one with the shortest (by the sum of logarithms);
-/// behind it the best place with another partner, if that fits about as well. `kind` is Open or Close.
+/// behind it those of at most two other partners that fit about as well. `kind` is Open or Close.
 std::vector<MissingMark> findMissingMarks(std::span<const NestingMark> marks,
                                           std::span<const NestingPlace> places,
                                           NestingMark::Kind kind);
