@@ -128,7 +128,7 @@ TEST(image, rests_when_settled_and_wakes_for_edits) {
 
 TEST(image, light_at_rest_is_the_same_bits_in_every_frame) {
   Lab image = labOf({.blocks = kLampBlock}, "IMAGE_3D");
-  image.step(150);
+  image.step(90);
   const CellField before = image.light();
   for (int i = 0; i < 3; ++i) {
     image.step(1);

@@ -38,7 +38,7 @@ def power(to, back):
 def far(factor, offset):
     """A further neighbour in the sum."""
     there = f"cell + {offset}"
-    return (f"        sum += to_power({factor}light_from(voxel_at({there}), {there} + scroll,"
+    return (f"        sum += to_power({factor}light_from(voxel_at({there}), {there}, scroll,"
             " vec3(0.0)));\n")
 
 
@@ -114,7 +114,7 @@ MUTANTS = [
        "    vec3 sum = vec3(0.0);\n"
        "    for (int i = 0; i < 6; ++i) {\n"
        "        ivec3 there = cell + (i < 3 ? 1 : -1) * ivec3(i % 3 == 0, i % 3 == 1, i % 3 == 2);\n"
-       "        sum += to_power(light_from(voxel_at(there), there + scroll, vec3(0.0)));\n"
+       "        sum += to_power(light_from(voxel_at(there), there, scroll, vec3(0.0)));\n"
        "    }\n"
        "    return from_power(sum) * 0.4;\n"
        "}\n\n"
@@ -183,9 +183,9 @@ MUTANTS = [
     ("B4 new frames count twice", "B4.weight*",
      [(GI, "mix(before.rgb, radiance, weight)", "mix(before.rgb, radiance, min(2.0 * weight, 1.0))")]),
     ("B5 light divided by its way squared", "B5.*",
-     [(GI, "radiance += throughput * lamp_light(hit.voxel);",
+     [(GI, "radiance += throughput * lamp_light(hit.voxel) *",
        "float way = 0.3 * length(hit.position - origin);\n"
-       "            radiance += throughput * lamp_light(hit.voxel) / max(1.0, way * way);")]),
+       "            radiance += throughput * lamp_light(hit.voxel) / max(1.0, way * way) *")]),
     ("image: updated in place", "image.*",
      [(POWERS, "flood_texel(place, stamp), vec4(root", "flood_texel(place, before), vec4(root")]),
     ("image: cells that came in keep what was there", "image.holds*",
