@@ -9,14 +9,15 @@ GI = "program/d0_gi.glsl"
 CACHE = "include/faces/face_cache.glsl"
 VOLUME = "include/voxel/volume.glsl"
 LIST = "include/faces/face_list.glsl"
+CHECKSUM = "include/voxel/checksum.glsl"
 LAMPS = "include/faces/lamp_sample.glsl"
 HIT = "include/lighting/hit.glsl"
 TRANSLUCENT = "program/gbuffers_translucent.glsl"
 
 MUTANTS = [
     ("key without direction", "face_cache.closed_wall*",
-     [(CACHE, "place.x * 6 + face, place.yz);\n}\n\nint face_of",
-       "place.x * 6, place.yz);\n}\n\nint face_of")]),
+     [(CACHE, "return ivec3(place.x * 6 + face, place.yz);",
+       "return ivec3(place.x * 6, place.yz);")]),
     ("entered never", "face_cache.teleport*",
      [(VOLUME, "bool entered(ivec3 cell) { return",
        "bool entered(ivec3 cell) { return false &&")]),
@@ -63,14 +64,14 @@ MUTANTS = [
      [(COMMIT, "if (now == before || !same",
        "if (volume_origin() != volume_origin_before() || now == before || !same")]),
     ("checksum without texture", "face_cache.edits*",
-     [(LIST, "floatBitsToUint(look.x + 3.0 * look.y)",
+     [(CHECKSUM, "floatBitsToUint(look.x + 3.0 * look.y)",
        "0u")]),
     ("cells by volume, not by world", "face_cache.faces_keep*",
-     [(CACHE, "return wrap(volume_origin() + cell, VOLUME);",
-       "return cell;")]),
+     [(VOLUME, "ivec3 store_cell(ivec3 cell) { return wrap(volume_origin() + cell, VOLUME); }",
+       "ivec3 store_cell(ivec3 cell) { return cell; }")]),
     ("truncating remainder", "face_cache.faces_keep*",
-     [(CACHE, "ivec3 wrap(ivec3 a, int size) { return a - divide_down(a, size) * size; }",
-       "ivec3 wrap(ivec3 a, int size) { return abs(a % size); }")]),
+     [(VOLUME, "return (size & (size - 1)) == 0 ? a & (size - 1) : a - divide_down(a, size) * size;",
+       "return abs(a % size);")]),
     ("quads enter a face again", "face_cache.only_a*",
      [(LIST, "if (!first_of_face(cell, face)) return;",
        "")]),
