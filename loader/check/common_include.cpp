@@ -136,11 +136,14 @@ void mergeMissingIncludes(const ShaderPack& pack, const std::vector<ProgramUnit>
   if (merged.empty()) return;
   bool told = false;
   for (Diagnostics& diagnostics : found) {
-    const bool had = missingOf(diagnostics) != nullptr;
-    std::erase_if(diagnostics, [](const Diagnostic& d) { return d.id == kMissing; });
-    if (had && !told) diagnostics.push_back(merged.front());
-    told = told || had;
+    // What else a program lacks stays told.
+    const auto had = std::erase_if(diagnostics, [&](const Diagnostic& d) {
+      return d.id == kMissing && d.hint == merged.front().hint;
+    });
+    if (had > 0 && !told) diagnostics.push_back(merged.front());
+    told = told || had > 0;
   }
+  if (!told) found.front().push_back(merged.front());
 }
 
 }  // namespace orris

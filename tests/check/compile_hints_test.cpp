@@ -175,6 +175,26 @@ TEST(CompileHints, one_include_that_heals_all_programs_is_told_once) {
             1);
 }
 
+TEST(CompileHints, what_one_program_lacks_besides_stays_told) {
+  const std::string head = kVersion + "#include \"/common.glsl\"\n";
+  const Lines lines =
+      compile({{"/common.glsl", "const float A = 1.0;\n\n#include \"/b.glsl\"\n"},
+               {"/b.glsl", "const float B = 1.0;\n"},
+               {"/util.glsl", "const float ONE = 1.0;\nconst float TWO = 2.0;\n"},
+               {"/own.glsl", "const float OWN = 1.0;\n"},
+               {"/x.glsl", "float x() { return ONE; }\n"},
+               {"/y.glsl", "float y() { return TWO; }\n"},
+               {"/composite.vsh",
+                head + "#include \"/x.glsl\"\nvoid main() { gl_Position = vec4(x()); }\n"},
+               {"/composite.fsh", kVersion + "\nvoid main() { gl_FragColor = vec4(OWN); }\n"},
+               {"/composite1.vsh",
+                head + "#include \"/y.glsl\"\nvoid main() { gl_Position = vec4(y()); }\n"},
+               {"/composite1.fsh", kVersion + "void main() { gl_FragColor = vec4(1.0); }\n"}});
+  EXPECT_THAT(lines, Contains(HasSubstr("seems to be missing here | #include \"/own.glsl\"")));
+  EXPECT_THAT(lines, Contains(HasSubstr("1 program more is like this: an #include seems to be "
+                                        "missing here | #include \"/util.glsl\"")));
+}
+
 TEST(CompileHints, includes_that_no_line_of_a_common_file_replaces_are_told_each) {
   Files files{{"/common.glsl", "const float A = 1.0;\n\n#include \"/b.glsl\"\n"},
               {"/b.glsl", "const float B = 1.0;\n"},
