@@ -49,9 +49,8 @@ bool isEnd(const FrameState& s) { return s.environment.dimension == "minecraft:t
 
 // Every biome of these dimensions has their category, named or not.
 int categoryOf(const FrameState& s) {
-  const std::string_view biome = isNether(s) ? "nether_wastes"
-                                 : isEnd(s)  ? "the_end"
-                                             : s.environment.biome;
+  const std::string_view named = s.environment.biome;
+  const std::string_view biome = isNether(s) ? "nether_wastes" : isEnd(s) ? "the_end" : named;
   return biomeCategory(biome);
 }
 
