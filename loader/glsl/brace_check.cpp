@@ -23,6 +23,7 @@ struct LaidOut {
   bool firstOfLine = false;
   int indent = 0;     ///< of its line
   int statement = 0;  ///< indent of the line where its statement starts
+  int around = -1;    ///< of a '{' before an #else or #endif: the indent of that
   int file = 0;       ///< number of its file
   int row = 0;        ///< of the text
 };
@@ -48,7 +49,10 @@ class Layout {
       if (token.text == ")") parentheses = std::max(0, parentheses - 1);
       const bool brace = token.text == "{" || token.text == "}";
       if (brace) parentheses = 0;
-      if (token.text == "{") blocks.push_back(statement_);
+      if (token.text == "{") {
+        entry.around = indentOfEndBelow();
+        blocks.push_back(statement_);
+      }
       if (token.text == "}" && !blocks.empty()) blocks.pop_back();
       starts = brace || (token.text == ";" && parentheses == 0);
     }
@@ -56,17 +60,26 @@ class Layout {
   }
 
  private:
+  // "#if A / if (x) { / #else / if (y) { / #endif": the block goes on outside.
+  int indentOfEndBelow() const {
+    const std::string below = lines_ ? lines_(file_, line_ + 1) : "";
+    const std::size_t first = below.find_first_not_of(" \t");
+    const bool ends = first != std::string::npos && below.compare(first, 2, "#e") == 0;
+    return ends ? indentWidth(below) : -1;
+  }
+
   // Text of a macro or of the host has no layout of its own: it goes on with the line before.
   LaidOut place(const Token& token) {
     const SourceLocation at = text_.locate(token.origin.line, token.origin.column);
     const bool written = text_.macroIndexAt(token.origin.line, token.origin.column) < 0;
-    if (at.file.empty() || !written) return {&token, false, indent_, 0, number_, token.origin.line};
+    if (at.file.empty() || !written)
+      return {&token, false, indent_, 0, -1, number_, token.origin.line};
     const bool first = at.file != file_ || at.line != line_;
     if (first) indent_ = indentOf(at);
     file_ = at.file;
     line_ = at.line;
     number_ = numbers_.try_emplace(file_, int(numbers_.size())).first->second;
-    return {&token, first, indent_, 0, number_, token.origin.line};
+    return {&token, first, indent_, 0, -1, number_, token.origin.line};
   }
 
   int indentOf(const SourceLocation& at) const {
@@ -162,6 +175,7 @@ std::vector<NestingMark> marksOf(Part part) {
                      .indent = !close              ? entry.statement
                                : entry.firstOfLine ? entry.indent
                                                    : -1,
+                     .around = entry.around,
                      .group = entry.file,
                      .line = entry.row,
                      .inner = !head.empty(),
@@ -186,6 +200,8 @@ struct Candidates {
 
 // What speaks for a place beside the pairs.
 constexpr int kBeforeElse = -6, kBehindHead = -6, kHeadInLine = -2, kNoHint = 2;
+// Of two places that fit the one behind some text.
+constexpr int kEmptyBlock = 1;
 
 /// Completes the places with what stands between them and the next brace.
 void addLinesBelow(Candidates& found, Part part) {
@@ -217,13 +233,17 @@ Candidates placesToClose(Part part) {
                           blocks.back()->file == entry.file &&
                           blocks.back()->statement == entry.indent;
       const auto last = indents.find(entry.file);
-      if (opened || orElse || last == indents.end() || entry.indent < last->second) {
+      if (opened || orElse || entry.file != part[i - 1].file || last == indents.end() ||
+          entry.indent < last->second) {
         found.add({.before = braces,
                    .indent = entry.indent,
                    .group = entry.file,
                    .line = entry.row,
-                   .cost = orElse ? kBeforeElse : 0,
-                   .above = lowest.of(entry.file)},
+                   .cost = orElse                 ? kBeforeElse
+                           : is(part[i - 1], "{") ? kEmptyBlock
+                                                  : 0,
+                   .above = lowest.of(entry.file),
+                   .takesElse = is(entry, "else")},
                   i - 1);
       }
     }

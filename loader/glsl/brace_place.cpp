@@ -37,6 +37,15 @@ bool startsWithElse(std::string_view text) {
                                      text[kElse.size()] == '{' || text[kElse.size()] == '\r');
 }
 
+/// Text of an #include does not end a block of the file around it: the line behind the #include does.
+SourceLocation inFileOf(const SourceLocation& partner, const SourceLocation& at,
+                        const std::vector<SourceLocation>& includedFrom, const SourceLines& lines) {
+  if (partner.file == at.file) return at;
+  const auto from = std::ranges::find(includedFrom, partner.file, &SourceLocation::file);
+  if (from == includedFrom.end() || from->line < partner.line) return at;
+  return {from->file, from->line, int(lines(from->file, from->line).size()) + 1};
+}
+
 }  // namespace
 
 SourceLocation placeOfBrace(const MappedText& text, const MissingBrace& missing,
@@ -45,6 +54,8 @@ SourceLocation placeOfBrace(const MappedText& text, const MissingBrace& missing,
   if (missing.brace == '{' || !lines) return at;
   const SourceLocation partner =
       text.locate(missing.partner.origin.line, missing.partner.origin.column);
+  const Origin& after = missing.after.origin;
+  at = inFileOf(partner, at, text.includedFrom(after.line, after.column), lines);
   if (partner.file == at.file) at = behindConditionals(at, partner.line, lines);
   constexpr int kLongGap = 3, kMostBlank = 8;  // the end of a file reads as blank
   SourceLocation next = at;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -20,14 +19,14 @@ constexpr int kElseTwice = 20, kWithinItself = 3;
 constexpr double kOtherSpacing = 0.7;
 // With lengths that differ by less than this, a factor of e, another partner is as good.
 constexpr double kSure = 1;
-constexpr int kMostOthers = 2;
+constexpr std::size_t kMostOthers = 2;
 
-int misfit(const NestingMark& open, const NestingMark& close) {
+int misfit(const NestingMark& open, const NestingMark& close, bool hasElse) {
   if (open.group != close.group) return kOtherGroup;
   const bool known = open.indent >= 0 && close.indent >= 0;
-  return (known && open.indent != close.indent ? kOtherIndent : 0) +
-         (open.depth != close.depth ? kOtherDepth : 0) +
-         (close.hasElse && !open.mayElse ? kElseOfNothing : 0);
+  const bool same = open.indent == close.indent || open.around == close.indent;
+  return (known && !same ? kOtherIndent : 0) + (open.depth != close.depth ? kOtherDepth : 0) +
+         (hasElse && !open.mayElse ? kElseOfNothing : 0);
 }
 
 /// Pairs the marks with one more among them.
@@ -89,7 +88,7 @@ class Trial {
     const NestingMark& open = at(other);
     cost_ += i == kAdded       ? misfitOfClose(open)
              : other == kAdded ? misfitOfOpen(mark)
-                               : misfit(open, mark);
+                               : misfit(open, mark, mark.hasElse && !losesElse(i));
     if (mark.kind == Kind::Middle) {
       if (open.whole) cost_ += kPartOfGuard;
       if (open_.back().last) cost_ += kElseTwice;
@@ -111,6 +110,8 @@ class Trial {
     if (other == kAdded) partner_ = std::size_t(i);
     open_.pop_back();
   }
+
+  bool losesElse(int i) const { return place_.takesElse && place_.before == std::size_t(i) + 1; }
 
   /// Nobody asks again for what holds already.
   bool isWithinItself(const NestingMark& mark) const {
@@ -136,7 +137,8 @@ class Trial {
     return known && added_.indent != close.indent ? kOtherIndent : 0;
   }
   int misfitOfClose(const NestingMark& open) const {
-    return added_.group == open.group && added_.indent > open.indent ? kOtherIndent : 0;
+    return (added_.group == open.group && added_.indent > open.indent ? kOtherIndent : 0) +
+           (place_.takesElse && !open.mayElse ? kElseOfNothing : 0);
   }
 
   /// Lines do not stand further out than the block that they are in.
@@ -164,23 +166,42 @@ bool isLess(const Cost& a, const Cost& b) {
   return a.first != b.first ? a.first < b.first : a.second < b.second + kSame;
 }
 
-}  // namespace
+struct Judged {
+  MissingMark mark;
+  Cost cost;
+};
 
-std::vector<MissingMark> findMissingMarks(std::span<const NestingMark> marks,
-                                          std::span<const NestingPlace> places, Kind kind) {
+/// The places, in their order, where the mark has a partner.
+std::vector<Judged> judgeAll(std::span<const NestingMark> marks,
+                             std::span<const NestingPlace> places, Kind kind) {
   const std::size_t most = std::min(places.size(), kMostSteps / (marks.size() + 1));
-  struct Best {
-    MissingMark mark;
-    Cost cost;
-  };
-  std::vector<Best> ofPartners;
+  std::vector<Judged> all;
   for (std::size_t i = 0; i < most; ++i) {
     Trial trial(marks, places[i], kind);
     trial.run();
-    if (!trial.partner()) continue;
-    const Best here{{i, *trial.partner()}, trial.cost()};
+    if (trial.partner()) all.push_back({{i, *trial.partner()}, trial.cost()});
+  }
+  return all;
+}
+
+}  // namespace
+
+std::vector<MissingMark> rankMissingMarks(std::span<const NestingMark> marks,
+                                          std::span<const NestingPlace> places, Kind kind,
+                                          std::size_t most) {
+  std::vector<Judged> all = judgeAll(marks, places, kind);
+  std::ranges::stable_sort(all, {}, &Judged::cost);
+  std::vector<MissingMark> ranked;
+  for (std::size_t i = 0; i < std::min(most, all.size()); ++i) ranked.push_back(all[i].mark);
+  return ranked;
+}
+
+std::vector<MissingMark> findMissingMarks(std::span<const NestingMark> marks,
+                                          std::span<const NestingPlace> places, Kind kind) {
+  std::vector<Judged> ofPartners;
+  for (const Judged& here : judgeAll(marks, places, kind)) {
     const auto same = std::ranges::find_if(
-        ofPartners, [&](const Best& b) { return b.mark.partner == here.mark.partner; });
+        ofPartners, [&](const Judged& b) { return b.mark.partner == here.mark.partner; });
     if (same == ofPartners.end()) {
       ofPartners.push_back(here);
     } else if (isLess(here.cost, same->cost)) {
@@ -189,7 +210,7 @@ std::vector<MissingMark> findMissingMarks(std::span<const NestingMark> marks,
   }
   if (ofPartners.empty()) return {};
   // In the order of their places, as isLess() is no order of its own.
-  std::ranges::sort(ofPartners, {}, [](const Best& b) { return b.mark.place; });
+  std::ranges::sort(ofPartners, {}, [](const Judged& b) { return b.mark.place; });
   std::size_t best = 0;
   for (std::size_t i = 1; i < ofPartners.size(); ++i) {
     if (isLess(ofPartners[i].cost, ofPartners[best].cost)) best = i;
@@ -197,8 +218,9 @@ std::vector<MissingMark> findMissingMarks(std::span<const NestingMark> marks,
   std::vector<MissingMark> found{ofPartners[best].mark};
   const Cost least = ofPartners[best].cost;
   ofPartners.erase(ofPartners.begin() + std::ptrdiff_t(best));
-  std::ranges::stable_sort(ofPartners, {}, &Best::cost);
-  for (const Best& other : ofPartners | std::views::take(kMostOthers)) {
+  std::ranges::stable_sort(ofPartners, {}, &Judged::cost);
+  for (std::size_t i = 0; i < std::min(kMostOthers, ofPartners.size()); ++i) {
+    const Judged& other = ofPartners[i];
     if (other.cost.first == least.first && other.cost.second - least.second < kSure)
       found.push_back(other.mark);
   }

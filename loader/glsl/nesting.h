@@ -16,16 +16,17 @@ struct NestingMark {
   /// Main is no part of the nesting: main() stands inside a conditional of stages, if there are any.
   enum class Kind { Open, Middle, Close, Main };
   Kind kind = Kind::Open;
-  int indent = -1;            ///< -1: the layout says nothing
-  int depth = 0;              ///< of another nesting around it; a pair is at one depth
-  int group = 0;              ///< the text it stands in; layouts of two texts are not compared
-  int line = 0;               ///< within all texts
-  bool whole = false;         ///< an include guard: its partner is the last mark
-  bool ofStages = false;      ///< a conditional that tells stages apart
-  bool inner = false;         ///< of an open one: only inside another
-  bool mayElse = false;       ///< of an open one: an "else" can follow its partner
-  bool hasElse = false;       ///< of a close one: an "else" follows
-  bool last = false;          ///< of a middle one: no other can follow it
+  int indent = -1;        ///< -1: the layout says nothing
+  int around = -1;        ///< of an open one: the indent of an #if that holds no more than its head
+  int depth = 0;          ///< of another nesting around it; a pair is at one depth
+  int group = 0;          ///< the text it stands in; layouts of two texts are not compared
+  int line = 0;           ///< within all texts
+  bool whole = false;     ///< an include guard: its partner is the last mark
+  bool ofStages = false;  ///< a conditional that tells stages apart
+  bool inner = false;     ///< of an open one: only inside another
+  bool mayElse = false;   ///< of an open one: an "else" can follow its partner
+  bool hasElse = false;   ///< of a close one: an "else" follows
+  bool last = false;      ///< of a middle one: no other can follow it
   std::size_t condition = 0;  ///< of an open one: equal for equal conditions, 0: unknown
   std::optional<bool> airy;   ///< is a blank line between it and the text inside?
   int shallowest = kNoLines;  ///< least depth since the mark before
@@ -38,9 +39,10 @@ struct NestingPlace {
   int indent = -1;
   int group = 0;
   int line = 0;
-  int cost = 0;          ///< what speaks against it, or for it when negative
-  int above = kNoLines;  ///< least indent of the lines of its group since the mark before
-  int below = kNoLines;  ///< the same up to the mark behind
+  int cost = 0;            ///< what speaks against it, or for it when negative
+  int above = kNoLines;    ///< least indent of the lines of its group since the mark before
+  int below = kNoLines;    ///< the same up to the mark behind
+  bool takesElse = false;  ///< the "else" behind the mark before would follow it
 };
 
 struct MissingMark {
@@ -53,5 +55,10 @@ struct MissingMark {
 std::vector<MissingMark> findMissingMarks(std::span<const NestingMark> marks,
                                           std::span<const NestingPlace> places,
                                           NestingMark::Kind kind);
+
+/// At most `most` places with the partners that they give, the likeliest first.
+std::vector<MissingMark> rankMissingMarks(std::span<const NestingMark> marks,
+                                          std::span<const NestingPlace> places,
+                                          NestingMark::Kind kind, std::size_t most);
 
 }  // namespace orris

@@ -89,6 +89,9 @@ bool reportMissingBrace(const std::vector<LogEntry>& entries, const StageText& s
                           missing->partner.text, partner.file, partner.line);
   d.includedFrom =
       stage.text.includedFrom(missing->after.origin.line, missing->after.origin.column);
+  // When it goes behind an #include.
+  const auto own = std::ranges::find(d.includedFrom, d.at.file, &SourceLocation::file);
+  if (own != d.includedFrom.end()) d.includedFrom.erase(d.includedFrom.begin(), own + 1);
   if (lines) d.sourceLine = lines(d.at.file, d.at.line);
   diagnostics.push_back(std::move(d));
   return true;

@@ -10,6 +10,8 @@
 namespace orris {
 namespace {
 
+using ::testing::StartsWith;
+
 // Preprocesses, rewrites and validates the named entry files as one program.
 std::string validated(const test::Files& files, const std::vector<std::string>& entries) {
   Diagnostics diagnostics;
@@ -254,6 +256,60 @@ TEST(validate, a_line_left_blank_tells_where_its_brace_was) {
             "/a.fsh:6:3: error: expected '}' after ';': nothing closes the '{' at /a.fsh:3\n"
             "    \n"
             "    ^\n");
+}
+
+// The brace above the else is whole; the else lacks its own.
+TEST(validate, an_else_belongs_to_the_brace_that_is_missing_before_it) {
+  EXPECT_THAT(fragmentMessages("float f(float x) {\n"  // 2
+                               "  if (x > 0.0) {\n"    // 3
+                               "    if (x > 1.0) {\n"  // 4
+                               "      x = 1.0;\n"      // 5
+                               "    } else {\n"        // 6
+                               "      x = 2.0;\n"      // 7
+                               "    }\n"               // 8
+                               "\n"                    // 9
+                               "   else {\n"           // 10
+                               "    x = 3.0;\n"        // 11
+                               "  }\n"
+                               "  return x;\n"
+                               "}\n" +
+                               kLater),
+              StartsWith("/a.fsh:10:4: error: expected '}' after '}': nothing closes the '{' at "
+                         "/a.fsh:3\n"));
+}
+
+TEST(validate, a_block_that_holds_an_include_ends_behind_it) {
+  EXPECT_THAT(fragmentMessages("float f(float x) {\n"
+                               "  if (x > 0.0) {\n"
+                               "#include \"/b.glsl\"\n"
+                               "  return x;\n"
+                               "}\n" +
+                                   kLater,
+                               {{"/b.glsl", "x = 1.0;\nx += 1.0;\n"}}),
+              StartsWith("/a.fsh:4:19: error: expected '}' after ';': nothing closes the '{' at "
+                         "/a.fsh:3\n  #include"));
+}
+
+// One head of each branch, one block: its end stands below the #if.
+TEST(validate, a_head_inside_an_if_is_closed_as_the_if_is_indented) {
+  EXPECT_THAT(fragmentMessages("float f(float x) {\n"    // 2
+                               "  if (x > 0.0) {\n"      // 3
+                               "    #ifdef NEVER\n"      // 4
+                               "      if (x > 1.0) {\n"  // 5
+                               "    #else\n"             // 6
+                               "      if (x > 2.0) {\n"  // 7
+                               "    #endif\n"            // 8
+                               "      x = 1.0;\n"        // 9
+                               "    }\n"                 // 10
+                               "    else {\n"            // 11
+                               "      x = 2.0;\n"        // 12
+                               "    }\n"                 // 13
+                               "\n"                      // 14
+                               "  return x;\n"
+                               "}\n" +
+                               kLater),
+              StartsWith("/a.fsh:13:6: error: expected '}' after '}': nothing closes the '{' at "
+                         "/a.fsh:3\n"));
 }
 
 TEST(validate, the_line_that_lacks_a_parenthesis_is_told_and_not_the_end_of_its_statement) {
