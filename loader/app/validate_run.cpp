@@ -6,6 +6,7 @@
 #include "app/inputs.h"
 #include "app/patched_sources.h"
 #include "app/progress.h"
+#include "check/conditional_place.h"
 #include "check/link_errors.h"
 #include "check/pack_checks.h"
 #include "frame/render_session.h"
@@ -48,33 +49,45 @@ void checkFrame(const ShaderPack& pack, const TargetLimits& target, Diagnostics&
   diagnostics.insert(diagnostics.end(), found.begin(), found.end());
 }
 
-/// One folder under the values of `request`, from the files that `outline` was loaded from.
-std::optional<ShaderPack> checkOne(const ShaderPack& outline, const LoadRequest& request,
-                                   Checker& checker, PackVerdict& verdict, Report& report) {
-  Diagnostics diagnostics;
-  auto pack = rebuildShaderPack(outline, request, diagnostics);
-  report.add(diagnostics);
-  if (!pack) {
-    verdict.status = loadFailureStatus(outline.source, request);
-    return std::nullopt;
+/// The folders under the values of `request`, from the files that `outline` was loaded from.
+std::vector<ShaderPack> makeFolders(const ShaderPack& outline,
+                                    const std::vector<std::string>& dimensions,
+                                    LoadRequest& request, const Checker& checker,
+                                    PackVerdict& verdict, Report& report) {
+  std::vector<ShaderPack> folders;
+  std::vector<Diagnostics> found;
+  for (const std::string& dimension : dimensions) {
+    request.dimension = dimension;
+    auto pack = rebuildShaderPack(outline, request, found.emplace_back());
+    if (pack) {
+      folders.push_back(std::move(*pack));
+    } else {
+      verdict.status = loadFailureStatus(outline.source, request);
+    }
   }
-  diagnostics = ruleNotes(*pack);
-  checkPrograms(*pack, checker, diagnostics);
-  checkFrame(*pack, checker.target, diagnostics);
-  verdict.dimensions.insert(pack->folder);
+  settleConditionals(folders, checker.jobs, found);
+  for (Diagnostics& diagnostics : found) report.add(diagnostics);
+  return folders;
+}
+
+void checkOne(const ShaderPack& pack, const LoadRequest& request, Checker& checker,
+              PackVerdict& verdict, Report& report) {
+  Diagnostics diagnostics = ruleNotes(pack);
+  checkPrograms(pack, checker, diagnostics);
+  checkFrame(pack, checker.target, diagnostics);
+  verdict.dimensions.insert(pack.folder);
   verdict.profiles.insert(request.profile);
-  for (const ProgramUnit& unit : programUnits(*pack)) {
+  for (const ProgramUnit& unit : programUnits(pack)) {
     ProgramVerdicts& programs =
         unit.mod.empty() ? verdict.programs : verdict.modPrograms[std::string(unit.mod)];
     programs.all.insert(unit.name);
     if (!checker.passed(unit.hash)) programs.failed.insert(unit.name);
   }
   if (checker.gpu && !hasErrors(diagnostics)) {
-    checkDrawing(checker.backend, outline.source, request, diagnostics);
+    checkDrawing(checker.backend, pack.source, request, diagnostics);
   }
   dropRepeatedLinkErrors(diagnostics);
   report.add(diagnostics);
-  return pack;
 }
 
 void checkMatrix(const std::vector<ShaderPack>& folders, const LoadRequest& request,
@@ -168,15 +181,14 @@ PackVerdict validatePack(const std::string& path, const ValidateOptions& options
     checker.budget.beginChecks();
     if (!profile.empty()) request->profile = profile;
     if (profiles.size() > 1) report.setContext("profile " + profile);
-    std::vector<ShaderPack> folders;
-    for (const std::string& dimension : chosen(options.dimensions, outline->dimensions)) {
-      request->dimension = dimension;
-      auto pack = checkOne(*outline, *request, checker, verdict, report);
-      if (!pack) continue;
-      if (!options.patched.empty()) {
-        writePatchedWithMap(options.patched, *pack, report, verdict.status);
-      }
-      folders.push_back(std::move(*pack));
+    const std::vector<ShaderPack> folders =
+        makeFolders(*outline, chosen(options.dimensions, outline->dimensions), *request, checker,
+                    verdict, report);
+    for (const ShaderPack& folder : folders) {
+      request->dimension = folder.folder;
+      checkOne(folder, *request, checker, verdict, report);
+      if (!options.patched.empty())
+        writePatchedWithMap(options.patched, folder, report, verdict.status);
     }
     if (folders.size() == outline->dimensions.size()) {
       Diagnostics diagnostics = checkWholePack(folders);

@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
-#include <set>
+#include <map>
+#include <utility>
 
 #include "check/compile_hints.h"
 #include "check/diagnostic_codec.h"
-#include "check/include_trial.h"
 #include "check/isolated_jobs.h"
+#include "check/line_trial.h"
 #include "check/stage_files.h"
 
 namespace orris {
@@ -17,57 +17,110 @@ namespace {
 
 constexpr const char* kMissing = "include-probably-missing";
 // Each trial compiles this many programs; the rest are taken to be like them.
-constexpr std::size_t kMostSamples = 6;
+constexpr std::size_t kMostSamples = 6, kMostAlike = 2;
+// Each place takes up to 16 trials.
+constexpr std::size_t kMostPlaces = 4, kMostOthers = 3;
+// Less likely places in a file, compared with its likeliest, are not told.
+constexpr double kAsLikely = 0.4;
 
 const Diagnostic* missingOf(const Diagnostics& diagnostics) {
   const auto found = std::ranges::find(diagnostics, kMissing, &Diagnostic::id);
   return found == diagnostics.end() ? nullptr : &*found;
 }
 
+/// Units that were told to include something.
+using Samples = std::vector<std::size_t>;
+
 class CommonInclude {
  public:
   CommonInclude(const ShaderPack& pack, const std::vector<ProgramUnit>& units,
                 const std::vector<Diagnostics>& found)
       : pack_(pack), units_(units), found_(found), index_(pack) {
-    std::set<std::pair<std::string, int>> places;
     for (std::size_t i = 0; i < units.size(); ++i) {
       const Diagnostic* missing = missingOf(found[i]);
       if (!missing) continue;
       ++failing_;
-      if (places.emplace(missing->at.file, missing->at.line).second &&
-          samples_.size() < kMostSamples)
-        samples_.push_back(i);
+      places_[{missing->at.file, missing->at.line}].push_back(i);
     }
   }
 
-  bool areSeveral() const { return samples_.size() > 1; }
-
-  /// The one line that heals all samples, as a diagnostic.
-  std::optional<Diagnostic> find() {
-    std::optional<MissingInclude> healing;
-    const IncludeTrial trial = [&](const MissingInclude& added) {
-      if (!healing && healsAll(added)) healing = added;
-      return healing.has_value();
-    };
-    const std::vector<UnknownName> names = unknownNames();
-    findMissingIncludes(index_, commonFiles(), names, trial);
-    if (!healing) return std::nullopt;
-    const UnknownName& name = names[healing->first];
-    return Diagnostic{
-        .severity = Severity::Error,
-        .id = kMissing,
-        .at = healing->at,
-        .message = fmt::format("'{}' is unknown at {}:{}, and {} program{} like this: an #include "
-                               "seems to be missing here",
-                               name.name, name.at.file, name.at.line, failing_ - 1,
-                               failing_ == 2 ? " more is" : "s more are"),
-        .sourceLine = pack_.sourceLine(healing->at.file, healing->at.line),
-        .hint = fmt::format("#include \"{}\"", healing->target)};
+  /// The one line that heals a unit of each place, first, and then others that do; else of each place
+  /// the others.
+  Diagnostics find() {
+    Diagnostics told;
+    Samples ofAll;
+    for (const auto& [place, units] : places_) {
+      if (ofAll.size() < kMostSamples) ofAll.push_back(units.front());
+    }
+    if (ofAll.size() > 1) tellAll(ofAll, told);
+    if (!told.empty()) return told;
+    std::size_t tried = 0;
+    for (auto& [place, units] : places_) {
+      if (tried++ == kMostPlaces) break;
+      Samples alike = units;
+      alike.resize(std::min(alike.size(), kMostAlike));
+      tellOthers(*missingOf(found_[alike.front()]), healing(alike), told);
+    }
+    return told;
   }
 
  private:
-  bool healsAll(const MissingInclude& added) const {
-    return std::ranges::all_of(samples_, [&](std::size_t i) {
+  void tellAll(const Samples& samples, Diagnostics& told) {
+    const std::vector<MissingInclude> places = healing(samples);
+    if (places.empty()) return;
+    const MissingInclude& first = places.front();
+    const UnknownName name = unknownNames(samples)[first.first];
+    told.push_back(
+        {.severity = Severity::Error,
+         .id = kMissing,
+         .at = first.at,
+         .message = fmt::format("'{}' is unknown at {}:{}, and {} program{} like this: an #include "
+                                "seems to be missing here",
+                                name.name, name.at.file, name.at.line, failing_ - 1,
+                                failing_ == 2 ? " more is" : "s more are"),
+         .sourceLine = pack_.sourceLine(first.at.file, first.at.line),
+         .hint = hintOf(first)});
+    tellOthers(Diagnostic(told.back()), places, told);
+  }
+
+  void tellOthers(const Diagnostic& first, const std::vector<MissingInclude>& places,
+                  Diagnostics& told) const {
+    std::size_t others = 0;
+    for (const MissingInclude& place : places) {
+      const bool same = place.at.file == first.at.file && place.at.line == first.at.line;
+      if (same || others++ == kMostOthers) continue;
+      told.push_back({.severity = Severity::Warning,
+                      .id = kMissing,
+                      .at = place.at,
+                      .message = fmt::format("or the #include that seems to be missing at {}:{} "
+                                             "belongs here",
+                                             first.at.file, first.at.line),
+                      .sourceLine = pack_.sourceLine(place.at.file, place.at.line),
+                      .hint = hintOf(place)});
+    }
+  }
+
+  static std::string hintOf(const MissingInclude& missing) {
+    return fmt::format("#include \"{}\"", missing.target);
+  }
+
+  /// The places, the likeliest first, where one line heals all of them; no more than are told.
+  std::vector<MissingInclude> healing(const Samples& samples) {
+    std::vector<MissingInclude> places;
+    const IncludeTrial trial = [&](const MissingInclude& added) {
+      const bool known = std::ranges::any_of(places, [&](const MissingInclude& place) {
+        return place.at == added.at && place.target == added.target;
+      });
+      const bool likely = places.empty() || added.share >= kAsLikely;
+      if (!known && likely && healsAll(samples, added)) places.push_back(added);
+      return places.size() > kMostOthers;
+    };
+    findMissingIncludes(index_, commonFiles(samples), unknownNames(samples), trial);
+    return places;
+  }
+
+  bool healsAll(const Samples& samples, const MissingInclude& added) const {
+    return std::ranges::all_of(samples, [&](std::size_t i) {
       Diagnostics errors = found_[i];
       std::erase_if(errors, [](const Diagnostic& d) { return d.id == kMissing; });
       return healsWith(pack_, units_[i], added, errors);
@@ -75,9 +128,9 @@ class CommonInclude {
   }
 
   /// Files that all samples read, in the order of the first one's text.
-  std::vector<std::string> commonFiles() {
-    std::vector<std::string> common = filesOf(index_, failingStage(samples_.front()));
-    for (const std::size_t i : samples_) {
+  std::vector<std::string> commonFiles(const Samples& samples) {
+    std::vector<std::string> common = filesOf(index_, failingStage(samples.front()));
+    for (const std::size_t i : samples) {
       const std::vector<std::string> files = filesOf(index_, failingStage(i));
       std::erase_if(common, [&](const std::string& file) {
         return std::ranges::find(files, file) == files.end();
@@ -98,9 +151,9 @@ class CommonInclude {
     return *stages.back();
   }
 
-  std::vector<UnknownName> unknownNames() const {
+  std::vector<UnknownName> unknownNames(const Samples& samples) const {
     std::vector<UnknownName> names;
-    for (const std::size_t i : samples_) {
+    for (const std::size_t i : samples) {
       for (const Diagnostic& diagnostic : found_[i]) {
         const std::string name = unknownName(diagnostic.message);
         if (!name.empty() && diagnostic.id != kMissing)
@@ -114,36 +167,34 @@ class CommonInclude {
   const std::vector<ProgramUnit>& units_;
   const std::vector<Diagnostics>& found_;
   DefinitionIndex index_;
-  std::vector<std::size_t> samples_;  ///< units that were told different places
-  int failing_ = 0;                   ///< units in all that were told any
+  std::map<std::pair<std::string, int>, Samples> places_;  ///< who was told which
+  int failing_ = 0;                                        ///< units in all that were told any
 };
 
 }  // namespace
 
 void mergeMissingIncludes(const ShaderPack& pack, const std::vector<ProgramUnit>& units,
                           std::vector<Diagnostics>& found) {
-  CommonInclude common(pack, units, found);
-  if (!common.areSeveral()) return;
-  Diagnostics merged;
+  const auto first = std::ranges::find_if(found, missingOf);
+  if (first == found.end()) return;
+  Diagnostics told;
   const auto work = [&](std::size_t) {
-    const auto one = common.find();
-    return encodeDiagnostics(one ? Diagnostics{*one} : Diagnostics{});
+    return encodeDiagnostics(CommonInclude(pack, units, found).find());
   };
   runIsolated({.count = 1, .workers = 1, .work = work}, [&](std::size_t, JobOutcome outcome) {
-    if (outcome.kind == JobOutcome::Kind::Done) merged = decodeDiagnostics(outcome.result);
+    if (outcome.kind == JobOutcome::Kind::Done) told = decodeDiagnostics(outcome.result);
     return true;
   });
-  if (merged.empty()) return;
-  bool told = false;
-  for (Diagnostics& diagnostics : found) {
-    // What else a program lacks stays told.
-    const auto had = std::erase_if(diagnostics, [&](const Diagnostic& d) {
-      return d.id == kMissing && d.hint == merged.front().hint;
-    });
-    if (had > 0 && !told) diagnostics.push_back(merged.front());
-    told = told || had > 0;
+  if (told.empty()) return;
+  if (told.front().severity == Severity::Error) {
+    for (Diagnostics& diagnostics : found) {
+      // What else a program lacks stays told.
+      std::erase_if(diagnostics, [&](const Diagnostic& d) {
+        return d.id == kMissing && d.hint == told.front().hint;
+      });
+    }
   }
-  if (!told) found.front().push_back(merged.front());
+  first->insert(first->end(), told.begin(), told.end());
 }
 
 }  // namespace orris

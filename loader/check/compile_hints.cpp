@@ -143,12 +143,18 @@ class StageHints {
     return users.size() > kMany;
   }
 
+  bool isInShared(const std::string& name) {
+    return std::ranges::any_of(
+        index_.definitionsOf(name),
+        [this](const SourceLocation& definition) { return isShared(definition.file); });
+  }
+
   bool explainInclude(std::size_t index, const std::string& name) {
     const std::size_t use = lineOf(stage_, found_[index].at);
     const auto definition = definedElsewhere(name, use > 0 ? filesOf(index_, stage_, use) : files_);
     if (!definition) return false;
     const bool uniform = sourceLine(*definition).find("uniform") != std::string::npos;
-    if (uniform && isOfContract(name) && !isShared(definition->file)) return false;
+    if (uniform && isOfContract(name) && !isInShared(name)) return false;
     const std::string where = fmt::format("defined at {}:{}, which is not included here",
                                           definition->file, definition->line);
     Diagnostic& error = found_[index];

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <ranges>
 
 #include "core/pack_path.h"
 #include "pack/text.h"
@@ -168,7 +167,10 @@ std::vector<IncludePlace> placesByModels(DefinitionIndex& index, const std::stri
   }
   std::ranges::stable_sort(places, std::ranges::greater(), [](const auto& p) { return p.first; });
   std::vector<IncludePlace> likeliest;
-  for (const auto& [weight, place] : places | std::views::take(most)) likeliest.push_back(place);
+  for (std::size_t i = 0; i < std::min(most, places.size()); ++i) {
+    likeliest.push_back(places[i].second);
+    likeliest.back().share = places.front().first > 0 ? places[i].first / places.front().first : 1;
+  }
   return likeliest;
 }
 

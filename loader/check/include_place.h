@@ -17,6 +17,7 @@ struct IncludePlace {
   SourceLocation
       model;         ///< the likest file that includes the target, line 0 when none shows a place
   bool gap = false;  ///< a blank line
+  double share = 1;  ///< how likely beside the likeliest: 0 to 1
 };
 
 /// Where `file` should include `target`, the likeliest first and at most `most`: where the files that

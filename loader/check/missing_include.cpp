@@ -199,9 +199,10 @@ class Search {
           placesByModels(index_, candidate.file, candidate.target, candidate.before, kMostPlaces);
       // Without a model only a file on the way to the use tells where.
       if (candidate.before > 0) {
+        const double share = places.empty() ? 1 : 0;
         places.push_back(
-            {placeBehindIncludes(index_, candidate.file, candidate.before), {}, false});
-        places.push_back({1, {}, false});
+            {placeBehindIncludes(index_, candidate.file, candidate.before), {}, false, share});
+        places.push_back({1, {}, false, 0});
       }
       double score =
           candidate.score + kAllNames * double(candidate.names.size()) / double(open) + kNextPlace;
@@ -210,7 +211,8 @@ class Search {
         all.push_back({{{candidate.file, place.line, 0},
                         candidate.target,
                         place.model,
-                        *candidate.names.begin()},
+                        *candidate.names.begin(),
+                        place.share},
                        candidate.names,
                        score + (place.gap ? kGap : 0)});
       }

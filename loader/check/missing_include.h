@@ -22,6 +22,7 @@ struct MissingInclude {
   std::string target;     ///< what it should include
   SourceLocation model;   ///< a similar file that does, line 0 when there is none
   std::size_t first = 0;  ///< the first of the names that it makes known
+  double share = 1;       ///< how likely beside the likeliest place in the same file: 0 to 1
 };
 
 /// Would the program compile with this line, or at least with fewer errors and no new ones?

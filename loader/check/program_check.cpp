@@ -8,7 +8,7 @@
 #include "check/common_include.h"
 #include "check/compile_hints.h"
 #include "check/diagnostic_codec.h"
-#include "check/include_trial.h"
+#include "check/line_trial.h"
 #include "glsl/validate.h"
 #include "pack/mods.h"
 

@@ -3,11 +3,18 @@
 #include <algorithm>
 
 namespace orris {
+namespace {
+
+// Packs are untrusted: each may be tried.
+constexpr std::size_t kMostParagraphs = 16;
+
+}  // namespace
 
 void BranchText::addConditional(int line) {
   start_ = shallowest_ = depth_;
   first_ = ends_ = line;
   paragraph_ = 0;
+  paragraphs_.clear();
   texts_ = 0;
   wasBlank_ = ended_ = false;
   textsBefore_ = {{depth_, 0}};
@@ -41,14 +48,20 @@ void BranchText::addCharacter(char c) {
 }
 
 void BranchText::endLine(int line) {
-  if (wasBlank_ || paragraph_ == 0) paragraph_ = line;
+  if (wasBlank_ || paragraph_ == 0) {
+    paragraph_ = line;
+    if (paragraphs_.size() < kMostParagraphs) paragraphs_.emplace_back(line, line);
+  }
+  if (!paragraphs_.empty() && paragraphs_.back().first == paragraph_)
+    paragraphs_.back().second = line;
   wasBlank_ = false;
   if (!ended_ && shallowest_ >= start_ && depth_ == start_) ends_ = line;
 }
 
 BranchRoom BranchText::room() const {
   const bool precedes = texts_ > textsBefore_.at(depth_);
-  return {ends_ > first_ ? ends_ : 0, precedes ? paragraph_ : 0, wasBlank_, shallowest_};
+  return {ends_ > first_ ? ends_ : 0, precedes ? paragraph_ : 0, wasBlank_, shallowest_,
+          paragraphs_};
 }
 
 }  // namespace orris

@@ -4,6 +4,8 @@
 
 #include <map>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace orris {
 
@@ -13,6 +15,7 @@ struct BranchRoom {
   int begins = 0;            ///< the start of one that ends here
   bool blankBefore = false;  ///< the last line is blank
   int shallowest = 0;        ///< least depth of braces since that conditional
+  std::vector<std::pair<int, int>> paragraphs{};  ///< first and last line of each
 };
 
 /// Follows the lines of one file. A branch begins and ends at one depth of braces, and where nothing
@@ -35,6 +38,7 @@ class BranchText {
   int depth_ = 0, start_ = 0, shallowest_ = 0;
   int first_ = 0, ends_ = 0, paragraph_ = 0;
   int texts_ = 0;
+  std::vector<std::pair<int, int>> paragraphs_;
   bool wasBlank_ = false, ended_ = false;
   std::map<int, int> textsBefore_ = {{0, 0}};  ///< the first place of each depth that still goes on
 };

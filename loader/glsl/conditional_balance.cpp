@@ -1,5 +1,7 @@
 #include "glsl/conditional_balance.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <functional>
@@ -16,6 +18,7 @@ namespace {
 
 using Kind = NestingMark::Kind;
 constexpr int kEmptyBranch = 3;
+constexpr std::size_t kMostPlaces = 64, kMostRepairs = 128;
 
 bool isWordCharacter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
@@ -137,12 +140,38 @@ class FileConditionals {
     result.place = {origins_[partner].site, places[found.front().place].line, 1};
     for (std::size_t i = 1; i < found.size(); ++i)
       result.others.push_back(origins_[found[i].partner]);
+    result.repairs = repairs(places, missing);
+    result.stages = stages_;
     return result;
   }
 
  private:
+  BranchRoom roomBefore(std::size_t i) const {
+    return i == marks_.size() ? text_.room() : rooms_[i];
+  }
+
+  /// The likeliest line of each place, then the paragraphs beside them: layout says little of these.
+  std::vector<ConditionalRepair> repairs(const std::vector<NestingPlace>& places,
+                                         Kind missing) const {
+    std::vector<ConditionalRepair> all;
+    const auto ranked = rankMissingMarks(marks_, places, missing, kMostPlaces);
+    const auto add = [&](const MissingMark& mark, int line) {
+      const Origin& partner = origins_[mark.partner];
+      if (all.size() < kMostRepairs)
+        all.push_back({{partner.site, line, 1}, partner, names_[mark.partner]});
+    };
+    for (const MissingMark& mark : ranked) add(mark, places[mark.place].line);
+    for (const MissingMark& mark : ranked) {
+      for (const auto& [first, last] : roomBefore(mark.place).paragraphs) {
+        const int line = missing == Kind::Close ? last : first;
+        if (line != places[mark.place].line) add(mark, line);
+      }
+    }
+    return all;
+  }
+
   NestingPlace placeBefore(std::size_t i, Kind missing) const {
-    const BranchRoom room = i == marks_.size() ? text_.room() : rooms_[i];
+    const BranchRoom room = roomBefore(i);
     const bool close = missing == Kind::Close;
     const bool wraps = close ? i > 0 && marks_[i - 1].kind == Kind::Close
                              : i < marks_.size() && marks_[i].kind == Kind::Open;
@@ -171,11 +200,19 @@ class FileConditionals {
                       .condition = kind == Kind::Open ? conditionOf(code) : 0,
                       .airy = kind == Kind::Close ? airy(room) : std::nullopt,
                       .shallowest = room.shallowest});
+    if (marks_.back().ofStages && directive == "ifdef") addStage(code);
     rooms_.push_back(room);
     origins_.push_back(at);
     names_.emplace_back(directive);
     text_.addConditional(at.line);
     isFirst_ = kind == Kind::Open;
+  }
+
+  void addStage(const std::string& code) {
+    const std::size_t name = code.find_first_not_of(" \t", code.find("ifdef") + 5);
+    if (name == std::string::npos) return;
+    const std::string macro = code.substr(name, code.find_first_of(" \t\r", name) - name);
+    if (std::ranges::find(stages_, macro) == stages_.end()) stages_.push_back(macro);
   }
 
   static std::optional<bool> airy(const BranchRoom& room) {
@@ -199,6 +236,7 @@ class FileConditionals {
   std::vector<NestingMark> marks_;
   std::vector<Origin> origins_;
   std::vector<std::string> names_;
+  std::vector<std::string> stages_;
   UnbalancedConditional slip_;
   std::vector<BranchRoom> rooms_;  ///< of each mark: the text before it
   BranchText text_;
@@ -222,6 +260,27 @@ std::vector<UnbalancedConditional> findUnbalancedConditionals(const FlatSource& 
     if (const auto unbalanced = file.unbalanced()) found.push_back(*unbalanced);
   }
   return found;
+}
+
+std::vector<UnbalancedMessage> messagesOf(const UnbalancedConditional& found) {
+  if (found.kind == UnbalancedConditional::Kind::Misspelt) return {};
+  const bool open = found.kind == UnbalancedConditional::Kind::Unclosed;
+  const std::string_view does = open ? "closes" : "opens";
+  std::vector<UnbalancedMessage> messages;
+  messages.push_back(
+      {found.at,
+       open ? fmt::format("#{} is not closed: expected #endif before the end", found.directive)
+            : "#endif without #if"});
+  messages.push_back(
+      {found.place,
+       fmt::format("expected {} this line: nothing {} the #{} in line {}",
+                   open ? "#endif after" : "#if before", does, found.directive, found.at.line)});
+  // Which of two blocks lacks its other end only the author knows.
+  for (const Origin& other : found.others) {
+    messages.push_back(
+        {other, fmt::format("or nothing {} this one instead of line {}", does, found.at.line)});
+  }
+  return messages;
 }
 
 }  // namespace orris

@@ -9,6 +9,13 @@
 
 namespace orris {
 
+/// One way to make the conditionals of a file pair.
+struct ConditionalRepair {
+  Origin place;             ///< the line that the missing directive would stand behind, or before
+  Origin partner;           ///< the directive that it would pair with
+  std::string directive{};  ///< the partner's name
+};
+
 struct UnbalancedConditional {
   enum class Kind { Unclosed, Stray, Misspelt };
   Kind kind = Kind::Unclosed;
@@ -17,10 +24,21 @@ struct UnbalancedConditional {
   std::string meant;           ///< of a misspelt one
   Origin place;                ///< the line that its partner most likely belongs behind, or before
   std::vector<Origin> others;  ///< directives that may be the one instead
+  /// All likely ones, the likeliest first; empty for a misspelt one.
+  std::vector<ConditionalRepair> repairs;
+  std::vector<std::string> stages;  ///< macros of its conditionals that tell stages apart
 };
 
 /// At most one for each file whose own conditionals do not pair, judged by indentation, by the braces
 /// around them and by include guards.
 std::vector<UnbalancedConditional> findUnbalancedConditionals(const FlatSource& source);
+
+struct UnbalancedMessage {
+  Origin at;
+  std::string text;
+};
+
+/// What to tell of it; nothing of a misspelt one.
+std::vector<UnbalancedMessage> messagesOf(const UnbalancedConditional& found);
 
 }  // namespace orris

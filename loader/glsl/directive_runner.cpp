@@ -256,34 +256,15 @@ bool DirectiveRunner::reportInFiles() {
   if (unbalanced_) return !unbalanced_->empty();
   unbalanced_ = findUnbalancedConditionals(source_);
   for (const UnbalancedConditional& found : *unbalanced_) {
-    switch (found.kind) {
-      case UnbalancedConditional::Kind::Unclosed:
-        reportUnbalanced(found.at, fmt::format("#{} is not closed: expected #endif before the end",
-                                               found.directive));
-        tellPlace(found, "#endif after", "closes");
-        break;
-      case UnbalancedConditional::Kind::Stray:
-        reportUnbalanced(found.at, "#endif without #if");
-        tellPlace(found, "#if before", "opens");
-        break;
-      case UnbalancedConditional::Kind::Misspelt:
-        report(Severity::Warning, "directive-unknown", found.at,
-               fmt::format("unknown preprocessor directive '#{}'", found.directive),
-               fmt::format("did you mean #{}?", found.meant));
+    if (found.kind == UnbalancedConditional::Kind::Misspelt) {
+      report(Severity::Warning, "directive-unknown", found.at,
+             fmt::format("unknown preprocessor directive '#{}'", found.directive),
+             fmt::format("did you mean #{}?", found.meant));
     }
+    for (UnbalancedMessage& message : messagesOf(found))
+      reportUnbalanced(message.at, std::move(message.text));
   }
   return !unbalanced_->empty();
-}
-
-// Which of two blocks lacks its other end only the author knows.
-void DirectiveRunner::tellPlace(const UnbalancedConditional& found, std::string_view missing,
-                                std::string_view does) {
-  reportUnbalanced(found.place, fmt::format("expected {} this line: nothing {} the #{} in line {}",
-                                            missing, does, found.directive, found.at.line));
-  for (const Origin& other : found.others) {
-    reportUnbalanced(other,
-                     fmt::format("or nothing {} this one instead of line {}", does, found.at.line));
-  }
 }
 
 void DirectiveRunner::onIf(const std::vector<Token>& tokens) {

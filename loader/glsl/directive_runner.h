@@ -39,8 +39,6 @@ class DirectiveRunner : public TokenSource {
   void report(Severity severity, std::string id, const Origin& at, std::string message,
               std::string hint = "");
   void reportUnbalanced(const Origin& at, std::string problem);
-  void tellPlace(const UnbalancedConditional& found, std::string_view missing,
-                 std::string_view does);
   void warnTrailing(const std::vector<Token>& tokens, std::size_t from, const std::string& name);
   bool evaluate(const std::vector<Token>& tokens);
   bool isTrue(const std::vector<Token>& tokens);

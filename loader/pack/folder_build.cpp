@@ -4,7 +4,7 @@
 
 #include "pack/chosen_values.h"
 #include "pack/expression_functions.h"
-#include "pack/including_graph.h"
+#include "pack/extended_graph.h"
 #include "pack/voxy.h"
 
 namespace orris {
@@ -104,8 +104,8 @@ ProgramSource FolderBuild::build(const ProgramEntry& entry) const {
   return finish(entry, std::move(parts));
 }
 
-ProgramSource FolderBuild::buildWith(const ProgramEntry& entry, const AddedInclude& added) const {
-  const IncludingGraph with(*this, added);
+ProgramSource FolderBuild::buildWith(const ProgramEntry& entry, const AddedLine& added) const {
+  const ExtendedGraph with(*this, added);
   if (!with.changed()) return build(entry);
   const FileLookup lookup = [&](const std::string& file) { return with.lines(file); };
   const BuildContext here = context(with.graph(), lookup);

@@ -14,11 +14,12 @@
 
 namespace orris {
 
-/// An #include line that a file does not have.
-struct AddedInclude {
+/// A line that a file does not have: an #include of `target`, or else `text`.
+struct AddedLine {
   std::string file;
-  int line = 0;        ///< of `file`, before which it would stand
-  std::string target;  ///< pack path
+  int line = 0;          ///< of `file`, before which it would stand
+  std::string target{};  ///< pack path
+  std::string text{};
 };
 
 class FolderBuild {
@@ -47,9 +48,9 @@ class FolderBuild {
 
   /// From its files to texts that compile. Safe to call from several threads.
   ProgramSource build(const ProgramEntry& entry) const;
-  /// As it would be with one more #include, of whatever file of the pack; the same as build() when
-  /// that would include itself.
-  ProgramSource buildWith(const ProgramEntry& entry, const AddedInclude& added) const;
+  /// As it would be with one more line, an #include of whatever file of the pack for one; the same as
+  /// build() when a file would include itself.
+  ProgramSource buildWith(const ProgramEntry& entry, const AddedLine& added) const;
   /// The two halves of build() (pack/program_builder.h).
   PreprocessedPart buildPart(const ProgramEntry& entry, std::size_t part) const;
   ProgramSource finish(const ProgramEntry& entry, std::vector<PreprocessedPart> parts) const;

@@ -140,6 +140,51 @@ TEST(CompileHints, of_two_gaps_the_one_where_the_program_compiles) {
                               "#include seems to be missing here | #include \"/tint.glsl\""));
 }
 
+TEST(CompileHints, other_places_that_are_nearly_as_likely_are_told_too) {
+  const Lines lines = compile(
+      {{"/first.glsl", "const float FIRST = 1.0;\n"},
+       {"/second.glsl", "const float SECOND = 1.0;\n"},
+       {"/tint.glsl", "vec4 tint() { return vec4(1.0); }\n"},
+       {"/composite.fsh", kVersion + "#include \"/first.glsl\"\n\n#include \"/second.glsl\"\n"
+                                     "\n#include \"/third.glsl\"\n\n// text\n"
+                                     "void main() { gl_FragColor = tint(); }\n"},
+       {"/third.glsl", "const float THIRD = 1.0;\n"}});
+  EXPECT_THAT(lines, Contains("/composite.fsh:3: error: 'tint' is unknown at /composite.fsh:9: an "
+                              "#include seems to be missing here | #include \"/tint.glsl\""));
+  EXPECT_THAT(lines, Contains("/composite.fsh:5: warning: or the #include that seems to be missing "
+                              "at /composite.fsh:3 belongs here | #include \"/tint.glsl\""));
+  // The gap below all of them is the least likely, the line at the top is no gap.
+  EXPECT_THAT(lines, Not(Contains(HasSubstr("/composite.fsh:1: warning"))));
+}
+
+TEST(CompileHints, other_places_compile_too) {
+  // As in the test above, and /tint.glsl needs /third.glsl.
+  const Lines lines = compile(
+      {{"/first.glsl", "const float FIRST = 1.0;\n"},
+       {"/second.glsl", "const float SECOND = 1.0;\n"},
+       {"/third.glsl", "#define COLOR vec4(1.0)\n"},
+       {"/tint.glsl", "vec4 tint() { return COLOR; }\n"},
+       {"/composite.fsh", kVersion + "#include \"/first.glsl\"\n\n#include \"/second.glsl\"\n"
+                                     "\n#include \"/third.glsl\"\n\n// text\n"
+                                     "void main() { gl_FragColor = tint(); }\n"}});
+  EXPECT_THAT(lines, Contains(HasSubstr("/composite.fsh:7: error: 'tint' is unknown")));
+  EXPECT_THAT(lines, Not(Contains(HasSubstr("belongs here"))));
+}
+
+TEST(CompileHints, a_contract_uniform_is_included_from_a_file_for_many) {
+  const std::string body = "void main() { gl_FragColor = vec4(far); }\n";
+  Files files{{"/one.glsl", "uniform float far;\n"},  // of one program only
+              {"/shared.glsl", "uniform float far;\n"},
+              {"/composite.fsh", kVersion + "// 2\n\n" + body}};
+  for (const char* name : {"/composite1", "/composite2", "/composite3"}) {
+    files[std::string(name) + ".vsh"] = kVertexStage;
+    files[std::string(name) + ".fsh"] = kVersion + "// 2\n#include \"/shared.glsl\"\n" + body;
+  }
+  EXPECT_THAT(compile(files),
+              Contains("/composite.fsh:3: error: 'far' is unknown at /composite.fsh:4: an "
+                       "#include seems to be missing here | #include \"/shared.glsl\""));
+}
+
 TEST(CompileHints, a_program_of_a_mod_is_nothing_to_include) {
   const std::string define = "vec4 shade() { return vec4(1.0); }\n";
   const Lines lines =

@@ -121,7 +121,7 @@ def compare(view, fault, root, folder):
 
 def heals(view, fault, root, fresh):
     """Does the pack report nothing new with the #include lines that the messages ask for?"""
-    told = {(m["file"], m["line"], m["hint"]) for m in fresh if m["id"] == "include-probably-missing"}
+    told = {(m["file"], m["line"], m["hint"]) for m in fresh if m["id"] == "include-probably-missing" and m["severity"] == "error"}
     changed = {file: read_lines(Path(root) / "shaders" / file.lstrip("/")) for file, _, _ in told}
     for file, number, text in sorted(told, key=lambda place: -place[1]):
         changed[file].insert(number - 1, text)

@@ -1,23 +1,14 @@
-#include "check/include_trial.h"
+#include "check/line_trial.h"
 
 #include <algorithm>
 #include <map>
 #include <utility>
 
 #include "glsl/validate.h"
-#include "pack/folder_build.h"
 #include "pack/mods.h"
 
 namespace orris {
 namespace {
-
-/// The build that made the program, nullptr when the pack was not made from files.
-const FolderBuild* buildOf(const ShaderPack& pack, const ProgramSource& program) {
-  const auto made = std::ranges::find_if(pack.builds, [&](const auto& build) {
-    return build->mod() == modFamilyOf(program.group) && build->folder() == program.folder;
-  });
-  return made == pack.builds.end() ? nullptr : made->get();
-}
 
 /// Errors by file and text: their lines move with the one that is added.
 std::map<std::pair<std::string, std::string>, int> countErrors(const Diagnostics& diagnostics) {
@@ -30,24 +21,37 @@ std::map<std::pair<std::string, std::string>, int> countErrors(const Diagnostics
 
 }  // namespace
 
-bool healsWith(const ShaderPack& pack, const ProgramUnit& unit, const MissingInclude& added,
-               const Diagnostics& errors) {
+const FolderBuild* buildOf(const ShaderPack& pack, const ProgramSource& program) {
+  const auto made = std::ranges::find_if(pack.builds, [&](const auto& build) {
+    return build->mod() == modFamilyOf(program.group) && build->folder() == program.folder;
+  });
+  return made == pack.builds.end() ? nullptr : made->get();
+}
+
+std::optional<Diagnostics> diagnosticsWith(const ShaderPack& pack, const ProgramUnit& unit,
+                                           const AddedLine& added) {
   const FolderBuild* build = unit.program ? buildOf(pack, *unit.program) : nullptr;
   const ProgramEntry* entry = build ? build->entryNamed(unit.program->name) : nullptr;
-  if (!entry) return false;
-  const ProgramSource program =
-      build->buildWith(*entry, {added.at.file, added.at.line, added.target});
+  if (!entry) return std::nullopt;
+  const ProgramSource program = build->buildWith(*entry, added);
   const auto units = programUnits(program);
   const auto same = std::ranges::find(units, unit.name, &ProgramUnit::name);
-  if (same == units.end() || same->hash == unit.hash) return false;
+  if (same == units.end()) return std::nullopt;
   std::vector<StageText> stages;
   for (const StageText* stage : same->stages) stages.push_back(*stage);
   Diagnostics left = program.diagnostics;
   validateWithGlslang(
       stages, [](const std::string&, int) { return std::string(); }, left);
+  return left;
+}
+
+bool healsWith(const ShaderPack& pack, const ProgramUnit& unit, const MissingInclude& added,
+               const Diagnostics& errors) {
+  const auto left = diagnosticsWith(pack, unit, {added.at.file, added.at.line, added.target});
+  if (!left) return false;
   Diagnostics had = unit.program->diagnostics;
   had.insert(had.end(), errors.begin(), errors.end());
-  const auto before = countErrors(had), after = countErrors(left);
+  const auto before = countErrors(had), after = countErrors(*left);
   const bool noneIsNew = std::ranges::all_of(after, [&](const auto& error) {
     const auto known = before.find(error.first);
     return known != before.end() && error.second <= known->second;

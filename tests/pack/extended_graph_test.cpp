@@ -1,4 +1,4 @@
-#include "pack/including_graph.h"
+#include "pack/extended_graph.h"
 
 #include <gtest/gtest.h>
 
@@ -24,13 +24,13 @@ ShaderPack load() {
       {.environment = standardMacros({})}, diagnostics);
 }
 
-std::string fragmentWith(const AddedInclude& added) {
+std::string fragmentWith(const AddedLine& added) {
   const ShaderPack pack = load();
   const FolderBuild& build = *pack.builds.front();
   return build.buildWith(*build.entryNamed("composite"), added).stages.back().text.text;
 }
 
-TEST(IncludingGraph, a_file_that_nothing_includes_stands_before_the_line_with_what_it_includes) {
+TEST(ExtendedGraph, a_file_that_nothing_includes_stands_before_the_line_with_what_it_includes) {
   const std::string text = fragmentWith({"/lib.glsl", 2, "/b.glsl"});
   const auto a = text.find("float A"), b = text.find("float B"), c = text.find("float C");
   EXPECT_LT(b, c);
@@ -38,13 +38,19 @@ TEST(IncludingGraph, a_file_that_nothing_includes_stands_before_the_line_with_wh
   EXPECT_NE(a, std::string::npos);
 }
 
-TEST(IncludingGraph, behind_the_last_line) {
+TEST(ExtendedGraph, behind_the_last_line) {
   const std::string text = fragmentWith({"/lib.glsl", 3, "/c.glsl"});
   EXPECT_LT(text.find("float A"), text.find("float C"));
   EXPECT_NE(text.find("float C"), std::string::npos);
 }
 
-TEST(IncludingGraph, nothing_changes_where_a_file_would_include_itself_or_is_not_there) {
+TEST(ExtendedGraph, a_line_of_text_moves_the_includes_behind_it) {
+  const std::string text = fragmentWith({"/lib.glsl", 2, "", "const float Z = 0.0;"});
+  EXPECT_LT(text.find("float Z"), text.find("float A"));
+  EXPECT_NE(text.find("float A"), std::string::npos);
+}
+
+TEST(ExtendedGraph, nothing_changes_where_a_file_would_include_itself_or_is_not_there) {
   const std::string before = fragmentWith({"/none.glsl", 1, "/b.glsl"});
   EXPECT_EQ(fragmentWith({"/lib.glsl", 1, "/loop.glsl"}), before);
   EXPECT_EQ(fragmentWith({"/lib.glsl", 1, "/lib.glsl"}), before);

@@ -1,14 +1,14 @@
-// The include graph of a pack as it would be with one more #include.
+// The include graph of a pack as it would be with one more line.
 #pragma once
 
 #include "pack/folder_build.h"
 
 namespace orris {
 
-class IncludingGraph {
+class ExtendedGraph {
  public:
-  /// `build` must outlive it. Nothing changes when there is no such file or it would include itself.
-  IncludingGraph(const FolderBuild& build, const AddedInclude& added);
+  /// `build` must outlive it. Nothing changes when there is no such line or the file would include itself.
+  ExtendedGraph(const FolderBuild& build, const AddedLine& added);
 
   bool changed() const { return !file_.empty(); }
   /// Edges only, without the texts.
@@ -17,6 +17,9 @@ class IncludingGraph {
   const FileLines* lines(const std::string& file) const;
 
  private:
+  /// Makes known what the target includes; false when that includes the file.
+  bool reach(const AddedLine& added);
+
   const FolderBuild& build_;
   IncludeGraph graph_;
   IncludeGraph more_;  ///< files that only the new line reaches

@@ -1,0 +1,141 @@
+#include "check/conditional_place.h"
+
+#include <gmock/gmock.h>
+
+#include "core/file_source.h"
+#include "pack/shader_pack.h"
+
+namespace orris {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::AnyOf;
+using ::testing::Contains;
+using ::testing::Each;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+using Files = std::map<std::string, std::string>;
+using Lines = std::vector<std::string>;
+
+const std::string kVersion = "#version 330 compatibility\n";
+const std::string kVertexStage = kVersion + "void main() { gl_Position = ftransform(); }\n";
+
+/// "line: message" of what is told of conditionals in `file`, over all folders.
+Lines told(const Files& files, const std::vector<std::string>& dimensions, bool settle) {
+  std::vector<ShaderPack> folders;
+  std::vector<Diagnostics> found;
+  for (const std::string& dimension : dimensions) {
+    LoadRequest request{.environment = standardMacros({})};
+    request.dimension = dimension;
+    request.keepGoing = true;
+    folders.push_back(*loadShaderPack(memorySource(files), request, found.emplace_back()));
+  }
+  if (settle) settleConditionals(folders, 1, found);
+  Lines lines;
+  for (const Diagnostics& diagnostics : found) {
+    for (const Diagnostic& d : diagnostics) {
+      if (d.id == "conditional-unbalanced")
+        lines.push_back(d.at.file + ":" + std::to_string(d.at.line) + ": " + d.message);
+    }
+  }
+  return lines;
+}
+
+std::string linesOf(const std::string& line, int count) {
+  std::string lines;
+  for (int i = 0; i < count; ++i) lines += line + "\n";
+  return lines;
+}
+
+/// An #endif is missing in line 18, where the first branch ends; a block of two paragraphs follows,
+/// and if that ended after the first of them, the lengths of blocks would fit better.
+std::string lacksEndif(const std::string& head) {
+  return kVersion + head +                                           // 2
+         "void main() {\nfloat light = 1.0;\nfloat bright = 0.5;\n"  // 3 to 5
+         "#ifdef DARK\n" +
+         linesOf("light *= 0.9;", 10) +  // 6 to 16
+         "bright = light;\n\n"           // 17, 18
+         "float glow = bright;\n\n"      // 19, 20
+         "#ifdef FOG\nbright *= 0.5;\n\n" +
+         linesOf("glow *= 0.7;", 8) +
+         "#endif\n"  // 21 to 32
+         "gl_FragColor = vec4(glow);\n}\n";
+}
+
+TEST(ConditionalPlace, an_endif_stands_where_the_program_compiles) {
+  const Files files{{"/composite.vsh", kVertexStage}, {"/composite.fsh", lacksEndif("\n")}};
+  EXPECT_THAT(told(files, {"/"}, false),
+              Contains("/composite.fsh:22: expected #endif after this line: nothing closes the "
+                       "#ifdef in line 21"));
+  EXPECT_THAT(told(files, {"/"}, true),
+              AllOf(Contains("/composite.fsh:17: expected #endif after this line: nothing closes "
+                             "the #ifdef in line 6"),
+                    Contains("/composite.fsh:6: #ifdef is not closed: expected #endif before the "
+                             "end"),
+                    Not(Contains(HasSubstr(":22:")))));
+}
+
+// In one of the folders all of it is read, whatever the place.
+TEST(ConditionalPlace, one_place_is_tried_for_all_folders) {
+  const std::string body = lacksEndif("\n");
+  const std::string shared = body.substr(body.find("void main"));
+  const Files files{
+      {"/world0/composite.vsh", kVertexStage},
+      {"/world0/composite.fsh", kVersion + "#include \"/lib.glsl\"\n"},
+      {"/world1/composite.vsh", kVertexStage},
+      {"/world1/composite.fsh", kVersion + "#define DARK\n#define FOG\n#include \"/lib.glsl\"\n"},
+      {"/lib.glsl", shared}};
+  for (const std::vector<std::string>& folders :
+       {std::vector<std::string>{"world0", "world1"}, {"world1", "world0"}}) {
+    const Lines lines = told(files, folders, true);
+    EXPECT_THAT(lines, Each(AnyOf(StartsWith("/lib.glsl:4:"), StartsWith("/lib.glsl:15:"),
+                                  HasSubstr("or nothing closes"))));
+  }
+}
+
+// What stands in the first branch is no GLSL of this program.
+TEST(ConditionalPlace, an_endif_too_many_is_the_one_without_which_the_program_compiles) {
+  const std::string fragment = kVersion +
+                               "#define GLOW\nvoid main() {\nfloat b = 1.0;\n"  // 2 to 4
+                               "#ifndef GLOW\n" +
+                               linesOf("b *= 0.5;", 2) +
+                               "\n#endif\n"  // 5 to 9
+                               "float glow = unknown;\n" +
+                               linesOf("glow *= 0.7;", 3) +
+                               "#else\n"  // to 14
+                               "float glow = b;\n" +
+                               linesOf("glow *= 0.7;", 3) +
+                               "#endif\n"  // to 19
+                               "gl_FragColor = vec4(glow);\n}\n";
+  const Files files{{"/composite.vsh", kVertexStage}, {"/composite.fsh", fragment}};
+  EXPECT_THAT(told(files, {"/"}, false), Contains("/composite.fsh:19: #endif without #if"));
+  EXPECT_THAT(told(files, {"/"}, true), Contains("/composite.fsh:9: #endif without #if"));
+}
+
+// An #ifdef FSH is missing in line 13; neither always nor never would do for both stages.
+TEST(ConditionalPlace, an_if_of_a_stage_is_that_of_the_stage_that_has_none) {
+  const std::string both =
+      "// 1\n#ifdef VSH\nvoid main() {\n  vec4 p = ftransform();\n"  // to 4
+      "  #ifdef SHAKE\n  p.x += 0.1;\n  #endif\n"                    // to 7
+      "  gl_Position = p;\n}\n#endif\n\n// a line between\n\n"       // to 13
+      "const vec4 c = vec4(1.0);\n\nvoid main() {\n"                 // to 16
+      "  gl_FragColor = c * step(0.5, gl_FragCoord);\n}\n#endif\n";  // to 19
+  const Files files{{"/composite.vsh", kVersion + "#define VSH\n#include \"/composite.glsl\"\n"},
+                    {"/composite.fsh", kVersion + "#define FSH\n#include \"/composite.glsl\"\n"},
+                    {"/composite.glsl", both}};
+  EXPECT_THAT(
+      told(files, {"/"}, true),
+      AllOf(Contains("/composite.glsl:19: #endif without #if"),
+            Contains(AnyOf(StartsWith("/composite.glsl:12: expected #if before this line"),
+                           StartsWith("/composite.glsl:14: expected #if before this line")))));
+}
+
+TEST(ConditionalPlace, a_slip_and_what_pairs_stay_as_they_are) {
+  const Files files{{"/composite.vsh", kVertexStage},
+                    {"/composite.fsh", kVersion + "#ifdef A\n#endfi\nvoid main() {}\n"}};
+  EXPECT_EQ(told(files, {"/"}, true), told(files, {"/"}, false));
+}
+
+}  // namespace
+}  // namespace orris
