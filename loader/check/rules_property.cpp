@@ -8,6 +8,7 @@ namespace orris {
 std::span<const Rule> propertyRules() {
   static const std::vector<Rule> kRules = {
       {"alpha-test", Severity::Warning, "an alphaTest cannot be read"},
+      {"auto-option", Severity::Warning, "what a value of an AUTO option costs cannot be read"},
       {"blend-factor", Severity::Error, "a blend factor does not exist"},
       {"blend-syntax", Severity::Error, "a blend mode is neither off nor four factors"},
       {"buffer-file-long", Severity::Error, "the file of a bufferObject is larger than the buffer"},

@@ -45,7 +45,7 @@ const std::vector<std::string>& supportedFeatures() {
 }
 
 const std::vector<std::string>& supportedOrrisFeatures() {
-  static const std::vector<std::string> kNames{kShadowVolumes};
+  static const std::vector<std::string> kNames{kShadowVolumes, kAutoOptions};
   return kNames;
 }
 

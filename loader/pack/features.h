@@ -15,6 +15,9 @@ namespace orris {
 /// readable as the usampler2D stenciltex0.
 inline constexpr const char* kShadowVolumes = "STENCIL_SHADOW_VOLUMES";
 
+/// Options whose value is AUTO get the value whose cost the pack's `auto.*` lines put lowest.
+inline constexpr const char* kAutoOptions = "AUTO_OPTIONS";
+
 /// Flags of iris.features.* and of orris.features.* that this host offers, upper case.
 const std::vector<std::string>& supportedFeatures();
 const std::vector<std::string>& supportedOrrisFeatures();

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "glsl/name_watch.h"
+#include "pack/auto_properties.h"
 #include "pack/features.h"
 #include "pack/legacy_ids.h"
 #include "pack/resource_check.h"
@@ -63,6 +64,9 @@ PackProperties readPackProperties(const PackFiles& files, const OptionValues& va
   if (files.properties) {
     out.shader = parseShaderProperties(kPropertiesFile, *files.properties, macros, files.options,
                                        out.diagnostics, &watch);
+    // Read again where an option is AUTO; here for what is wrong with it.
+    if (asksForAuto(out.shader))
+      parseAutoOptions(kPropertiesFile, *files.properties, macros, files.options, out.diagnostics);
     checkDeclared(out.shader, out.diagnostics);
     checkResources(out.shader, *files.source, out.diagnostics);
   }
