@@ -3,9 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
+
+#include "frame/scene_quantities.h"
 
 namespace orris {
 namespace {
+
+// When AUTO is asked again: choosing and compiling take time, and a scene does not change its kind
+// from one frame to the next.
+constexpr int kChoiceFrames = 20;
+constexpr double kChoiceWay = 16;  // blocks that the eye moved
+constexpr int kChoiceTicks = 500;
 
 std::shared_ptr<const ShaderPack> withoutErrors(std::optional<ShaderPack> pack,
                                                 const Diagnostics& problems,
@@ -37,9 +46,12 @@ std::unique_ptr<RenderSession> RenderSession::create(gl::Context& context, Sessi
   if (request.time) world.environment.time = *request.time;
   auto session =
       std::unique_ptr<RenderSession>(new RenderSession(context, std::move(request), SceneData()));
-  const auto pack = session->loadPack(diagnostics);
+  const auto asked = session->loadPack(diagnostics);
+  if (asked == nullptr) return nullptr;
+  session->scene_ = buildScene(std::move(world), meshStyleOf(*asked), diagnostics);
+  const auto pack = session->settle(asked, diagnostics);
   if (pack == nullptr) return nullptr;
-  session->scene_ = buildScene(std::move(world), meshStyleOf(*pack), diagnostics);
+  if (meshStyleOf(*pack) != meshStyleOf(*asked)) rebuildMesh(session->scene_, meshStyleOf(*pack));
   session->renderer_ = std::make_unique<FrameRenderer>(context, session->request_.renderer);
   SessionReload start{0, "start", false, {}};
   start.succeeded = session->renderer_->setPack(pack, session->scene_, start.report, diagnostics);
@@ -65,8 +77,47 @@ bool RenderSession::reload(const std::string& cause, Diagnostics& diagnostics) {
   return use(cause, loadPack(diagnostics), diagnostics);
 }
 
-bool RenderSession::use(const std::string& cause, std::shared_ptr<const ShaderPack> pack,
+std::shared_ptr<const ShaderPack> RenderSession::settle(std::shared_ptr<const ShaderPack> asked,
+                                                        Diagnostics& diagnostics) {
+  asked_ = asked;
+  chosenFor_ = {frame_, scene_.world.environment.time, request_.camera.position, false};
+  auto_.choose(*asked, request_.load, [&](const std::set<std::string>& wanted) {
+    const FrameState view = nextFrameState(frameInput(), asked->directives, nullptr);
+    return measureScene(scene_, view, asked->directives, wanted);
+  });
+  if (auto_.all().empty()) return asked;
+  Diagnostics problems;
+  auto pack = rebuildShaderPack(*asked, auto_.applied(request_.load), problems);
+  return withoutErrors(std::move(pack), problems, diagnostics);
+}
+
+bool RenderSession::sceneChanged() const {
+  if (auto_.all().empty() || frame_ - chosenFor_.frame < kChoiceFrames) return false;
+  return chosenFor_.blocksChanged ||
+         std::abs(scene_.world.environment.time - chosenFor_.time) > kChoiceTicks ||
+         glm::distance(request_.camera.position, chosenFor_.eye) > kChoiceWay;
+}
+
+void RenderSession::chooseAgain(Diagnostics& diagnostics) {
+  const AutoChoices before = auto_;
+  const auto pack = settle(asked_, diagnostics);
+  if (pack == nullptr || auto_.text() == before.text()) return;
+  if (!take("AUTO: " + auto_.text(), pack, diagnostics)) auto_ = before;
+}
+
+bool RenderSession::use(const std::string& cause, std::shared_ptr<const ShaderPack> asked,
                         Diagnostics& diagnostics) {
+  const auto askedBefore = asked_;
+  const AutoChoices autoBefore = auto_;
+  if (asked != nullptr) asked = settle(std::move(asked), diagnostics);
+  if (take(cause, std::move(asked), diagnostics)) return true;
+  asked_ = askedBefore;
+  auto_ = autoBefore;
+  return false;
+}
+
+bool RenderSession::take(const std::string& cause, std::shared_ptr<const ShaderPack> pack,
+                         Diagnostics& diagnostics) {
   SessionReload reload{frame_, cause, false, {}};
   if (pack != nullptr) {
     const MeshStyle style = meshStyleOf(*pack);
@@ -113,7 +164,9 @@ void RenderSession::applyEvents(Diagnostics& diagnostics) {
       world.environment.time = time->time;
     }
   }
-  if (blocksChanged) rebuildScene(diagnostics);
+  if (!blocksChanged) return;
+  chosenFor_.blocksChanged = true;
+  rebuildScene(diagnostics);
 }
 
 void RenderSession::rebuildScene(Diagnostics& diagnostics) {
@@ -129,17 +182,23 @@ void RenderSession::rebuildScene(Diagnostics& diagnostics) {
   renderer_->updateScene(scene_);
 }
 
-void RenderSession::renderFrame(Diagnostics& diagnostics) {
-  applyEvents(diagnostics);
+FrameInput RenderSession::frameInput() const {
   FrameInput input;
-  input.width = renderer_->schedule().width;
-  input.height = renderer_->schedule().height;
+  input.width = renderer_ ? renderer_->schedule().width : request_.renderer.width;
+  input.height = renderer_ ? renderer_->schedule().height : request_.renderer.height;
   input.seed = request_.seed;
   input.camera = request_.camera;
   input.environment = scene_.world.environment;
   input.eye = scene_.surroundings(request_.camera.position);
-  input.centerDepth = renderer_->centerDepth();
   input.frameTime = request_.frameTime;
+  return input;
+}
+
+void RenderSession::renderFrame(Diagnostics& diagnostics) {
+  applyEvents(diagnostics);
+  if (sceneChanged()) chooseAgain(diagnostics);
+  FrameInput input = frameInput();
+  input.centerDepth = renderer_->centerDepth();
   state_ = nextFrameState(input, renderer_->pack().directives, state_ ? &*state_ : nullptr);
   state_->emptyHandId = renderer_->pack().hasItemFile ? -1 : 0;
   Player& player = state_->environment.player;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "frame/auto_choices.h"
 #include "frame/frame_renderer.h"
 
 namespace orris {
@@ -56,13 +57,24 @@ class RenderSession {
   FrameRenderer& renderer() { return *renderer_; }
   const SceneData& scene() const { return scene_; }
   const std::vector<SessionReload>& reloads() const { return reloads_; }
+  /// What was chosen for options that are AUTO; chosen again at each load, and when the scene has
+  /// changed by much.
+  const AutoChoices& autoChoices() const { return auto_; }
 
  private:
   RenderSession(gl::Context& context, SessionRequest request, SceneData scene);
   std::shared_ptr<const ShaderPack> loadPack(Diagnostics& diagnostics);
   std::shared_ptr<const ShaderPack> rebuildPack(Diagnostics& diagnostics);
-  bool use(const std::string& cause, std::shared_ptr<const ShaderPack> pack,
+  bool use(const std::string& cause, std::shared_ptr<const ShaderPack> asked,
            Diagnostics& diagnostics);
+  bool take(const std::string& cause, std::shared_ptr<const ShaderPack> pack,
+            Diagnostics& diagnostics);
+  /// The pack with values chosen for options that are AUTO.
+  std::shared_ptr<const ShaderPack> settle(std::shared_ptr<const ShaderPack> asked,
+                                           Diagnostics& diagnostics);
+  void chooseAgain(Diagnostics& diagnostics);
+  bool sceneChanged() const;
+  FrameInput frameInput() const;
   void applyEvents(Diagnostics& diagnostics);
   void rebuildScene(Diagnostics& diagnostics);
 
@@ -72,6 +84,14 @@ class RenderSession {
   std::unique_ptr<FrameRenderer> renderer_;
   std::optional<FrameState> state_;
   std::vector<SessionReload> reloads_;
+  AutoChoices auto_;
+  /// What was asked for, and the scene for which `auto_` was chosen.
+  std::shared_ptr<const ShaderPack> asked_;
+  struct {
+    int frame = 0, time = 0;
+    glm::dvec3 eye{0};
+    bool blocksChanged = false;  ///< since
+  } chosenFor_;
   size_t nextEvent_ = 0;
   int frame_ = 0;
 };
