@@ -12,6 +12,7 @@
 #include "app/commands.h"
 #include "app/graph.h"
 #include "app/inputs.h"
+#include "frame/auto_choices.h"
 
 namespace orris {
 namespace {
@@ -44,7 +45,19 @@ std::string labelOf(const ShaderPack& pack, const std::string& option) {
   return label == language->second.end() ? "" : label->second;
 }
 
+/// What each value costs where the host chooses: value -> formula, in the pack's order.
+std::vector<std::pair<std::string, std::string>> costsOf(const ShaderPack& pack,
+                                                         const std::string& option) {
+  std::vector<std::pair<std::string, std::string>> costs;
+  for (const AutoCandidate& candidate : autoCandidates(pack))
+    if (candidate.option == option) costs.emplace_back(candidate.value, candidate.formula());
+  return costs;
+}
+
 nlohmann::json toJson(const ShaderPack& pack, const Option& option, const Reach& reach) {
+  nlohmann::json costs = nlohmann::json::array();
+  for (const auto& [value, formula] : costsOf(pack, option.name))
+    costs.push_back({{"value", value}, {"milliseconds", formula}});
   nlohmann::json places = nlohmann::json::array();
   for (const SourceLocation& place : option.at) places.push_back(toJson(place));
   const auto programs = reach.find(option.name);
@@ -56,6 +69,7 @@ nlohmann::json toJson(const ShaderPack& pack, const Option& option, const Reach&
           {"default", option.defaultValue},
           {"values", option.values},
           {"definedAt", places},
+          {"auto", costs},
           {"programs", programs == reach.end() ? std::set<std::string>() : programs->second}};
 }
 
@@ -92,6 +106,8 @@ void printOption(const ShaderPack& pack, const Option& option, const Reach& reac
   for (const SourceLocation& place : option.at) {
     text += fmt::format("  defined  {}:{}\n", place.file, place.line);
   }
+  for (const auto& [candidate, cost] : costsOf(pack, option.name))
+    text += fmt::format("  auto     {}: {} ms\n", candidate, cost);
   const auto programs = reach.find(option.name);
   text += fmt::format("  reaches  {}\n", programs == reach.end()
                                              ? "no program of this folder"

@@ -61,6 +61,25 @@ nlohmann::json toJson(const TargetPlan& plan, const char* kind) {
           {"sides", plan.needsAlt ? 2 : 1}};
 }
 
+/// What was chosen for options that are AUTO, of what and why.
+nlohmann::json describeAuto(const AutoChoices& autoChoices, const ShaderPack& pack) {
+  nlohmann::json options = nlohmann::json::array();
+  for (const AutoChoice& choice : autoChoices.all()) {
+    nlohmann::json candidates = nlohmann::json::array();
+    for (const AutoEstimate& estimate : choice.candidates)
+      candidates.push_back({{"value", estimate.value},
+                            {"milliseconds", estimate.milliseconds},
+                            {"allowed", estimate.allowed}});
+    for (const AutoCandidate& candidate : autoCandidates(pack))
+      for (nlohmann::json& entry : candidates)
+        if (candidate.option == choice.option && candidate.value == entry["value"])
+          entry["cost"] = candidate.formula();
+    options.push_back(
+        {{"option", choice.option}, {"value", choice.value}, {"candidates", candidates}});
+  }
+  return {{"options", options}, {"quantities", autoChoices.quantities()}};
+}
+
 /// What the pack counts: its custom images of whole numbers that are one short row.
 nlohmann::json describeCounters(const FrameRenderer& renderer) {
   constexpr float kMost = 64;
@@ -129,6 +148,7 @@ nlohmann::json describe(RenderSession& session, const gl::DriverInfo& driver) {
           {"programs", programs},
           {"steps", steps},
           {"targets", targets},
+          {"auto", describeAuto(session.autoChoices(), pack)},
           {"counters", describeCounters(session.renderer())},
           {"shadowResolution", schedule.shadowResolution}};
 }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "app/draw_check.h"
 #include "app/inputs.h"
 #include "app/patched_sources.h"
@@ -9,6 +11,7 @@
 #include "check/conditional_place.h"
 #include "check/link_errors.h"
 #include "check/pack_checks.h"
+#include "frame/auto_choices.h"
 #include "frame/render_session.h"
 #include "frame/uniforms.h"
 #include "pack/text.h"
@@ -70,11 +73,28 @@ std::vector<ShaderPack> makeFolders(const ShaderPack& outline,
   return folders;
 }
 
+/// What the host may choose for options that are AUTO: each candidate alone.
+void checkCandidates(const ShaderPack& pack, const LoadRequest& request, Checker& checker,
+                     Diagnostics& diagnostics) {
+  const std::vector<std::string> options = optionsAtAuto(pack);
+  for (const AutoCandidate& candidate : autoCandidates(pack)) {
+    if (std::find(options.begin(), options.end(), candidate.option) == options.end()) continue;
+    LoadRequest chosen = request;
+    chosen.dimension = pack.folder;
+    chosen.values[candidate.option] = candidate.value;
+    if (const auto other = rebuildShaderPack(pack, chosen, diagnostics)) {
+      checkPrograms(*other, checker, diagnostics);
+      checkFrame(*other, checker.target, diagnostics);
+    }
+  }
+}
+
 void checkOne(const ShaderPack& pack, const LoadRequest& request, Checker& checker,
               PackVerdict& verdict, Report& report) {
   Diagnostics diagnostics = ruleNotes(pack);
   checkPrograms(pack, checker, diagnostics);
   checkFrame(pack, checker.target, diagnostics);
+  checkCandidates(pack, request, checker, diagnostics);
   verdict.dimensions.insert(pack.folder);
   verdict.profiles.insert(request.profile);
   for (const ProgramUnit& unit : programUnits(pack)) {
