@@ -1,6 +1,7 @@
 #include "trace/lamps.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace orris {
 namespace {
@@ -47,6 +48,7 @@ LampSet::LampSet(std::vector<LampFace> faces, glm::ivec3 gridSize) : faces_(std:
   const auto count = [](glm::ivec3 n) { return double(n.x) * n.y * n.z; };
   while (edge_ < 512 && count(bricksAlong()) * double(faces_.size()) > kMostPairs) edge_ *= 2;
   bricksAlong_ = bricksAlong();
+  edgeBits_ = std::countr_zero(unsigned(edge_));
   for (int y = 0; y < bricksAlong_.y; ++y)
     for (int z = 0; z < bricksAlong_.z; ++z)
       for (int x = 0; x < bricksAlong_.x; ++x) {
@@ -105,7 +107,7 @@ void LampSet::makeAliases(const Brick& brick) {
 }
 
 const LampSet::Brick& LampSet::brickOf(glm::ivec3 cell) const {
-  const glm::ivec3 b = glm::clamp(cell / edge_, glm::ivec3(0), bricksAlong_ - 1);
+  const glm::ivec3 b = glm::clamp(cell >> edgeBits_, glm::ivec3(0), bricksAlong_ - 1);
   return bricks_[std::size_t(b.x) +
                  std::size_t(bricksAlong_.x) *
                      (std::size_t(b.z) + std::size_t(bricksAlong_.z) * std::size_t(b.y))];

@@ -58,7 +58,8 @@ class LampSet {
 
   std::vector<LampFace> faces_;
   std::vector<float> power_, cumulative_;  ///< by face, normalised
-  int edge_ = 4;                           ///< of a brick, cells
+  int edge_ = 4;                           ///< of a brick, cells: a power of two
+  int edgeBits_ = 2;                       ///< its exponent
   glm::ivec3 bricksAlong_{0};
   std::vector<Brick> bricks_;
   std::vector<Entry> entries_;

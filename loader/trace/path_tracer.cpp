@@ -108,12 +108,11 @@ glm::vec3 PathTracer::sunVisibility(const TraceSurface& surface, RayCounts& coun
 
 /// Asks for the direct sun on a matt surface.
 void PathTracer::askSun(const TraceSurface& surface, Query& query, RayCounts& counts) const {
+  query.wanted = false;
+  if (scene_.lighting->lightIrradiance().r <= 0 || !scene_.grid.isOpen(surface.cell)) return;
   const glm::vec3 toSun = scene_.lighting->lightDirection();
   const float slope = glm::dot(surface.normal, toSun);
-  const bool sees = scene_.lighting->lightIrradiance().r > 0 && (slope > 0 || surface.thin) &&
-                    scene_.grid.isOpen(surface.cell);
-  query.wanted = false;
-  if (!sees) return;
+  if (slope <= 0 && !surface.thin) return;
   const glm::vec3 reflected = slope > 0 ? surface.albedo : passedBy(surface);
   query.value = reflected * scene_.lighting->lightIrradiance() * (std::abs(slope) / kPi);
   query.send(surface, toSun, counts.sun, counts);

@@ -31,8 +31,11 @@ class SampleRandom {
   /// Two numbers in [0,1).
   glm::vec2 pair() {
     if (used_ + 1 < kEven) {
-      const std::uint32_t first = even();
-      return {unit(first), unit(even())};
+      const std::uint64_t rotation = mixBits(start_ + used_);
+      const std::uint32_t first = std::uint32_t(rotation >> 32) + sample_ * kSteps[used_];
+      const std::uint32_t second = std::uint32_t(rotation) + sample_ * kSteps[used_ + 1];
+      used_ += 2;
+      return {unit(first), unit(second)};
     }
     const std::uint64_t bits = next();
     return {unit(std::uint32_t(bits >> 32)), unit(std::uint32_t(bits))};
