@@ -6,12 +6,10 @@
 
 #include "frame/shapes.h"
 #include "gl/functions.h"
+#include "world/atlas_levels.h"
 
 namespace orris {
 namespace {
-
-// Mip levels in which a 16-texel tile still covers whole texels.
-constexpr int kAtlasLevels = 5;
 
 gl::Texture uploadImage(const Image8& image, int levels, const std::string& label) {
   gl::Texture texture =
@@ -20,8 +18,19 @@ gl::Texture uploadImage(const Image8& image, int levels, const std::string& labe
   return texture;
 }
 
-// Box-filtered levels of the atlas: tiles are powers of two, so no tile bleeds into another.
-gl::Texture uploadAtlas(const Image8& image, const std::string& label) {
+// Box-filtered levels: tiles are powers of two, so no tile bleeds into another.
+gl::Texture uploadColors(const Image8& image, const std::string& label) {
+  gl::Texture texture = uploadImage(image, kAtlasLevels, label);
+  const std::vector<Image8> levels = atlasLevels(image, kAtlasLevels);
+  for (std::size_t i = 1; i < levels.size(); ++i)
+    gl::TextureSubImage2D(texture.id(), GLint(i), 0, 0, levels[i].width, levels[i].height, GL_RGBA,
+                          GL_UNSIGNED_BYTE, levels[i].pixels.data());
+  gl::setParameters(texture, {.linear = false, .repeat = false, .mipmaps = true});
+  return texture;
+}
+
+// The same for data, as they are stored.
+gl::Texture uploadData(const Image8& image, const std::string& label) {
   gl::Texture texture = uploadImage(image, kAtlasLevels, label);
   gl::generateMipmaps(texture);
   gl::setParameters(texture, {.linear = false, .repeat = false, .mipmaps = true});
@@ -42,9 +51,9 @@ float levelBrightness(int level) {
 
 GpuScene::GpuScene(const SceneData& scene, const std::vector<int>& blockIds,
                    const VertexStyle& style) {
-  atlas_ = uploadAtlas(scene.atlas.albedo, "atlas");
-  normals_ = uploadAtlas(scene.atlas.normal, "normals");
-  specular_ = uploadAtlas(scene.atlas.specular, "specular");
+  atlas_ = uploadColors(scene.atlas.albedo, "atlas");
+  normals_ = uploadData(scene.atlas.normal, "normals");
+  specular_ = uploadData(scene.atlas.specular, "specular");
   lightmap_ = gl::createTexture(2, *gl::findFormat("RGBA8"), 16, 16, 1, 1, "lightmap");
   Image8 white(1, 1, 4);
   std::fill(white.pixels.begin(), white.pixels.end(), std::uint8_t{255});

@@ -86,7 +86,7 @@ struct PathTracer::Query {
 };
 
 void PathTracer::setSurface(const RayHit& hit, const glm::vec3& direction, TraceSurface& surface,
-                            int level) const {
+                            const TextureLevel& level) const {
   const TraceQuad& quad = scene_.grid.quad(hit.quad);
   surface.position = quad.corner + quad.edgeU * hit.at.x + quad.edgeV * hit.at.y;
   const bool away = glm::dot(quad.normal, direction) > 0;

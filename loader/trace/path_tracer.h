@@ -82,7 +82,7 @@ class PathTracer {
                       RayCounts& counts);
   glm::vec3 metLamp(const RayHit& hit, const TraceSurface& from, const glm::vec3& direction) const;
   void setSurface(const RayHit& hit, const glm::vec3& direction, TraceSurface& surface,
-                  int level = 0) const;
+                  const TextureLevel& level = {}) const;
   glm::vec3 pixelRay(int x, int y) const;
 
   const TraceScene& scene_;

@@ -50,7 +50,7 @@ float PathTracer::seeTranslucent(const Look& from, const RayHit& hit, const glm:
   const TraceQuad& quad = scene_.grid.quad(hit.quad);
   const glm::vec3 toViewer = -from.ray.direction;
   TraceSurface surface;
-  const int level = scene_.grid.textureLevel(hit.quad, from.footprint);
+  const TextureLevel level = scene_.grid.textureLevel(hit.quad, from.footprint);
   setSurface(hit, from.ray.direction, surface, level);
   surface.thin = false;
   const float grazing = 1 - glm::clamp(glm::dot(surface.normal, toViewer), 0.0f, 1.0f);

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "trace/pack_lighting.h"
+#include "world/atlas_levels.h"
 
 namespace orris {
 namespace {
@@ -17,20 +18,6 @@ int faceOf(const glm::vec3& normal) {
     if (glm::dot(normal, glm::vec3(normalOf(FaceDirection(face)))) > 0.99f) return face;
   }
   return -1;
-}
-
-Image8 halved(const Image8& image) {
-  Image8 half(std::max(1, image.width / 2), std::max(1, image.height / 2), 4);
-  for (int y = 0; y < half.height; ++y)
-    for (int x = 0; x < half.width; ++x)
-      for (int c = 0; c < 4; ++c) {
-        const int x1 = std::min(2 * x + 1, image.width - 1),
-                  y1 = std::min(2 * y + 1, image.height - 1);
-        const int sum = image.at(2 * x, 2 * y)[c] + image.at(x1, 2 * y)[c] +
-                        image.at(2 * x, y1)[c] + image.at(x1, y1)[c];
-        half.at(x, y)[c] = std::uint8_t((sum + 2) / 4);
-      }
-  return half;
 }
 
 PlacedQuad placeQuad(const BlockVertex* v, const MeshSection& section, glm::vec2 texels) {
@@ -58,18 +45,16 @@ PlacedQuad placeQuad(const BlockVertex* v, const MeshSection& section, glm::vec2
 
 }  // namespace
 
-// Means of four texels as they are stored, as GL makes them, and made linear afterwards.
 TraceTexture linearTexture(const Image8& image) {
   TraceTexture texture{image.width, image.height, {}};
   std::array<float, 256> linear{};
   for (int i = 0; i < 256; ++i) linear[std::size_t(i)] = packToLinear(glm::vec3(float(i) / 255)).x;
-  Image8 level = image;
-  for (auto& texels : texture.levels) {
-    for (std::size_t i = 0; i + 3 < level.pixels.size(); i += 4) {
-      const std::uint8_t* p = &level.pixels[i];
-      texels.emplace_back(linear[p[0]], linear[p[1]], linear[p[2]], float(p[3]) / 255);
-    }
-    level = halved(level);
+  const std::vector<Image8> levels = atlasLevels(image, TraceTexture::kLevels);
+  for (std::size_t level = 0; level < levels.size(); ++level) {
+    const std::vector<std::uint8_t>& bytes = levels[level].pixels;
+    for (std::size_t i = 0; i + 3 < bytes.size(); i += 4)
+      texture.levels[level].emplace_back(linear[bytes[i]], linear[bytes[i + 1]],
+                                         linear[bytes[i + 2]], float(bytes[i + 3]) / 255);
   }
   return texture;
 }

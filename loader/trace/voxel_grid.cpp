@@ -108,9 +108,26 @@ bool VoxelGrid::enter(Ray& ray) const {
   return true;
 }
 
-// GL leaves the measure free between the largest component and the sum; Mesa takes the former.
-int VoxelGrid::textureLevel(std::uint32_t quad, const PixelFootprint* footprint) const {
-  if (footprint == nullptr) return 0;
+glm::vec4 VoxelGrid::texel(const TraceQuad& quad, const glm::vec2& at,
+                           const TextureLevel& level) const {
+  const glm::vec2 place = quad.uvCorner + quad.uvU * at.x + quad.uvV * at.y;
+  const glm::vec4 tint(quad.tint, 1);
+  const glm::vec4& fine = texture_.at(place, level.level);
+  if (level.next <= 0) return fine * tint;
+  const glm::vec4& coarse = texture_.at(place, level.level + 1);
+  const glm::vec4 stored(2.2f, 2.2f, 2.2f, 1);
+  return glm::pow(
+             glm::mix(glm::pow(fine, 1.0f / stored), glm::pow(coarse, 1.0f / stored), level.next),
+             stored) *
+         tint;
+}
+
+// GL leaves the measure free between the largest component and the sum; Mesa takes the former. Of
+// the way from one level to the next Mesa's software rasteriser blends the second half of the
+// mantissa, which it scales so that the middle of the blend is at the middle of the way.
+TextureLevel VoxelGrid::textureLevel(std::uint32_t quad, const PixelFootprint* footprint) const {
+  constexpr float kScale = 3.5f / (2 * 1.41421356f);
+  if (footprint == nullptr) return {};
   const QuadPlane& plane = planes_[quad];
   std::array<glm::vec2, 3> texels;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -123,8 +140,11 @@ int VoxelGrid::textureLevel(std::uint32_t quad, const PixelFootprint* footprint)
   }
   const glm::vec2 across = glm::abs(texels[1] - texels[0]), down = glm::abs(texels[2] - texels[0]);
   const float largest = std::max(std::max(across.x, across.y), std::max(down.x, down.y));
-  if (!(largest > 1)) return 0;
-  return std::min(int(std::lround(std::log2(std::min(largest, 1e6f)))), TraceTexture::kLevels - 1);
+  int power = 0;
+  const float mantissa = 2 * std::frexp(std::min(largest, 1e6f) * kScale, &power);
+  if (!(mantissa >= 1) || power < 1) return {};
+  if (power - 1 >= TraceTexture::kLevels - 1) return {TraceTexture::kLevels - 1, 0};
+  return {power - 1, std::max(0.0f, 2 * mantissa - 3)};
 }
 
 }  // namespace orris

@@ -9,6 +9,7 @@
 
 #include "trace/open_boxes.h"
 #include "trace/ray.h"
+#include "world/atlas_levels.h"
 
 namespace orris {
 
@@ -71,7 +72,7 @@ struct TraceFilter {
 
 /// Texels of the atlas, linear; alpha in w. Level 0 is the full size, each further one half of it.
 struct TraceTexture {
-  static constexpr int kLevels = 5;
+  static constexpr int kLevels = kAtlasLevels;
   int width = 0, height = 0;
   std::array<std::vector<glm::vec4>, kLevels> levels;
   const glm::vec4& at(const glm::vec2& texel, int level = 0) const {
@@ -80,6 +81,12 @@ struct TraceTexture {
     const int y = glm::clamp(int(texel.y) >> level, 0, h - 1);
     return levels[std::size_t(level)][std::size_t(y) * std::size_t(w) + std::size_t(x)];
   }
+};
+
+/// Where between two levels a texture is read: share 0 is `level` alone.
+struct TextureLevel {
+  int level = 0;
+  float next = 0;  ///< share of level + 1
 };
 
 /// The pixel behind a camera's ray, by the rays of the first, the right and the lower pixel of its
@@ -117,12 +124,13 @@ class VoxelGrid {
   const std::vector<TraceQuad>& quads() const { return quads_; }
   const TraceTexture& texture() const { return texture_; }
   /// Linear colour and alpha of a quad at a place on it.
-  glm::vec4 texel(const TraceQuad& quad, const glm::vec2& at, int level = 0) const {
-    return texture_.at(quad.uvCorner + quad.uvU * at.x + quad.uvV * at.y, level) *
-           glm::vec4(quad.tint, 1);
+  glm::vec4 texel(const TraceQuad& quad, const glm::vec2& at) const {
+    return texture_.at(quad.uvCorner + quad.uvU * at.x + quad.uvV * at.y) * glm::vec4(quad.tint, 1);
   }
-  /// The level in which a rasteriser would read the quad's texture; 0 without a footprint.
-  int textureLevel(std::uint32_t quad, const PixelFootprint* footprint) const;
+  /// The same blended from two levels as they are stored, as GL does.
+  glm::vec4 texel(const TraceQuad& quad, const glm::vec2& at, const TextureLevel& level) const;
+  /// The levels in which a rasteriser would read the quad's texture; 0 without a footprint.
+  TextureLevel textureLevel(std::uint32_t quad, const PixelFootprint* footprint) const;
   /// Is there a way from this cell to the outside, past cells that are no full cubes?
   bool isOpen(glm::ivec3 cell) const { return !contains(cell) || open_[offset(cell)] != 0; }
 

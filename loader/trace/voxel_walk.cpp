@@ -89,8 +89,10 @@ class VoxelGrid::Walk {
   void meetQuads(const TraceCell& cell);
   void passFilter(const TraceFilter& filter, float leave);
   bool isHole(std::uint32_t quad, const glm::vec2& at) const {
-    const int level = kCamera ? grid_.textureLevel(quad, footprint_) : 0;
-    return grid_.texel(grid_.quads_[quad], at, level).a < kAlphaTest;
+    const TraceQuad& sheet = grid_.quads_[quad];
+    const glm::vec4 texel = kCamera ? grid_.texel(sheet, at, grid_.textureLevel(quad, footprint_))
+                                    : grid_.texel(sheet, at);
+    return texel.a < kAlphaTest;
   }
   /// When and through which axis the ray leaves the cell.
   std::pair<float, int> leaving() const;
