@@ -51,9 +51,9 @@ class SceneBuilder {
   struct State {
     bool seen = false;
     bool thin = false, water = false, emits = false;
-    std::uint8_t filter = 0;
-    glm::vec3 radiance{0};  ///< of every lit face, or of the ball
-    float ball = 0;         ///< radius
+    std::uint8_t filter = 0, surface = 0;  ///< of a whole cell; with air above it
+    glm::vec3 radiance{0};                 ///< of every lit face, or of the ball
+    float ball = 0;                        ///< radius
     int topFace = -1;
   };
 
@@ -110,19 +110,23 @@ void SceneBuilder::describeStates() {
       state.radiance = light.radiance * (light.radius > 0 ? 1 : light.area / shown);
       state.emits = true;
     } else if (placed.quad.translucent && (facts.fluid || isWhole(facts)) &&
-               filters_.size() < 255) {
+               filters_.size() < 254) {
       if (state.filter == 0) {
         state.filter = std::uint8_t(filters_.size());
-        filters_.emplace_back();
+        state.surface = std::uint8_t(state.filter + facts.fluid);
+        filters_.resize(std::size_t(state.surface) + 1);
       }
       const glm::vec3 color = glm::max(glm::vec3(mean), 1e-6f);
-      filters_[state.filter] = {color, facts.fluid ? kFluidHeight : 1, glm::log(color)};
+      filters_[state.filter] = {color, 1, glm::log(color)};
+      if (facts.fluid) filters_[state.surface] = {color, kFluidHeight, glm::log(color)};
     }
   }
 }
 
 std::uint8_t SceneBuilder::filterAt(glm::ivec3 cell) const {
-  return states_[input_.blocks.indexAt(cell)].filter;
+  const State& state = states_[input_.blocks.indexAt(cell)];
+  const State& above = states_[input_.blocks.indexAt(cell + glm::ivec3(0, 1, 0))];
+  return state.water && above.water ? state.filter : state.surface;
 }
 
 /// The box of all that is drawn or filters.
