@@ -15,6 +15,7 @@
 #include "app/trace_scene_input.h"
 #include "image/image.h"
 #include "trace/checkpoint.h"
+#include "trace/edge_pixels.h"
 #include "trace/shadow_mask.h"
 
 namespace orris {
@@ -75,17 +76,28 @@ std::optional<TraceFilm> openFilm(const TraceOptions& options, const TraceCamera
   return film;
 }
 
-bool writePicture(const std::string& path, const TraceFilm& film, Report& report, int& status) {
+/// The picture, its halves, and which pixels lie on edges.
+bool writePicture(const std::string& path, const TraceFilm& film,
+                  const std::vector<std::uint8_t>& edges, Report& report, int& status) {
   static const std::vector<std::string> kChannels = {
-      "R", "G", "B", "first.R", "first.G", "first.B", "second.R", "second.G", "second.B"};
+      "R",       "G",        "B",        "first.R",  "first.G",
+      "first.B", "second.R", "second.G", "second.B", "undecided.V"};
+  const ImageF halves = film.image();
+  ImageF image(film.width, film.height, int(kChannels.size()));
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const auto from = halves.pixels.begin() + std::ptrdiff_t(i * 9);
+    const auto to = image.pixels.begin() + std::ptrdiff_t(i * kChannels.size());
+    *std::copy(from, from + 9, to) = float(edges[i]);
+  }
   Diagnostics diagnostics;
-  const bool written = writeImage(path, film.image(), kChannels, diagnostics);
+  const bool written = writeImage(path, image, kChannels, diagnostics);
   report.add(diagnostics);
   if (!written) status = kUsage;
   return written;
 }
 
-nlohmann::json describe(const TraceFilm& film, const TraceProgress& done, const TraceScene& scene) {
+nlohmann::json describe(const TraceFilm& film, const TraceProgress& done, const TraceScene& scene,
+                        std::ptrdiff_t edges) {
   const TraceNoise noise = film.noise();
   const auto perSecond = [&](std::uint64_t count) {
     return done.seconds > 0 ? double(count) / done.seconds : 0;
@@ -103,6 +115,7 @@ nlohmann::json describe(const TraceFilm& film, const TraceProgress& done, const 
           {"raysPerSecond", perSecond(done.rays.total())},
           {"mean", noise.mean},
           {"noise", {{"rms", noise.rms}, {"relative", noise.relative}, {"median", noise.median}}},
+          {"edgePixels", edges},
           {"quads", scene.grid.quads().size()},
           {"lampFaces", scene.lamps.faces().size()}};
 }
@@ -124,8 +137,9 @@ int runTrace(const TraceOptions& options, Report& report, nlohmann::json& result
     done = traceUntil(*film, job, options.limits, report);
     if (report.status() != kClean) return kHostFailed;
   }
-  if (!writePicture(options.picture, *film, report, status)) return status;
-  result = describe(*film, done, view->scene);
+  const std::vector<std::uint8_t> edges = edgePixels(view->scene, view->camera);
+  if (!writePicture(options.picture, *film, edges, report, status)) return status;
+  result = describe(*film, done, view->scene, std::count(edges.begin(), edges.end(), 1));
   if (!options.output.json && !options.output.quiet) {
     std::cout << fmt::format("{} samples a pixel, noise {:.3g} % rms of the mean\n",
                              2 * film->samples, 100 * film->noise().relative);

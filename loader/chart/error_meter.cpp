@@ -82,6 +82,11 @@ ErrorMeter::ErrorMeter(const ReferencePicture& reference, int frames)
     const double scale = luminance + dark;
     weight_.push_back(scale > 0 ? 1 / (scale * scale) : 0);
   }
+  for (std::size_t i = 0; i < reference.edges.size(); ++i)
+    if (reference.edges[i] != 0) weight_[i] = 0;
+  const auto edges = std::count_if(reference.edges.begin(), reference.edges.end(),
+                                   [](std::uint8_t edge) { return edge != 0; });
+  judged_ = std::max(1.0, double(pixels_) - double(edges));
   const int batches = std::min(kBatches, frames_);
   batches_.assign(std::size_t(batches), std::vector<double>(pixels_));
   batchFrames_.assign(std::size_t(batches), 0);
@@ -131,7 +136,7 @@ double ErrorMeter::squaredError(const std::vector<double>& sum, double count) co
     const double mean = sum[i] / count;
     result += (mean - first_[i]) * (mean - second_[i]) * weight_[i];
   }
-  return result / static_cast<double>(pixels_);
+  return result / judged_;
 }
 
 /// The squared error of the mean of the batches, less the noise that is left in that mean.
@@ -149,7 +154,7 @@ double ErrorMeter::squaredBias(const std::vector<const std::vector<double>*>& ba
     const double product = (mean - first_[i]) * (mean - second_[i]);
     result += (product - variance / count) * weight_[i];
   }
-  return result / static_cast<double>(pixels_);
+  return result / judged_;
 }
 
 void ErrorMeter::fillBias(ErrorSummary& summary) const {
@@ -176,7 +181,7 @@ void ErrorMeter::fillBias(ErrorSummary& summary) const {
   double sum = 0;
   for (std::size_t i = 0; i < pixels_; ++i)
     sum += (luminanceSum_[i] / added_ - (first_[i] + second_[i]) / 2) * std::sqrt(weight_[i]);
-  summary.signedBias = sum / static_cast<double>(pixels_);
+  summary.signedBias = sum / judged_;
 }
 
 double ErrorMeter::noise() const {
@@ -186,7 +191,7 @@ double ErrorMeter::noise() const {
     const double mean = luminanceSum_[i] / added_;
     result += (luminanceSquares_[i] - luminanceSum_[i] * mean) / (added_ - 1) * weight_[i];
   }
-  return rootOf(result / static_cast<double>(pixels_));
+  return rootOf(result / judged_);
 }
 
 AccumulatedError ErrorMeter::accumulated(const Run& run) const {

@@ -65,6 +65,7 @@ class ErrorMeter {
   const ReferencePicture& reference_;
   int frames_, added_ = 0;
   std::size_t pixels_, notFinite_ = 0;
+  double judged_ = 0;                            ///< pixels that are not undecided
   std::vector<double> first_, second_, weight_;  ///< luminance of the halves; 1 / (r + 0.02 mean)^2
   std::vector<double> sum_, squares_;            ///< by channel
   std::vector<double> luminanceSum_, luminanceSquares_;

@@ -9,6 +9,7 @@ namespace orris {
 namespace {
 
 constexpr int kTraceChannels = 9;
+constexpr int kEdgeChannel = 9;  // of ten
 
 ImageF channelsFrom(const ImageF& image, int first) {
   ImageF result(image.width, image.height, 3);
@@ -18,10 +19,10 @@ ImageF channelsFrom(const ImageF& image, int first) {
   return result;
 }
 
-/// Nine channels may be anything: only a mean of two halves is the mean of two halves.
+/// Nine channels, or ten, may be anything: only a mean of two halves is the mean of two halves.
 bool isMeanOfHalves(const ImageF& image) {
-  if (image.channels != kTraceChannels) return false;
-  for (std::size_t i = 0; i < image.pixels.size(); i += kTraceChannels) {
+  if (image.channels != kTraceChannels && image.channels != kEdgeChannel + 1) return false;
+  for (std::size_t i = 0; i < image.pixels.size(); i += std::size_t(image.channels)) {
     for (std::size_t c = i; c < i + 3; ++c) {
       const float mean = image.pixels[c], halves = (image.pixels[c + 3] + image.pixels[c + 6]) / 2;
       if (std::abs(mean - halves) > 1e-4f * (std::abs(mean) + std::abs(halves)) + 1e-6f)
@@ -69,6 +70,7 @@ std::uint64_t fingerprint(const ReferencePicture& reference) {
   digest.add(reference.mean.width).add(reference.hasHalves);
   for (const ImageF* image : {&reference.mean, &reference.first, &reference.second})
     digest.addBytes(image->pixels.data(), image->pixels.size() * sizeof(float));
+  digest.addBytes(reference.edges.data(), reference.edges.size());
   return digest.value();
 }
 
@@ -94,6 +96,9 @@ std::optional<ReferencePicture> readReference(const std::string& path, Diagnosti
   result.mean = toRgb(*image);
   result.first = result.hasHalves ? channelsFrom(*image, 3) : result.mean;
   result.second = result.hasHalves ? channelsFrom(*image, 6) : result.mean;
+  if (result.hasHalves && image->channels > kEdgeChannel)
+    for (std::size_t i = kEdgeChannel; i < image->pixels.size(); i += std::size_t(image->channels))
+      result.edges.push_back(image->pixels[i] > 0.5f ? 1 : 0);
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/diagnostic.h"
 #include "image/image.h"
@@ -15,6 +16,9 @@ namespace orris {
 struct ReferencePicture {
   ImageF mean, first, second;
   bool hasHalves = false;  ///< false: both are `mean`, its noise is unknown
+  /// 1 for pixels that lie on an edge, whose truth is one surface or the other: they are no error.
+  /// Empty: not known.
+  std::vector<std::uint8_t> edges{};
 };
 
 /// Standard error of the mean of the halves over the pixels, as a share of the mean luminance: the
@@ -31,7 +35,7 @@ double meanLuminance(const ImageF& image);
 /// The first three channels; a single one three times.
 ImageF toRgb(const ImageF& image);
 
-/// A picture of `orris trace` (nine channels: the mean and its two halves), or any other linear
+/// A picture of `orris trace` (the mean, its two halves, and pixels on edges), or any other linear
 /// picture. nullopt and a diagnostic for what cannot be read or is not finite.
 std::optional<ReferencePicture> readReference(const std::string& path, Diagnostics& diagnostics);
 /// Written as orris trace writes its own.

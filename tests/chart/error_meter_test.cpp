@@ -33,6 +33,21 @@ ReferencePicture exact(int width, int height, float value) {
 /// Over a reference of 1 the relative error is the error / 1.02.
 constexpr double kScale = 1 / 1.02;
 
+// A pixel on an edge is no error, whichever surface the frame took, and does not count among the pixels.
+TEST(ErrorMeter, LeavesEdgesOut) {
+  ReferencePicture reference = exact(4, 2, 1);
+  ImageF picture = flat(4, 2, 1.5f);
+  std::fill_n(picture.pixels.begin(), 6, 1000.0f);
+  reference.edges = {1, 1, 0, 0, 0, 0, 0, 0};
+  ErrorMeter meter(reference, 2);
+  meter.add(picture);
+  meter.add(picture);
+  EXPECT_NEAR(meter.summary().bias / kScale, 0.5, 1e-6);
+  EXPECT_NEAR(meter.summary().signedBias / kScale, 0.5, 1e-6);
+  EXPECT_NEAR(meter.summary().after(2).error / kScale, 0.5, 1e-6);
+  EXPECT_EQ(meter.summary().noise, 0);
+}
+
 // K = 16, variance 1, bias 0.05, 20000 pixels give .0030 +- .0006 for the squared
 // bias; without taking off the noise of the mean .065.
 TEST(ErrorMeter, TakesTheNoiseOfTheMeanOffTheBias) {
