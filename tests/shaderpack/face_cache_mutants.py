@@ -13,6 +13,7 @@ CHECKSUM = "include/voxel/checksum.glsl"
 LAMPS = "include/faces/lamp_sample.glsl"
 HIT = "include/lighting/hit.glsl"
 TRANSLUCENT = "program/gbuffers_translucent.glsl"
+LAKES = "program/s0_lakes.glsl"
 
 MUTANTS = [
     ("key without direction", "face_cache.closed_wall*",
@@ -79,8 +80,14 @@ MUTANTS = [
      [(HIT, "if (own.code >= voxel_small_lamp && along > 0.0",
        "if (false && along > 0.0")]),
     ("glass in the first cell passed by", "indirect.glass_takes*",
-     [(HIT, "if (own.code == voxel_translucent)",
+     [(HIT, "if (is_filter_voxel(own.code))",
        "if (false)")]),
+    ("lakes not filled", "indirect.deep_water*:volume.lakes*",
+     [(LAKES, "imageLoad(voxel_memory, lake_seen).r == change_stamp() ? VOLUME : 0",
+       "0")]),
+    ("lakes fill the slab in them", "volume.lakes*",
+     [(LAKES, "if (code == voxel_air && water.a > 0.0)",
+       "if (code != voxel_solid && code != voxel_water_surface && water.a > 0.0)")]),
     ("first cell of rays to lamps passed by", "indirect.glass_takes*",
      [(LAMPS, "Hit hit = trace_from_face(r.origin, chosen.direction);",
        "Hit hit = trace(r.origin, chosen.direction);")]),

@@ -96,6 +96,25 @@ TEST(indirect, glass_and_water_have_the_colour_of_the_lamp) {
   }
 }
 
+// Light to the bed of a lake takes its colour over the whole way, also through cells that have no faces.
+TEST(indirect, deep_water_takes_light_by_the_way_through_it) {
+  const auto bed = [](const std::string& water) {
+    PackSession pack(
+        darkRoom(R"({"box": "glowstone", "min": [1, 6, 1], "max": [7, 6, 7]})" + water),
+        options({{"FACE_SHARE", "1"}, {"FACE_WINDOW", "128"}, {"FACE_GAIN", "1.0"}}));
+    pack.renderFrames(130);
+    return double(faceField(pack, kVolume).at({4, 0, 4}, kUp)[2]);
+  };
+  const double dry = bed("");
+  const double shallow = bed(R"(,{"box": "water", "min": [1, 1, 1], "max": [7, 1, 7]})") / dry;
+  const double deep = bed(R"(,{"box": "water", "min": [1, 1, 1], "max": [7, 3, 7]})") / dry;
+  ASSERT_GT(shallow, .05);
+  ASSERT_LT(shallow, .9);
+  // 8/9 and 26/9 of a block, aslant a little more.
+  EXPECT_LT(deep, std::pow(shallow, 2.2));
+  EXPECT_GT(deep, std::pow(shallow, 4.5));
+}
+
 // At a flat angle water shows what is behind it: here a wall of lamps.
 TEST(indirect, water_mirrors_the_blocks_behind_it) {
   const auto lit = [](const std::string& wall) {

@@ -35,10 +35,10 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Expected{"minecraft:stone", 1}, Expected{"minecraft:oak_slab[type=bottom]", 2},
                     Expected{"minecraft:oak_slab[type=top]", 3},
                     Expected{"minecraft:oak_slab[type=double]", 1},
-                    Expected{"minecraft:red_stained_glass", 4}, Expected{"minecraft:glass", 0},
-                    Expected{"minecraft:glowstone", 16 + 15}, Expected{"minecraft:torch", 32 + 14},
-                    Expected{"minecraft:soul_torch", 32 + 10}, Expected{"minecraft:dandelion", 0},
-                    Expected{"minecraft:oak_fence", 0}));
+                    Expected{"minecraft:red_stained_glass", 4}, Expected{"minecraft:water", 5},
+                    Expected{"minecraft:glass", 0}, Expected{"minecraft:glowstone", 16 + 15},
+                    Expected{"minecraft:torch", 32 + 14}, Expected{"minecraft:soul_torch", 32 + 10},
+                    Expected{"minecraft:dandelion", 0}, Expected{"minecraft:oak_fence", 0}));
 
 TEST(volume, red_concrete_becomes_a_red_voxel) {
   PackSession pack(R"({
@@ -51,6 +51,31 @@ TEST(volume, red_concrete_becomes_a_red_voxel) {
   const auto texel = pack.voxels({32, 32}).at(cellOf({0, 0, 0}, {0, 0, 4}, 32));
   EXPECT_GT(texel[0], 2 * texel[1]);
   EXPECT_GT(texel[0], 2 * texel[2]);
+}
+
+// Water between water has no faces. The lake lies in stone and a slab stands in it.
+TEST(volume, lakes_are_filled_down_to_their_bed) {
+  PackSession pack(R"({
+    "size": [7, 6, 7],
+    "blocks": [{"box": "stone", "min": [0, 0, 0], "max": [6, 4, 6]},
+               {"box": "water", "min": [1, 1, 1], "max": [5, 4, 5]},
+               {"block": "oak_slab[type=bottom]", "at": [2, 1, 3]}],
+    "cameras": [{"name": "eye", "position": [3.5, 5.5, 3.5], "yaw": 180}]
+  })",
+                   {{"VOXEL_SIZE", "32"}});
+  pack.renderFrames(2);
+  const CellField voxels = pack.voxels({32, 32});
+  const auto codeAt = [&](int x, int y, int z) {
+    return int(voxels.at(cellOf({x, y, z}, {3, 5, 3}, 32))[3] * 255 + 0.5f);
+  };
+  EXPECT_EQ(codeAt(3, 5, 3), 0);
+  EXPECT_EQ(codeAt(3, 4, 3), 5);
+  for (int y = 1; y <= 3; ++y) EXPECT_EQ(codeAt(3, y, 3), 4) << y;
+  EXPECT_EQ(codeAt(3, 0, 3), 1);
+  EXPECT_EQ(codeAt(2, 1, 3), 2);
+  const auto surface = voxels.at(cellOf({3, 4, 3}, {3, 5, 3}, 32));
+  const auto deep = voxels.at(cellOf({3, 2, 3}, {3, 5, 3}, 32));
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(surface[c], deep[c], 1.5 / 255);
 }
 
 }  // namespace

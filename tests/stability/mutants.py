@@ -207,7 +207,7 @@ MUTANTS = [
      [(POWERS, "code != voxel_slab_bottom && ", "")]),
     ("image: slabs close no side to their neighbours", "A18.slab*",
      [(POWERS, " && code_above != voxel_slab_bottom", ""), (POWERS, " && code_below != voxel_slab_top", "")]),
-    ("image: glass has no colour", "image.holds*", [(POWERS, "int(code == voxel_translucent)", "0")]),
+    ("image: glass has no colour", "image.holds*", [(POWERS, "int(is_filter_voxel(code))", "0")]),
     ("image: gain without the power", "image.falls*",
      [(POWERS, "pow(FLOODFILL_ALPHA / 6.0, FLOODFILL_GAMMA)", "FLOODFILL_ALPHA / 6.0")]),
     ("image: no bounds", "image.holds*", [(POWERS, "cell.x > 0, cell.x < VOLUME - 1", "true, true")]),

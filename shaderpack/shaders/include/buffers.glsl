@@ -20,6 +20,8 @@
 //   colortex3 smoothed
 // shadowcolor0 RGBA8     shadow  0      shadow                        prepare, deferred, translucent
 //   voxels in the bottom rows (include/voxel/voxel.glsl), unused above them
+// shadowtex0   depth     shadow  1      shadow                        shadowcomp7, deferred, deferred4, translucent
+//   shadow map with translucent blocks: how far light goes through water
 // shadowtex1   depth     shadow  1      shadow                        deferred, deferred4, translucent
 //   shadow map without translucent blocks, above the rows of the voxels
 // colortex7    RGBA32F   window  0      opaque gbuffers               deferred4

@@ -8,6 +8,9 @@ void main() { gl_Position = ftransform(); }
 #else
 
 #define READ_GBUFFER
+#if VOXELS
+#define READ_VOXELS
+#endif
 #include "/include/gbuffer.glsl"
 #include "/include/lighting/ambient.glsl"
 #include "/include/lighting/direct.glsl"
@@ -21,6 +24,7 @@ uniform sampler2D colortex7;
 #include "/include/lights/lit_by_lamps.glsl"
 #endif
 #if VOXELS
+#include "/include/lighting/sun_tint.glsl"
 #include "/include/voxel/volume.glsl"
 #ifdef GI_FILTER
 uniform sampler2D colortex6;
@@ -74,8 +78,11 @@ vec3 light_surface(Surface s, ivec2 pixel) {
     vec3 radiance = s.albedo * (EMISSION_STRENGTH * level * level);
     radiance += s.albedo * indirect_radiance(s, pixel);
 #if DIRECT_LIGHT != NONE
-    radiance += light_irradiance() * sun_visibility(pixel, s.player, n, l, s.light.y) *
-                reflect_direct(s.albedo, n, v, l);
+    vec3 sun = light_irradiance() * sun_visibility(pixel, s.player, n, l, s.light.y);
+#if VOXELS
+    sun *= sun_tint(s.player, ivec3(floor(to_volume(s.player + n * 0.02))));
+#endif
+    radiance += sun * reflect_direct(s.albedo, n, v, l);
 #endif
 #if LAMPS_FORWARD
     radiance += texelFetch(colortex7, pixel, 0).rgb;

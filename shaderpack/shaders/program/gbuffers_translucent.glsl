@@ -99,6 +99,17 @@ vec3 indirect_radiance(vec3 n) {
 #endif
 }
 
+#if FACES
+/// The light on what the water mirrors. Of a face beside a surface of water most lies below it: what is
+/// above sees half of what the block's top sees.
+vec3 light_beside(Hit hit) {
+    vec3 own = cached_light(hit.cell, hit.normal).rgb;
+    bool beside = voxel_at(hit.cell + ivec3(hit.normal)).code == voxel_water_surface;
+    if (!beside || hit.position.y - float(hit.cell.y) < water_height) return own;
+    return 0.5 * (own + cached_light(hit.cell, vec3(0.0, 1.0, 0.0)).rgb);
+}
+#endif
+
 /// What water mirrors: the scene, as the voxels know it, or the sky where that reaches it.
 vec3 mirrored_radiance(vec3 n, vec3 direction, vec3 l) {
     float sky = light.y * light.y;
@@ -107,9 +118,8 @@ vec3 mirrored_radiance(vec3 n, vec3 direction, vec3 l) {
     if (inside_volume(position) > 0.0) {
         Hit hit = trace(position + n * ray_offset, direction);
         if (hit.found && is_lamp_voxel(hit.voxel.code)) return hit.transmittance * lamp_light(hit.voxel);
-        if (hit.found)
-            return hit.transmittance * hit.voxel.color *
-                   (sun_at(hit, l, light.y) + cached_light(hit.cell, hit.normal).rgb);
+        vec3 sun = DIRECT_LIGHT == NONE ? vec3(0.0) : sun_at(hit, l, light.y);
+        if (hit.found) return hit.transmittance * hit.voxel.color * (sun + light_beside(hit));
     }
 #endif
     return sky_radiance(direction) * sky;

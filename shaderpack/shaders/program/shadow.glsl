@@ -110,7 +110,7 @@ vec3 face_color() {
 }
 
 /// What the block is to the voxels; a 0: nothing.
-vec4 block_voxel(int id, float emission) {
+vec4 block_voxel(int id, float emission, vec3 normal) {
     vec3 color = face_color();
     int level = int(clamp(emission, 0.0, 15.0) + 0.5);
     if (level > 0) {
@@ -120,6 +120,8 @@ vec4 block_voxel(int id, float emission) {
                             level + (is_small_lamp(id) ? voxel_small_lamp : voxel_lamp));
     }
     if (id == block_plant || id == block_open || is_small_lamp(id)) return vec4(0.0);
+    bool surface = id == block_water && normal.y > 0.5;
+    if (surface) return encode_voxel(color, voxel_water_surface);
     if (id == block_water || id == block_translucent) return encode_voxel(color, voxel_translucent);
     if (id == block_slab_bottom) return encode_voxel(color, voxel_slab_bottom);
     if (id == block_slab_top) return encode_voxel(color, voxel_slab_top);
@@ -129,12 +131,13 @@ vec4 block_voxel(int id, float emission) {
 void emit_voxel() {
     ivec3 cell = ivec3(floor(to_volume(vertex_center[0])));
     if (!is_new_quad() || !in_volume(cell)) return;
-    voxel = block_voxel(int(floor(vertex_id[0] + 0.5)), vertex_emission[0]);
+    voxel = block_voxel(int(floor(vertex_id[0] + 0.5)), vertex_emission[0], vertex_normal[0]);
     if (voxel.a == 0.0) return;
 #if NOTICE_CHANGES
     int code = int(voxel.a * 255.0 + 0.5);
     int face = face_of(vertex_normal[0]);
     add_to_brick(cell, face, code, vertex_mid_uv[0]);
+    if (code == voxel_water_surface) note_lake();
 #endif
 #if FACES
     list_face(cell, face, code, int(clamp(vertex_sky[0], 0.0, 15.0) + 0.5));

@@ -4,6 +4,7 @@
 
 #include "/include/lighting/shadow.glsl"
 #include "/include/lighting/sky.glsl"
+#include "/include/lighting/sun_tint.glsl"
 #include "/include/math/sampling.glsl"
 #include "/include/voxel/trace.glsl"
 
@@ -34,8 +35,12 @@ Hit trace_from_face(vec3 origin, vec3 direction) {
     if (own.code >= voxel_small_lamp && along > 0.0 && off < ball && dot(to_center, to_center) > ball)
         return Hit(true, cell, origin, -direction, own, vec3(1.0));
     Hit hit = trace(origin, direction);
-    if (own.code == voxel_translucent)
-        hit.transmittance *= filtered(own.color, way_out(origin, direction));
+    if (is_filter_voxel(own.code)) {
+        vec2 ways = vec2(0.0, way_out(origin, direction));
+        if (own.code == voxel_water_surface)
+            ways = below_surface(ways, float(cell.y) + water_height - origin.y, direction.y);
+        hit.transmittance *= filtered(own.color, max(0.0, ways.y - ways.x));
+    }
     return hit;
 }
 
@@ -48,7 +53,8 @@ vec3 sky_beyond(vec3 direction, float sky) {
 vec3 sun_at(Hit hit, vec3 light, float sky) {
     vec3 player = from_volume(hit.position);
     return light_irradiance() * (max(dot(hit.normal, light), 0.0) / pi) *
-           light_visibility(player, hit.normal, light, 0, sky);
+           light_visibility(player, hit.normal, light, 0, sky) *
+           sun_tint(player, hit.cell + ivec3(hit.normal));
 }
 
 #endif

@@ -3,7 +3,7 @@
 //
 //   voxel_sums    r32ui, empty when a frame begins: a checksum of each brick's quads, by the shadow pass
 //   voxel_memory  r32ui, kept: row 0 these of the frame before, row 1 the frame of each brick's last
-//                 change, (0, 2) that of any
+//                 change, (0, 2) that of any, (1, 2) the last one with a lake
 //
 // Frames are numbered from 1 here; 0 is never.
 #if !defined INCLUDED_VOXEL_CHANGES
@@ -15,6 +15,7 @@ const int brick_size = 8;
 const int bricks = VOLUME / brick_size;  // along an axis
 const int brick_count = bricks * bricks * bricks;
 const ivec2 change_of_any = ivec2(0, 2);
+const ivec2 lake_seen = ivec2(1, 2);
 
 /// Of a place among the bricks, in which cells are stored.
 int brick_index(ivec3 place) { return (place.z * bricks + place.y) * bricks + place.x; }

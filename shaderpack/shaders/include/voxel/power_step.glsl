@@ -51,7 +51,7 @@ vec3 ring_power(Ring ring, ivec3 place, uint before) {
 
 /// A branch would be reckoned for every cell, a loop without turns is not.
 vec3 tinted(vec3 power, ivec3 cell, int code) {
-    for (int turn = 0; turn < int(code == voxel_translucent); ++turn)
+    for (int turn = 0; turn < int(is_filter_voxel(code)); ++turn)
         power *= pow(max(voxel_at(cell).color, vec3(1e-4)), vec3(FLOODFILL_GAMMA));
     return power;
 }

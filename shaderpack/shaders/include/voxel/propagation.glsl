@@ -107,7 +107,7 @@ vec3 propagate(ivec3 cell, Voxel self, ivec3 scroll) {
 vec3 next_light(ivec3 cell, ivec3 scroll, bool step_now) {
     Voxel own = voxel_at(cell);
     vec3 light = step_now ? propagate(cell, own, scroll) : light_at(cell + scroll);
-    if (step_now && own.code == voxel_translucent) light *= own.color;
+    if (step_now && is_filter_voxel(own.code)) light *= own.color;
     if (is_opaque_voxel(own.code)) light = vec3(0.0);
     if (is_lamp_voxel(own.code)) light = lamp_radiance(own);
     if (!in_volume(cell)) light = vec3(0.0);

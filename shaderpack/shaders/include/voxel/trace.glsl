@@ -19,7 +19,7 @@ struct Hit {
 
 /// Does the part of the ray in this cell, heights low to high within it, touch the block?
 bool touches(int code, float low, float high, float miss_squared) {
-    if (code == voxel_air || code == voxel_translucent) return false;
+    if (code == voxel_air || is_filter_voxel(code)) return false;
     if (code == voxel_slab_bottom) return low < 0.5;
     if (code == voxel_slab_top) return high > 0.5;
     if (code >= voxel_small_lamp) return miss_squared < small_lamp_radius * small_lamp_radius;
@@ -89,6 +89,12 @@ vec2 ways_through(Walk walk) {
     return vec2(max(came.x, max(came.y, came.z)), min(leave.x, min(leave.y, leave.z)));
 }
 
+/// Of the way from x to y of a ray, what lies below the height where water ends in its cell.
+vec2 below_surface(vec2 ways, float height, float slope) {
+    float crossing = height / (abs(slope) < 1e-6 ? 1e-6 : slope);
+    return slope > 0.0 ? vec2(ways.x, min(ways.y, crossing)) : vec2(max(ways.x, crossing), ways.y);
+}
+
 /// Does what is in the ray's cell stop it?
 bool meets(Walk walk, int code) {
     vec2 heights = walk.origin.y + walk.direction.y * ways_through(walk) - walk.cell.y;
@@ -129,9 +135,11 @@ Hit trace(vec3 origin, vec3 direction) {
         vec4 texel = texel_of(cell_of(walk));
         int code = int(texel.a * 255.0 + 0.5);
         if (meets(walk, code)) break;
-        if (code == voxel_translucent) {
+        if (is_filter_voxel(code)) {
             vec2 ways = ways_through(walk);
-            hit.transmittance *= filtered(texel.rgb * texel.rgb, ways.y - ways.x);
+            if (code == voxel_water_surface)
+                ways = below_surface(ways, walk.cell.y + water_height - origin.y, walk.direction.y);
+            hit.transmittance *= filtered(texel.rgb * texel.rgb, max(0.0, ways.y - ways.x));
         }
         walk_on(walk);
     }

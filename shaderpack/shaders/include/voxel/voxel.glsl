@@ -8,8 +8,12 @@ const int voxel_solid = 1;
 const int voxel_slab_bottom = 2;
 const int voxel_slab_top = 3;
 const int voxel_translucent = 4;
+const int voxel_water_surface = 5;  // translucent up to water_height
 const int voxel_lamp = 16;        // + light level 1..15, fills the cell
 const int voxel_small_lamp = 32;  // + light level 1..15, a ball in the cell
+
+// Of still water with air above it, as the game draws it.
+const float water_height = 8.0 / 9.0;
 
 // The ball of a small lamp, and how much brighter it is than a full block of that level: about
 // the ratio of the areas seen.
@@ -27,6 +31,11 @@ vec4 encode_voxel(vec3 color, int code) {
 
 Voxel decode_voxel(vec4 texel) {
     return Voxel(texel.rgb * texel.rgb, int(texel.a * 255.0 + 0.5));
+}
+
+/// Light passes, and takes its colour.
+bool is_filter_voxel(int code) {
+    return code == voxel_translucent || code == voxel_water_surface;
 }
 
 bool is_lamp_voxel(int code) { return code >= voxel_lamp; }
