@@ -76,6 +76,20 @@ TEST(ConditionalPlace, an_endif_stands_where_the_program_compiles) {
                     Not(Contains(HasSubstr(":22:")))));
 }
 
+// One of two programs has a mistake of its own.
+TEST(ConditionalPlace, of_places_with_which_not_all_compile_the_one_with_the_fewest_errors) {
+  const std::string body = lacksEndif("\n");
+  const std::string include = "#include \"/lib.glsl\"\n";
+  const Files files{{"/composite.vsh", kVertexStage},
+                    {"/composite.fsh", kVersion + "vec4 mistake = unknown;\n" + include},
+                    {"/composite1.vsh", kVertexStage},
+                    {"/composite1.fsh", kVersion + include},
+                    {"/lib.glsl", body.substr(body.find("void main"))}};
+  EXPECT_THAT(told(files, {"/"}, true),
+              Contains("/lib.glsl:15: expected #endif after this line: nothing closes the #ifdef "
+                       "in line 4"));
+}
+
 // In one of the folders all of it is read, whatever the place.
 TEST(ConditionalPlace, one_place_is_tried_for_all_folders) {
   const std::string body = lacksEndif("\n");
@@ -119,14 +133,15 @@ TEST(ConditionalPlace, an_if_of_a_stage_is_that_of_the_stage_that_has_none) {
       "// 1\n#ifdef VSH\nvoid main() {\n  vec4 p = ftransform();\n"  // to 4
       "  #ifdef SHAKE\n  p.x += 0.1;\n  #endif\n"                    // to 7
       "  gl_Position = p;\n}\n#endif\n\n// a line between\n\n"       // to 13
-      "const vec4 c = vec4(1.0);\n\nvoid main() {\n"                 // to 16
-      "  gl_FragColor = c * step(0.5, gl_FragCoord);\n}\n#endif\n";  // to 19
-  const Files files{{"/composite.vsh", kVersion + "#define VSH\n#include \"/composite.glsl\"\n"},
-                    {"/composite.fsh", kVersion + "#define FSH\n#include \"/composite.glsl\"\n"},
-                    {"/composite.glsl", both}};
+      "vec4 c = vec4(LIGHT);\n\nconst float d = 1.0;\n\n"            // to 17
+      "void main() {\n  gl_FragColor = d * c;\n}\n#endif\n";         // to 21
+  const Files files{
+      {"/composite.vsh", kVersion + "#define VSH\n#include \"/composite.glsl\"\n"},
+      {"/composite.fsh", kVersion + "#define LIGHT 0.5\n#include \"/composite.glsl\"\n"},
+      {"/composite.glsl", both}};
   EXPECT_THAT(
       told(files, {"/"}, true),
-      AllOf(Contains("/composite.glsl:19: #endif without #if"),
+      AllOf(Contains("/composite.glsl:21: #endif without #if"),
             Contains(AnyOf(StartsWith("/composite.glsl:12: expected #if before this line"),
                            StartsWith("/composite.glsl:14: expected #if before this line")))));
 }
