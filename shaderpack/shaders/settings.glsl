@@ -5,6 +5,7 @@
 // Value names, so that `#if GI_METHOD == FLOODFILL` compares numbers. shaders.properties repeats
 // the ones it needs.
 #define NONE 0
+#define AUTO 6  // the host's choice; where it makes none, the pack's
 
 #define PHONG 1
 #define LAMBERT_GGX 2
@@ -33,7 +34,6 @@
 #define DEFERRED 2
 #define TILED 3
 #define CLUSTERED 4
-#define AUTO 5
 
 #define LINEAR 1
 #define LOGARITHMIC 2
@@ -63,7 +63,7 @@
 const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 45.0 60.0]
 
 // Shadows
-#define SHADOW_METHOD MAP_PCF // [NONE MAP MAP_PCF VOLUME_ZPASS VOLUME_ZFAIL VOLUME_AUTO]
+#define SHADOW_METHOD MAP_PCF // [NONE MAP MAP_PCF VOLUME_ZPASS VOLUME_ZFAIL VOLUME_AUTO AUTO]
 #define SHADOW_BIAS NORMAL_OFFSET // [PUBLISHED NORMAL_OFFSET]
 #define SHADOW_COMPARE TEXEL // [TEXEL HARDWARE]
 #define SHADOW_SNAP // Keep the texels of the map in place in the world
@@ -83,6 +83,7 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 #define LIGHT_METHOD NONE // [NONE FORWARD DEFERRED TILED CLUSTERED AUTO]
 #define LIGHT_RANGE 1.0 // [0.25 0.5 0.75 1.0 1.5]
 #define LIGHT_DISTANCE 64 // [32 48 64]
+#define LIGHT_SHADOWS 0 // [0 1 2 4 8] Lamps that a point sees or not: the strongest; others shine through walls
 #define LIGHT_CAPACITY 4096 // [256 1024 4096 16384]
 #define LIGHT_LIST 512 // [64 128 256 512 1024 2048]
 #define LIGHT_COLUMNS 16 // [8 16 20 32]
@@ -117,16 +118,27 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 #define EXPOSURE 1.0 // [0.25 0.5 0.7 1.0 1.4 2.0 4.0]
 
 // Derived: not options.
-#define VOXELS (GI_METHOD != NONE)
+
+// Lamps by a list. It is made by compute shaders; without them lamps light as with NONE.
+#if LIGHT_METHOD != NONE && defined IS_IRIS && !defined MC_OS_MAC
+#define LAMPS 1
+#else
+#define LAMPS 0
+#endif
+#define LAMP_SHADOWS (LAMPS && LIGHT_SHADOWS > 0)
+
+// Rays of global illumination; blocks for them, or for rays to lamps.
+#define GATHERED (GI_METHOD != NONE)
+#define VOXELS (GATHERED || LAMP_SHADOWS)
 
 // Shadow volumes where the host has them; elsewhere the map. Rays of global illumination ask for the
-// sun at places that no pixel shows, so with them there is a map as well.
-#if SHADOW_METHOD >= VOLUME_ZPASS && defined ORRIS_FEATURE_STENCIL_SHADOW_VOLUMES
+// sun at places that no pixel shows, so with them there is a map as well. AUTO is a map here.
+#if SHADOW_METHOD >= VOLUME_ZPASS && SHADOW_METHOD != AUTO && defined ORRIS_FEATURE_STENCIL_SHADOW_VOLUMES
 #define SHADOW_VOLUMES 1
 #else
 #define SHADOW_VOLUMES 0
 #endif
-#define SHADOW_MAP (SHADOW_METHOD != NONE && (!SHADOW_VOLUMES || VOXELS))
+#define SHADOW_MAP (SHADOW_METHOD != NONE && (!SHADOW_VOLUMES || GATHERED))
 
 // OptiFine has no images, macOS neither images nor compute shaders; shaders.properties says the same.
 #if defined IS_IRIS && !defined MC_OS_MAC
@@ -152,12 +164,6 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 // Is a field of distances to the next block kept for the rays?
 #define DISTANCES (VOXELS && IMAGES && RAY_WALK == DISTANCE)
 
-// Lamps by a list. It is made by compute shaders; without them lamps light as with NONE.
-#if LIGHT_METHOD != NONE && defined IS_IRIS && !defined MC_OS_MAC
-#define LAMPS 1
-#else
-#define LAMPS 0
-#endif
 #define LIGHT_GRID (LAMPS && LIGHT_METHOD >= TILED)
 #define LAMP_RAYS (FACES && !LAMPS && GI_LAMPS == SAMPLED)
 #define LAMPS_FORWARD (LAMPS && LIGHT_METHOD == FORWARD)

@@ -1,6 +1,8 @@
 // The pack loads cleanly and its options are what the design says.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "load_pack.h"
 
 namespace orris::test {
@@ -26,8 +28,8 @@ TEST(pack, method_options_have_the_published_values) {
   const auto values = [&](const char* name) { return pack->options.find(name)->values; };
   EXPECT_THAT(values("DIRECT_LIGHT"),
               ElementsAre("NONE", "PHONG", "PHONG_PUBLISHED", "LAMBERT_GGX"));
-  EXPECT_THAT(values("SHADOW_METHOD"),
-              ElementsAre("NONE", "MAP", "MAP_PCF", "VOLUME_ZPASS", "VOLUME_ZFAIL", "VOLUME_AUTO"));
+  EXPECT_THAT(values("SHADOW_METHOD"), ElementsAre("NONE", "MAP", "MAP_PCF", "VOLUME_ZPASS",
+                                                   "VOLUME_ZFAIL", "VOLUME_AUTO", "AUTO"));
   EXPECT_THAT(values("GI_METHOD"),
               ElementsAre("NONE", "BOUNCE_1", "BOUNCE_2", "BOUNCE_4", "FLOODFILL", "FACE_CACHE"));
   EXPECT_THAT(values("LIGHT_METHOD"),
@@ -130,6 +132,33 @@ TEST(pack, lamps_have_what_their_method_needs) {
   // Sixteen images are possible: more would be a warning.
   EXPECT_TRUE(
       loadReferencePack({.values = {{"GI_METHOD", "FACE_CACHE"}, {"LIGHT_METHOD", "CLUSTERED"}}}));
+}
+
+TEST(pack, lamps_without_shadows_have_no_voxels) {
+  const auto loaded = [](const char* shadows) {
+    return loadReferencePack(
+        {.values = {
+             {"GI_METHOD", "NONE"}, {"LIGHT_METHOD", "CLUSTERED"}, {"LIGHT_SHADOWS", shadows}}});
+  };
+  const auto without = loaded("0"), with = loaded("2");
+  const auto images = [](const ShaderPack& pack) {
+    return std::count_if(pack.properties.images.begin(), pack.properties.images.end(),
+                         [](const CustomImage& image) { return image.name.starts_with("voxel"); });
+  };
+  EXPECT_EQ(images(*without), 0);
+  EXPECT_GT(images(*with), 0);
+  for (const char* program : {"shadowcomp", "shadowcomp1", "shadowcomp6"}) {
+    EXPECT_FALSE(without->find(program)) << program;
+    EXPECT_TRUE(with->find(program)) << program;
+  }
+  EXPECT_FALSE(with->find("deferred")) << "no rays but those to lamps";
+}
+
+TEST(pack, automatic_shadows_are_a_map_where_the_host_chooses_nothing) {
+  const auto pack =
+      loadReferencePack({.values = {{"GI_METHOD", "NONE"}, {"SHADOW_METHOD", "AUTO"}}});
+  EXPECT_TRUE(pack->find("shadow"));
+  EXPECT_FALSE(pack->find("shadowvolume"));
 }
 
 TEST(pack, floodfill_buffer_has_the_size_of_its_atlas) {

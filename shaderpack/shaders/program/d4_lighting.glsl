@@ -8,7 +8,7 @@ void main() { gl_Position = ftransform(); }
 #else
 
 #define READ_GBUFFER
-#if VOXELS
+#if GATHERED
 #define READ_VOXELS
 #endif
 #include "/include/gbuffer.glsl"
@@ -23,7 +23,7 @@ uniform sampler2D colortex7;
 #extension GL_ARB_shader_image_load_store : enable
 #include "/include/lights/lit_by_lamps.glsl"
 #endif
-#if VOXELS
+#if GATHERED
 #include "/include/lighting/sun_tint.glsl"
 #include "/include/voxel/volume.glsl"
 #ifdef GI_FILTER
@@ -51,7 +51,7 @@ vec3 indirect_radiance(Surface s, ivec2 pixel) {
     light.x *= unlisted_share(s.player);
 #endif
     vec3 lightmap = ambient_radiance(light, s.normal);
-#if VOXELS
+#if GATHERED
     return mix(lightmap, texelFetch(GI_RESULT, pixel, 0).rgb + AMBIENT_MINIMUM,
                inside_volume(to_volume(s.player)));
 #else
@@ -79,7 +79,7 @@ vec3 light_surface(Surface s, ivec2 pixel) {
     radiance += s.albedo * indirect_radiance(s, pixel);
 #if DIRECT_LIGHT != NONE
     vec3 sun = light_irradiance() * sun_visibility(pixel, s.player, n, l, s.light.y);
-#if VOXELS
+#if GATHERED
     sun *= sun_tint(s.player, ivec3(floor(to_volume(s.player + n * 0.02))));
 #endif
     radiance += sun * reflect_direct(s.albedo, n, v, l);

@@ -2,6 +2,10 @@
 #if !defined INCLUDED_LIGHTS_LIT_BY_LAMPS
 #define INCLUDED_LIGHTS_LIT_BY_LAMPS
 
+#if LAMP_SHADOWS
+#define READ_VOXELS
+#include "/include/lights/lamp_shadows.glsl"
+#endif
 #include "/include/lights/lamp_light.glsl"
 
 layout(rgba32f) uniform readonly image2D light_table;
@@ -14,10 +18,19 @@ layout(r16ui) uniform readonly uimage3D light_list;
 layout(r32ui) uniform readonly uimage3D light_bits;
 #endif
 
+#if LAMP_SHADOWS
+Strongest strongest;  // of the lamps asked for this point
+#endif
+
 vec3 light_of_lamp(uint lamp, vec3 position, vec3 normal, float thin) {
     ivec2 texel = table_texel(lamp);
-    return light_irradiance_at(imageLoad(light_table, texel),
-                               imageLoad(light_table, texel + ivec2(1, 0)), position, normal, thin);
+    vec4 place = imageLoad(light_table, texel);
+    vec3 light = light_irradiance_at(place, imageLoad(light_table, texel + ivec2(1, 0)), position,
+                                     normal, thin);
+#if LAMP_SHADOWS
+    keep_strongest(strongest, light, place.xyz);
+#endif
+    return light;
 }
 
 uint lamp_count() { return imageLoad(light_state, ivec2(state_lamps, 0)).r; }
@@ -51,12 +64,19 @@ vec3 table_irradiance(vec3 position, vec3 normal, float thin) {
 /// Irradiance of the lamps on a surface; `thin`: 1 if it is lit from either side.
 vec3 lamps_irradiance(vec3 player, vec3 normal, float thin) {
     vec3 position = to_lamp_space(player);
+#if LAMP_SHADOWS
+    strongest = no_lamps();
+#endif
 #if LIGHT_GRID
     vec3 view = (gbufferModelView * vec4(player, 1.0)).xyz;
-    return cluster_irradiance(cluster_of(view), position, normal, thin);
+    vec3 light = cluster_irradiance(cluster_of(view), position, normal, thin);
 #else
-    return table_irradiance(position, normal, thin);
+    vec3 light = table_irradiance(position, normal, thin);
 #endif
+#if LAMP_SHADOWS
+    light = max(light - hidden_light(strongest, player, normal), 0.0);
+#endif
+    return light;
 }
 
 #endif
