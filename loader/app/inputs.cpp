@@ -128,14 +128,14 @@ std::optional<World> loadScene(const SceneOptions& options, const std::string& d
 }
 
 std::optional<Camera> chooseCamera(const World& world, const std::string& request, Report& report,
-                                   int& status) {
+                                   int& status, const char* flag) {
   if (request.empty() && !world.cameras.empty()) return world.cameras.front();
   if (const Camera* named = world.camera(request)) return *named;
   if (std::optional<Camera> given = parseCamera(request)) return given;
   std::string names;
   for (const Camera& camera : world.cameras) names += (names.empty() ? "" : ", ") + camera.name;
   report.error("camera-unknown",
-               fmt::format("--camera: \"{}\" is no camera of this world", request),
+               fmt::format("{}: \"{}\" is no camera of this world", flag, request),
                fmt::format("use one of {}, or x,y,z,yaw,pitch", names));
   status = kUsage;
   return std::nullopt;

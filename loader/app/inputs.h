@@ -35,9 +35,9 @@ std::optional<ShaderPack> loadPack(const std::shared_ptr<const FileSource>& file
 std::optional<World> loadScene(const SceneOptions& options, const std::string& dimension,
                                Report& report, int& status);
 
-/// The camera that --camera asks for. nullopt: `status` is set.
+/// The camera that `flag` asks for. nullopt: `status` is set.
 std::optional<Camera> chooseCamera(const World& world, const std::string& request, Report& report,
-                                   int& status);
+                                   int& status, const char* flag = "--camera");
 
 /// Reads a whole file; nullopt: reported, `status` is set.
 std::optional<std::string> readWholeFile(const std::string& path, Report& report, int& status);

@@ -158,12 +158,13 @@ bool readCameras(const StudyOptions& options, StudyInput& input, Report& report,
   std::vector<std::string> names;
   for (const std::string& name : options.cameras)
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  const char* flag = names.empty() ? "--camera" : "--cameras";
   if (names.empty()) names = {options.scene.camera};
   if (names == std::vector<std::string>{"all"}) {
     input.cameras = input.world.cameras;
   } else {
     for (const std::string& name : names)
-      if (const auto camera = chooseCamera(input.world, name, report, status))
+      if (const auto camera = chooseCamera(input.world, name, report, status, flag))
         input.cameras.push_back(*camera);
   }
   return status == kClean;

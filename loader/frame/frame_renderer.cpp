@@ -80,7 +80,7 @@ void FrameRenderer::render(const FrameState& state) {
       },
       state.frameTime, state.seed + static_cast<unsigned>(state.frameCounter));
   if (std::exchange(firstFrame_, false)) {
-    loaded_->targets->clearAll(fog);
+    loaded_->targets->clearFresh(fog);
     loaded_->resources->clearImages(true);
     for (const Step& step : schedule_.setup) runStep(step, state);
   }

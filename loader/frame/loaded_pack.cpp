@@ -67,7 +67,9 @@ FrameRenderer::Loaded::Loaded(const ShaderPack& pack, const Schedule& schedule,
   buildPrograms(pack, schedule, previous, report, diagnostics);
   if (hasErrors(diagnostics)) return;
   freshTargets = previous == nullptr || !schedule.sameTargets(previous->plan_);
-  targets = freshTargets ? std::make_shared<RenderTargets>(schedule, floatScreen, diagnostics)
+  targets = freshTargets ? std::make_shared<RenderTargets>(
+                               schedule, floatScreen,
+                               previous != nullptr ? previous->targets.get() : nullptr, diagnostics)
                          : previous->targets;
   const bool sameScene =
       previous != nullptr && previous->blockIds_ == blockIds_ && previous->style_ == style_;
@@ -141,7 +143,7 @@ void FrameRenderer::Loaded::resize(const ShaderPack& pack, const Schedule& sched
                                    bool floatScreen, Diagnostics& diagnostics) {
   plan_ = schedule;
   binder.reset();
-  targets = std::make_shared<RenderTargets>(schedule, floatScreen, diagnostics);
+  targets = std::make_shared<RenderTargets>(schedule, floatScreen, nullptr, diagnostics);
   resources = std::make_unique<PackResources>(pack, schedule.width, schedule.height, diagnostics);
 }
 

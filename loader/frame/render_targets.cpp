@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 #include "gl/functions.h"
 
@@ -55,11 +56,25 @@ void copyWhole(const gl::Texture& from, const gl::Texture& to) {
 
 }  // namespace
 
-RenderTargets::RenderTargets(const Schedule& schedule, bool floatScreen, Diagnostics& diagnostics) {
-  for (const TargetPlan& plan : schedule.colortex)
-    color_.emplace(plan.index, makeTarget(plan, "colortex", diagnostics));
-  for (const TargetPlan& plan : schedule.shadowcolor)
-    shadowColor_.emplace(plan.index, makeTarget(plan, "shadowcolor", diagnostics));
+RenderTargets::Targets RenderTargets::makeTargets(const std::vector<TargetPlan>& plans,
+                                                  const char* kind, const Targets* previous,
+                                                  Diagnostics& diagnostics) {
+  Targets targets;
+  for (const TargetPlan& plan : plans) {
+    const auto kept = previous != nullptr ? previous->find(plan.index) : Targets::const_iterator();
+    const bool same = previous != nullptr && kept != previous->end() && kept->second->plan == plan;
+    targets[plan.index] =
+        same ? kept->second : std::make_shared<RenderTarget>(makeTarget(plan, kind, diagnostics));
+  }
+  return targets;
+}
+
+RenderTargets::RenderTargets(const Schedule& schedule, bool floatScreen,
+                             const RenderTargets* previous, Diagnostics& diagnostics) {
+  color_ = makeTargets(schedule.colortex, "colortex",
+                       previous != nullptr ? &previous->color_ : nullptr, diagnostics);
+  shadowColor_ = makeTargets(schedule.shadowcolor, "shadowcolor",
+                             previous != nullptr ? &previous->shadowColor_ : nullptr, diagnostics);
   // Copies need one format.
   const auto makeDepth = [&](const char* name) {
     return schedule.stencil ? gl::createDepthStencilTexture(schedule.width, schedule.height, name)
@@ -81,7 +96,7 @@ RenderTargets::RenderTargets(const Schedule& schedule, bool floatScreen, Diagnos
 RenderTarget* RenderTargets::find(bool shadow, int index) {
   auto& map = shadow ? shadowColor_ : color_;
   const auto it = map.find(index);
-  return it == map.end() ? nullptr : &it->second;
+  return it == map.end() ? nullptr : it->second.get();
 }
 
 const gl::Framebuffer& RenderTargets::framebuffer(const Step& step, std::string& error) {
@@ -128,35 +143,37 @@ void RenderTargets::clearTarget(RenderTarget& target, const float fogColor[3]) {
   }
 }
 
-void RenderTargets::clearAll(const float fogColor[3]) {
-  for (auto& [index, target] : color_) clearTarget(target, fogColor);
-  for (auto& [index, target] : shadowColor_) clearTarget(target, fogColor);
+void RenderTargets::clearFresh(const float fogColor[3]) {
+  for (Targets* targets : {&color_, &shadowColor_})
+    for (auto& [index, target] : *targets)
+      if (std::exchange(target->isFresh, false)) clearTarget(*target, fogColor);
   for (const gl::Texture& texture : depth_) clearDepth(texture);
   for (const gl::Texture& texture : shadowDepth_) clearDepth(texture);
 }
 
 void RenderTargets::clearColor(const float fogColor[3]) {
   for (auto& [index, target] : color_)
-    if (target.plan.clear) clearTarget(target, fogColor);
+    if (target->plan.clear) clearTarget(*target, fogColor);
   clearDepth(depth_[0]);
 }
 
 void RenderTargets::clearShadow() {
   static constexpr float kUnused[3] = {0, 0, 0};
   for (auto& [index, target] : shadowColor_)
-    if (target.plan.clear) clearTarget(target, kUnused);
+    if (target->plan.clear) clearTarget(*target, kUnused);
   clearDepth(shadowDepth_[0]);
 }
 
 void RenderTargets::keepHistory() {
   for (auto* map : {&color_, &shadowColor_})
     for (auto& [index, target] : *map)
-      if (target.plan.history && target.plan.needsAlt) copyWhole(target.sides[1], target.sides[0]);
+      if (target->plan.history && target->plan.needsAlt)
+        copyWhole(target->sides[1], target->sides[0]);
 }
 
 void RenderTargets::forgetMipmaps() {
   for (auto* map : {&color_, &shadowColor_})
-    for (auto& [index, target] : *map) target.mipmapped[0] = target.mipmapped[1] = false;
+    for (auto& [index, target] : *map) target->mipmapped[0] = target->mipmapped[1] = false;
 }
 
 }  // namespace orris

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -17,14 +18,17 @@ struct RenderTarget {
   const gl::TextureFormat* format = nullptr;
   gl::Texture sides[2];                ///< main, alt (alt only when the plan needs it)
   bool mipmapped[2] = {false, false};  ///< mipmaps built since the frame began
+  bool isFresh = true;                 ///< holds nothing yet
   const gl::Texture& side(bool alt) const { return sides[alt && plan.needsAlt ? 1 : 0]; }
 };
 
 class RenderTargets {
  public:
   /// `floatScreen`: the screen keeps values beyond 0..1 (for EXR). Unknown or unusable formats are
-  /// diagnostics.
-  RenderTargets(const Schedule& schedule, bool floatScreen, Diagnostics& diagnostics);
+  /// diagnostics. Colour targets that `previous` has just so are shared with it, and keep what they
+  /// hold.
+  RenderTargets(const Schedule& schedule, bool floatScreen, const RenderTargets* previous,
+                Diagnostics& diagnostics);
 
   RenderTarget* find(bool shadow, int index);
   const gl::Texture& depth(int index) const { return depth_[index]; }
@@ -37,8 +41,8 @@ class RenderTargets {
   const gl::Framebuffer& framebuffer(const Step& step, std::string& error);
   const gl::Framebuffer& screenFramebuffer();
 
-  /// Every side of every buffer to its clear colour (first use, resize).
-  void clearAll(const float fogColor[3]);
+  /// Every side of what holds nothing yet to its clear colour (first use, resize), and the depth.
+  void clearFresh(const float fogColor[3]);
   /// What a frame clears: colour buffers with clear=true, both sides, and the depth.
   void clearColor(const float fogColor[3]);
   void clearShadow();
@@ -48,7 +52,10 @@ class RenderTargets {
 
  private:
   void clearTarget(RenderTarget& target, const float fogColor[3]);
-  std::map<int, RenderTarget> color_, shadowColor_;
+  using Targets = std::map<int, std::shared_ptr<RenderTarget>>;
+  static Targets makeTargets(const std::vector<TargetPlan>& plans, const char* kind,
+                             const Targets* previous, Diagnostics& diagnostics);
+  Targets color_, shadowColor_;
   gl::Texture depth_[3], stencil_, shadowDepth_[2], screen_;
   std::map<std::string, gl::Framebuffer> framebuffers_;
 };

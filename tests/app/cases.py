@@ -409,7 +409,7 @@ CHARTS = [
     Case("chart_unwritable", [CHART.replace("-o out", "-o pack/shaders/final.fsh")], 2, MODES,
          ["the folder cannot be made"]),
     Case("chart_unknown_camera", [f"{CHART} --axis MODE --cameras front,bakc"], 2, MODES,
-         ['"bakc" is no camera of this world']),
+         ['--cameras: "bakc" is no camera of this world']),
     Case("chart_reference_of_which_camera",
          [f"chart pack {CORNELL} -o out --size 8x8 --cameras front,red --reference truth.png"], 2,
          {**MODES, "truth.png": png(8, 8, (1, 2, 3))}, ["which of the cameras is this of"],

@@ -343,6 +343,25 @@ TEST_F(FrameRendererGL, a_reload_builds_only_the_programs_that_changed) {
   EXPECT_NEAR(pixel("colortex0", 1, 1)[0], 0.5f, 0.01f);
 }
 
+TEST_F(FrameRendererGL, a_reload_keeps_what_targets_hold_that_it_does_not_change) {
+  files_["/settings.glsl"] = "#define WIDE 0 // [0 1]\n";
+  const std::string clear = "const bool colortex4Clear = false;\n";
+  addProgram("composite", clear +
+                              "/* RENDERTARGETS: 4 */\nuniform sampler2D colortex4;\n"
+                              "void main() { gl_FragColor = texture(colortex4, uv) + 0.125; }\n");
+  addProgram("composite1",
+             "#include \"/settings.glsl\"\n#if WIDE\n/*\nconst int colortex1Format = RGBA32F;\n*/\n"
+             "#endif\n/* RENDERTARGETS: 1 */\nvoid main() { gl_FragColor = vec4(1.0 + WIDE); }\n");
+  addProgram("final", kPass);
+  World world = floorWorld();
+  world.events = {{3, SetOption{"WIDE", "1"}}};
+  ASSERT_TRUE(start(world)) << messages();
+  draw(5);
+  ASSERT_EQ(session_->reloads().size(), 2u) << messages();
+  EXPECT_NEAR(pixel("colortex1", 1, 1)[0], 2.0f, 0.01f) << "a new format holds more than 1";
+  EXPECT_NEAR(pixel("colortex4", 1, 1)[0], 5 * 0.125f, 0.01f);
+}
+
 TEST_F(FrameRendererGL, block_events_change_the_mesh_and_the_passes) {
   addProgram("final", kPass);
   World world = floorWorld();
