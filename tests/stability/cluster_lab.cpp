@@ -71,6 +71,7 @@ vec4 compare(vec3 view) {{
     return vec4(listed.r, all.r, float(listed == all), 0.0);
 }}
 
+{2}
 vec4 test_probe(ivec2 pixel) {{ return {1}; }}
 void main() {{ result = test_probe(ivec2(gl_FragCoord.xy)); }}
 )";
@@ -95,8 +96,9 @@ SessionSetup ClusterLab::sessionOf(const ClusterSetup& setup) {
   session.change = [setup](PackTexts& files) {
     const std::string random = fmt::format(kRandom);
     files["/shadowcomp2.csh"] = fmt::format(kTable, random, setup.light, setup.lights);
-    files["/deferred4.fsh"] = fmt::format(kProbe, random, setup.probe);
+    files["/deferred4.fsh"] = fmt::format(kProbe, random, setup.probe, setup.functions);
     edit(files["/include/buffers.glsl"], "colortex0Format = RGBA16F", "colortex0Format = RGBA32F");
+    if (setup.change) setup.change(files);
   };
   return session;
 }

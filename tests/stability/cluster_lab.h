@@ -23,7 +23,9 @@ struct ClusterSetup {
   /// seen(u) and compare(view), functions in cluster_lab.cpp.
   std::string probe;
   OptionValues options = {};
-  int width = 64;  ///< of the window, and its height
+  int width = 64;              ///< of the window, and its height
+  std::string functions = {};  ///< GLSL that `probe` may call
+  std::function<void(PackTexts&)> change = {};
 };
 
 class ClusterLab {

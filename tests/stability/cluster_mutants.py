@@ -17,6 +17,7 @@ GI = "program/d0_gi.glsl"
 LIT = "program/d4_lighting.glsl"
 TRANSLUCENT = "program/gbuffers_translucent.glsl"
 SHADOW = "program/shadow.glsl"
+RAYS = "include/lights/lamp_shadows.glsl"
 
 SLICE = "slice_of(distance_along));"
 CLAMP = "int(clamp(floor(guess), 0.0, float(grid_slices - 1)))"
@@ -61,6 +62,18 @@ MUTANTS = [
      [(GRID, "ivec2(row * grid_columns + column,", "ivec2(column * grid_rows + row,")]),
     ("F5 bits of the frame before stay", "F8.lists*",
      [(LISTS, "imageStore(light_bits, ivec3(word, cluster), uvec4(0u));", "")]),
+    ("F6 corners of tiles not looked at", "F6.*",
+     [(ASSIGN, "if (wide * wide + high * high > radius * radius) continue;", "")]),
+    ("F6 whole range in every slice", "F6.*",
+     [(ASSIGN, "float radius = sqrt(max(s.radius * s.radius - off * off, 0.0));", "float radius = s.radius;")]),
+    ("F7 lists of the tile in every slice", "F7.*:F6.*",
+     [(ASSIGN, "for (int slice = first; slice <= last; ++slice)",
+       "for (int slice = 0; slice < grid_slices; ++slice)")]),
+    ("F9 every tile tested", "F9.*",
+     [(ASSIGN, "return ivec2(tile_of(slopes.x, axis), tile_of(slopes.y, axis));",
+       "return ivec2(0, (axis == 0 ? grid_columns : grid_rows) - 1);")]),
+    ("F2 logarithm from the near plane", "F2.*:F1.slices*",
+     [(GRID, "const float first_slice = LIGHT_FIRST_SLICE;", "const float first_slice = 0.05;")]),
     ("F8 no cap in the grid", "F8.a_list*",
      [(LISTS, "uvec4(min(count, list_capacity))", "uvec4(count)")]),
     ("F8 overflow not counted", "F8.a_list*",
@@ -94,7 +107,18 @@ MUTANTS = [
     ("spots shine both ways", "lamps.spots*", [(LIGHT, "float cosine = along * inverse_distance *",
                                                 "float cosine = abs(along) * inverse_distance *"),
                                                (LIGHT, "(positive ? -1.0 : 1.0);", "1.0;")]),
+    ("spots reach half as far in lists", "lamps.spots_are*",
+     [(ASSIGN, "float radius = inversesqrt(stored.w);",
+       "float radius = inversesqrt(stored.w) * "
+       "(imageLoad(light_table, table_texel(lamp) + ivec2(1, 0)).w < 0.0 ? 0.3 : 1.0);")]),
     ("spots shine the other way", "lamps.spots*", [(LIGHT, "(positive ? -1.0 : 1.0)", "(positive ? 1.0 : -1.0)")]),
+    ("rays see every lamp", "lamps.rays*", [(RAYS, "bool sees =", "bool sees = true ||")]),
+    ("rays see no lamp", "lamps.rays*", [(RAYS, "bool sees =", "bool sees = false &&")]),
+    ("glass hides lamps", "lamps.rays_to*", [(RAYS, "return sees ? hit.transmittance", "return sees ? floor(hit.transmittance)")]),
+    ("glass has no colour for lamps", "lamps.rays_to*", [(RAYS, "return sees ? hit.transmittance", "return sees ? vec3(1.0)")]),
+    ("shadows of the weakest lamps", "lamps.as_many*",
+     [(RAYS, "dot(light, vec3(1.0)) > dot(kept.light[i], vec3(1.0))",
+       "kept.light[i] == vec3(0.0) || dot(light, vec3(1.0)) < dot(kept.light[i], vec3(1.0))")]),
     ("rays count the lamp again", "lamps.light_is*",
      [(GI, "float(!lit_directly(bounce, hit.position))", "1.0")]),
     ("lightmap counts the lamp again", "lamps.lightmap*",

@@ -196,6 +196,62 @@ TEST(lamps, spots_shine_one_way) {
   EXPECT_LT(below("end_rod[facing=east]"), 1e-3 * down);
 }
 
+TEST(lamps, spots_are_in_the_lists_of_all_that_they_light) {
+  const std::string world = floorWith(
+      R"({"block": "end_rod[facing=down]", "at": [[16, 5, 14], [9, 8, 18]]},
+         {"block": "end_rod[facing=east]", "at": [[22, 2, 12], [5, 1, 8]]},
+         {"block": "end_rod[facing=north]", "at": [[12, 1, 21]]})");
+  const ImageF deferred = pictureOf(world, "DEFERRED");
+  EXPECT_EQ(pictureOf(world, "TILED").pixels, deferred.pixels);
+  EXPECT_EQ(pictureOf(world, "CLUSTERED").pixels, deferred.pixels);
+  EXPECT_NE(pictureOf(floorWith(""), "DEFERRED").pixels, deferred.pixels);
+}
+
+/// Mean light of a spot of floor at (16.5, z), by lamps alone.
+glm::dvec3 lightOfFloor(const std::string& blocks, double z, const char* shadows) {
+  PackSession pack = sessionOf(floorWith(blocks), "CLUSTERED",
+                               {{"AMBIENT_MINIMUM", "0.0"},
+                                {"SKY_STRENGTH", "0.0"},
+                                {"DIRECT_LIGHT", "NONE"},
+                                {"VOXEL_SIZE", "32"},
+                                {"LIGHT_SHADOWS", shadows}},
+                               16);
+  pack.look({16.5, 6, z + 0.1}, {16.5, 1, z});
+  pack.renderFrames(1);
+  return pack.meanRadiance();
+}
+
+constexpr const char* kWall = R"(, {"box": "stone", "min": [8, 1, 13], "max": [24, 4, 13]})";
+
+TEST(lamps, rays_find_what_hides_a_lamp) {
+  for (const char* lamp : {"sea_lantern", "torch"}) {
+    const std::string blocks = fmt::format(R"({{"block": "{}", "at": [16, 1, 10]}})", lamp) + kWall;
+    const double open = lightOfFloor(blocks, 15.5, "0").g;
+    EXPECT_GT(open, 1e-3) << lamp;
+    EXPECT_LT(lightOfFloor(blocks, 15.5, "1").g, 1e-4 * open) << lamp;
+    EXPECT_NEAR(lightOfFloor(blocks, 12.3, "1").g / lightOfFloor(blocks, 12.3, "0").g, 1, 1e-3)
+        << lamp << " is seen from before the wall";
+  }
+}
+
+TEST(lamps, rays_to_lamps_pass_glass_with_its_colour) {
+  const std::string blocks = R"({"block": "sea_lantern", "at": [16, 1, 10]},
+                                {"box": "red_stained_glass", "min": [8, 1, 13], "max": [24, 4, 13]})";
+  const glm::dvec3 open = lightOfFloor(blocks, 15.5, "0"), tinted = lightOfFloor(blocks, 15.5, "1");
+  EXPECT_GT(tinted.r, 0.1 * open.r);
+  EXPECT_LT(tinted.r, open.r);
+  EXPECT_LT(tinted.b / open.b, 0.5 * tinted.r / open.r);
+}
+
+TEST(lamps, as_many_lamps_have_shadows_as_are_asked_for) {
+  const std::string strong = R"({"block": "sea_lantern", "at": [16, 1, 11]})";
+  const std::string weak = R"({"block": "redstone_torch[lit=true]", "at": [17, 1, 11]})";
+  const double left = lightOfFloor(strong + "," + weak + kWall, 15.5, "1").r;
+  EXPECT_GT(left, 0);
+  EXPECT_NEAR(left / lightOfFloor(weak + kWall, 15.5, "0").r, 1, 0.01) << "the strongest is gone";
+  EXPECT_LT(lightOfFloor(strong + "," + weak + kWall, 15.5, "2").r, 1e-4);
+}
+
 TEST(lamps, light_is_not_counted_twice_with_global_illumination) {
   const std::string world = floorWith(R"({"block": "sea_lantern", "at": [16, 3, 16]})");
   const auto below = [&world](const char* light) {

@@ -34,10 +34,20 @@ vec4 test_probe(ivec2 pixel) {{ return {1}; }}
 void main() {{ result = test_probe(ivec2(gl_FragCoord.xy)); }}
 )";
 
-/// Ticks at which the sun is nearest to that angle from up, in the morning, which begins before 0.
+std::string worldOf(const ShadowSetup& setup) {
+  if (setup.world.empty())
+    return fmt::format(kWorld, setup.blocks.empty() ? "" : ", " + setup.blocks, kShadowEye.x,
+                       kShadowEye.y, kShadowEye.z, timeOfSun(setup.sun));
+  std::string text = setup.world;
+  edit(text, R"("time": 700)", fmt::format(R"("time": {})", timeOfSun(setup.sun)));
+  return text;
+}
+
+}  // namespace
+
 int timeOfSun(double degrees) {
   constexpr int kDay = 24000, kDawn = -1400, kNoon = 6000;
-  int best = kNoon;
+  int best = kNoon;  // a morning begins before 0
   double least = 360;
   for (int time = kDawn; time <= kNoon; ++time) {
     const int ticks = (time + kDay) % kDay;
@@ -49,12 +59,9 @@ int timeOfSun(double degrees) {
   return best;
 }
 
-}  // namespace
-
 SessionSetup ShadowLab::sessionOf(const ShadowSetup& setup) {
   SessionSetup session;
-  session.world = fmt::format(kWorld, setup.blocks.empty() ? "" : ", " + setup.blocks, kShadowEye.x,
-                              kShadowEye.y, kShadowEye.z, timeOfSun(setup.sun));
+  session.world = worldOf(setup);
   session.width = setup.width;
   session.height = setup.height;
   session.options = setup.options;

@@ -9,6 +9,8 @@
 namespace orris::test {
 
 struct ShadowSetup {
+  /// Text of a whole world.json instead, whose `"time": 700` is set by `sun`; else:
+  std::string world = {};
   /// Operations of world.json in a world of 64 x 32 x 64 blocks whose floor's top is y = 2.
   std::string blocks = {};
   /// Angle between the sun, which stands in the east, and up; degrees, 1 to 89.
@@ -36,6 +38,9 @@ class ShadowLab {
   PackSession pack_;
   ImageF image_;
 };
+
+/// Ticks at which the sun is nearest to that angle from up, in the morning.
+int timeOfSun(double degrees);
 
 /// The eye of the world, 4 blocks over its floor.
 inline constexpr glm::dvec3 kShadowEye{32.5, 6, 32.5};

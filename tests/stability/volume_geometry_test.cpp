@@ -10,7 +10,7 @@
 namespace orris {
 namespace {
 
-constexpr double kFar = 1e7;     ///< infinity, for points within 12 blocks
+constexpr double kFar = 1e7;      ///< infinity, for points within 12 blocks
 constexpr double kBeyond = 1e10;  ///< leaves even what ends there
 
 /// Unit cubes of a cloud without the faces between two of them.
