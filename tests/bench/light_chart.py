@@ -16,6 +16,7 @@ import pathlib
 import resource
 import struct
 import subprocess
+import zlib
 
 import matplotlib
 
@@ -39,17 +40,34 @@ def kept(path, make):
 
 
 def mean_of(path):
-    """Mean of the red channel of a .pfm."""
-    kind, size, scale, data = path.read_bytes().split(b"\n", 3)
-    channels = 3 if kind == b"PF" else 1
-    width, height = map(int, size.split())
-    values = struct.unpack(f"{'<' if float(scale) < 0 else '>'}{width * height * channels}f", data)
-    return sum(values[::channels]) / (width * height)
+    """Mean of the first channel of a TIFF of floats, as `--dump` writes it: little endian, deflated strips, the bytes of
+    a row by weight and as differences (predictor 3)."""
+    data = path.read_bytes()
+    start = struct.unpack_from("<I", data, 4)[0]
+    tags = {}
+    for i in range(struct.unpack_from("<H", data, start)[0]):
+        tag, kind, length, value = struct.unpack_from("<HHII", data, start + 2 + 12 * i)
+        long = kind == 4
+        inline = length * (4 if long else 2) <= 4
+        tags[tag] = (struct.unpack_from(f"<{length}{'I' if long else 'H'}", data, start + 10 + 12 * i if inline else value)
+                     if kind in (3, 4) else ())
+    width, channels = tags[256][0], tags[277][0]
+    assert tags[259] == (8,) and tags[317] == (3,)
+    total, samples = 0.0, width * channels
+    for place, length in zip(tags[273], tags[279]):
+        strip = zlib.decompress(data[place:place + length])
+        for row in range(0, len(strip), 4 * samples):
+            values = bytearray(strip[row:row + 4 * samples])
+            for i in range(channels, len(values)):
+                values[i] = (values[i] + values[i - channels]) & 255
+            for i in range(0, samples, channels):
+                total += struct.unpack(">f", bytes(values[i + weight * samples] for weight in range(4)))[0]
+    return total / (width * tags[257][0])
 
 
 def count(args, world, settings):
     """Lights a pixel of the whole picture, entries of all lists, the longest one."""
-    dump = args.folder / "count.pfm"
+    dump = args.folder / "count.tif"
     done = subprocess.run([args.orris, "render", args.pack, world, "-o", args.folder / "count.png", "--size", args.size,
                            "--frames", "1", "--dump", f"colortex0={dump}", "--json", "--set", *COMMON, *settings,
                            "LIGHT_DEBUG=COUNT"], check=True, text=True, stdout=subprocess.PIPE)
