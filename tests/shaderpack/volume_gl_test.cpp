@@ -72,6 +72,7 @@ TEST(volume, lakes_are_filled_down_to_their_bed) {
   EXPECT_EQ(codeAt(3, 4, 3), 5);
   for (int y = 1; y <= 3; ++y) EXPECT_EQ(codeAt(3, y, 3), 4) << y;
   EXPECT_EQ(codeAt(3, 0, 3), 1);
+  EXPECT_EQ(codeAt(3, -1, 3), 0);
   EXPECT_EQ(codeAt(2, 1, 3), 2);
   const auto surface = voxels.at(cellOf({3, 4, 3}, {3, 5, 3}, 32));
   const auto deep = voxels.at(cellOf({3, 2, 3}, {3, 5, 3}, 32));
