@@ -42,6 +42,8 @@ WITH_MODE = FINAL.replace("void", "#define MODE 1 // [0 1 2] a tooltip\n"
                         "#if MODE == 2\n#endif\nvoid")
 CORNELL = "{source}/worlds/cornell"
 # Small and short: the cases are about messages, not about pictures.
+FLOOD = (f"render {{source}}/shaderpack {CORNELL} -o out.png --size 16x9 --json "
+         "--set GI_METHOD=FLOODFILL FLOODFILL_INTERVAL=1")
 RENDER = f"render pack {CORNELL} -o out.png --size 32x32 --frames 1"
 ON_PACK = ["validate pack", RENDER]
 
@@ -325,6 +327,10 @@ program.composite.enabled = false
                     "begin.csh": COUNTING}),
           "world/world.json": LITTLE_WORLD},
          stdout=[r'"counters": \{\n\s+"count": \[\n\s+0,\n\s+2\n\s+\]\n\s+\}'], creates=["out.png"]),
+    Case("bricks_of_the_floodfill_at_work_are_counted", [f"{FLOOD} --frames 3"], 0, {},
+         stdout=[r'"flood_state": \[\n\s+[1-9]\d?,\n\s+512\n'], creates=["out.png"]),
+    Case("at_rest_the_floodfill_does_nothing", [f"{FLOOD} --frames 120"], 0, {},
+         stdout=[r'"flood_state": \[\n\s+0,\n\s+512\n'], creates=["out.png"]),
     Case("settings_file_then_set", ["options pack --settings mine.txt --set TONE=2"], 0,
          {**pack({"composite.fsh": COMPOSITE}), "mine.txt": "TONE=3\n"}, stdout=["^TONE = 2"]),
     Case("settings_file", ["options pack --settings mine.txt"], 0,

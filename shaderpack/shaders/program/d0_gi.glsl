@@ -182,7 +182,9 @@ void main() {
     vec3 light = light_direction();
 
     vec3 radiance = vec3(0.0);
-    for (int i = 0; i < GI_SAMPLES; ++i) radiance += gather(s, light);
+    // Of the sky no ray is sent: a loop without turns costs nothing, a branch may.
+    int samples = s.sky ? 0 : GI_SAMPLES;
+    for (int i = 0; i < samples; ++i) radiance += gather(s, light);
     radiance /= float(GI_SAMPLES);
 
     out_radiance = vec4(radiance, 1.0);

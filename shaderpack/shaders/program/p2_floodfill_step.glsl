@@ -16,6 +16,7 @@ const ivec3 workGroups = ivec3(16, 1, 1);
 
 layout(r32ui) uniform readonly uimage2D flood_list;
 layout(r32ui) uniform writeonly uimage2D flood_memory;
+layout(r32ui) uniform writeonly uimage2D flood_state;
 
 #if FLOODFILL_RULE != PUBLISHED || FLOODFILL_SKY != NONE
 /// Is something of the column's light new?
@@ -33,6 +34,10 @@ bool step_column(ivec3 lowest, uint stamp) {
 
 void main() {
     uint listed = imageLoad(flood_list, flood_list_length).r;
+    if (gl_GlobalInvocationID.x == 0u) {
+        imageStore(flood_state, ivec2(0, 0), uvec4(listed));
+        imageStore(flood_state, ivec2(1, 0), uvec4(uint(brick_count)));
+    }
     for (uint i = gl_WorkGroupID.x; i < listed; i += gl_NumWorkGroups.x) {
         int brick = int(imageLoad(flood_list, ivec2(i, 0)).r);
         if (step_column(brick_column(brick, gl_LocalInvocationIndex), step_stamp()))

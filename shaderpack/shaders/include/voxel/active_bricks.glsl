@@ -3,6 +3,7 @@
 // would give what is there.
 //
 //   flood_list    r32ui, empty when a frame begins: row 0 the bricks, row 1 their number
+//   flood_state   r32ui, empty when a frame begins, to be told: how many of them, of how many
 //   flood_memory  r32ui, kept: when a brick's light last changed (step_stamp)
 #if !defined INCLUDED_VOXEL_ACTIVE_BRICKS
 #define INCLUDED_VOXEL_ACTIVE_BRICKS
