@@ -13,6 +13,10 @@ namespace {
 constexpr double kMargin = 1e-3;
 /// No face has a corner farther than this from its middle, blocks.
 constexpr double kFaceRadius = 1.01;
+/// Volumes lie this much behind where they are, units of depth and parts of a pixel along their slope,
+/// sides and caps alike: what touches a volume from outside is not in it, however the depths of faces
+/// that meet in an edge are rounded. Caps of leaves even coincide with what is seen.
+constexpr float kBehind = 4, kBehindSlope = 1.0f / 256;
 
 void bindVolumeVertices(const gl::Program& program) {
   gl::EnableClientState(GL_VERTEX_ARRAY);
@@ -43,12 +47,6 @@ void setRule(const StencilRule& rule) {
   gl::DepthFunc(rule.depthFunction);
   gl::StencilOpSeparate(GL_FRONT, GL_KEEP, rule.frontFail, rule.frontPass);
   gl::StencilOpSeparate(GL_BACK, GL_KEEP, rule.backFail, rule.backPass);
-}
-
-void drawTriangles(std::uint32_t first, std::uint32_t count) {
-  if (count == 0) return;
-  gl::DrawElements(GL_TRIANGLES, static_cast<int>(count), GL_UNSIGNED_INT,
-                   reinterpret_cast<const void*>(first * sizeof(std::uint32_t)));
 }
 
 }  // namespace
@@ -101,7 +99,6 @@ ShadowVolumes::Drawn ShadowVolumes::upload(const VolumeMesh& mesh) {
                                     "shadow volumes");
   drawn.indices = gl::createBuffer(mesh.indices.size() * sizeof(std::uint32_t), mesh.indices.data(),
                                    "shadow volume indices");
-  drawn.sideIndices = mesh.sideIndices;
   drawn.indexCount = static_cast<std::uint32_t>(mesh.indices.size());
   return drawn;
 }
@@ -152,11 +149,9 @@ void ShadowVolumes::draw(const gl::Program& program, const VolumeLight& light,
     gl::BindBuffer(GL_ELEMENT_ARRAY_BUFFER, part.indices.id());
     bindVolumeVertices(program);
     setRule(rule);
-    drawTriangles(0, part.sideIndices);
-    // Caps of leaves coincide with what is seen: they must lie behind it.
     gl::Enable(GL_POLYGON_OFFSET_FILL);
-    gl::PolygonOffset(1, 16);
-    drawTriangles(part.sideIndices, part.indexCount - part.sideIndices);
+    gl::PolygonOffset(kBehindSlope, kBehind);
+    gl::DrawElements(GL_TRIANGLES, static_cast<int>(part.indexCount), GL_UNSIGNED_INT, nullptr);
     gl::Disable(GL_POLYGON_OFFSET_FILL);
     unbindVolumeVertices(program);
   };

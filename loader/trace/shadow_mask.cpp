@@ -35,10 +35,15 @@ struct Seen {
 
 class Viewer {
  public:
-  Viewer(const TraceScene& scene, const TraceCamera& camera) : scene_(scene), camera_(camera) {}
+  Viewer(const TraceScene& scene, const TraceCamera& camera) : scene_(scene), camera_(camera) {
+    const glm::dvec4 corner = glm::dmat4(camera.projectionInverse) * glm::dvec4(0, 0, -1, 1);
+    near_ = -corner.z / corner.w;
+  }
 
-  /// `px`, `py` in the pixel, or on its rim: (0, 0) is the picture's top left corner.
-  Seen at(double px, double py) const {
+  /// The first opaque surface, and those that follow so close that a frame may show them instead.
+  /// `px`, `py` in the pixel, or on its rim: (0, 0) is the picture's top left corner. `depth`: part of
+  /// the range of depth.
+  std::vector<Seen> at(double px, double py, double depth) const {
     const glm::dvec3 direction = rayOf(camera_, px, py);
     const glm::dvec3 eye = camera_.position - glm::dvec3(scene_.origin);
     Ray ray;
@@ -47,19 +52,32 @@ class Viewer {
     ray.cell = glm::ivec3(glm::floor(ray.origin));
     const PixelFootprint footprint = footprintOf(std::min(int(px), camera_.width - 1),
                                                  std::min(int(py), camera_.height - 1), ray.origin);
-    if (!scene_.grid.contains(ray.cell) && !scene_.grid.enter(ray)) return {};
+    std::vector<Seen> found;
+    if (!scene_.grid.contains(ray.cell) && !scene_.grid.enter(ray)) return found;
+    double last = std::numeric_limits<double>::infinity();
     for (int layer = 0; layer < kMaxLayers; ++layer) {
       const RayHit hit = scene_.grid.look(ray, &footprint);
-      if (hit.quad == kNoQuad) return {};
+      if (hit.quad == kNoQuad) break;
       const TraceQuad& quad = scene_.grid.quad(hit.quad);
-      if (!quad.translucent) return seen(quad, eye, direction);
+      if (!quad.translucent) {
+        const Seen next = seen(quad, eye, direction);
+        const double distance = glm::distance(eye, next.position);
+        if (found.empty()) last = distance + stepAt(distance, depth);
+        // Nor one that has no plane: what fills the inside of a solid.
+        if (!(distance <= last)) break;
+        found.push_back(next);
+        if (depth == 0) break;
+      }
       ray.origin = quad.corner + quad.edgeU * hit.at.x + quad.edgeV * hit.at.y;
       ray.cell = hit.cell;
       ray.enteredBy = -1;
       ray.ignore = hit.quad;
     }
-    return {};
+    return found;
   }
+
+  /// What a part of the range of depth is in blocks, so far from the eye: depth is 1 - near / distance.
+  double stepAt(double distance, double depth) const { return depth * distance * distance / near_; }
 
  private:
   // Squares of four begin in the lower left corner of the picture.
@@ -82,6 +100,7 @@ class Viewer {
 
   const TraceScene& scene_;
   const TraceCamera& camera_;
+  double near_;
 };
 
 }  // namespace
@@ -154,20 +173,63 @@ bool CasterRays::blocked(const glm::dvec3& from, const glm::dvec4& toward) const
   return false;
 }
 
+namespace {
+
+/// Whether light reaches what is seen through points of the picture.
+class LightSeen {
+ public:
+  LightSeen(const TraceScene& scene, const TraceCamera& camera, const CasterRays& casters,
+            const glm::dvec4& light)
+      : scene_(scene), camera_(camera), viewer_(scene, camera), casters_(casters), light_(light) {}
+
+  bool at(double x, double y) const {
+    const std::vector<Seen> seen = viewer_.at(x, y, 0);
+    return seen.empty() || reaches(seen[0], 0);
+  }
+
+  /// Does the answer at a pixel's middle depend on more than a frame knows? Any straight line within
+  /// half of kFramePixel parts one of three points from the middle.
+  bool doubtful(double x, double y) const {
+    constexpr glm::dvec2 kPlaces[] = {{0, 0}, {0.97, 0.26}, {-0.71, 0.71}, {-0.26, -0.97}};
+    bool lit = false, dark = false;
+    for (const glm::dvec2& place : kPlaces) {
+      const auto found =
+          viewer_.at(x + place.x * kFramePixel, y + place.y * kFramePixel, kFrameDepth);
+      lit |= found.empty();
+      for (const Seen& seen : found)
+        for (const double lift : {0.0, kFrameDepth}) (reaches(seen, lift) ? lit : dark) = true;
+      if (lit && dark) return true;
+    }
+    return false;
+  }
+
+ private:
+  /// `lift`: of the range of depth, from the seen place to the eye.
+  bool reaches(const Seen& seen, double lift) const {
+    const glm::dvec3 on = seen.position + glm::dvec3(scene_.origin);
+    const double cosine = glm::dot(seen.normal, glm::normalize(glm::dvec3(light_) - light_.w * on));
+    if ((seen.quad->thin ? std::abs(cosine) : cosine) <= kGrazing) return false;
+    const glm::dvec3 toEye = camera_.position - on;
+    const double distance = glm::length(toEye);
+    const glm::dvec3 at = on + toEye * (viewer_.stepAt(distance, lift) / distance);
+    return !casters_.blocked(at + seen.normal * kLift, light_);
+  }
+
+  const TraceScene& scene_;
+  const TraceCamera& camera_;
+  Viewer viewer_;
+  const CasterRays& casters_;
+  glm::dvec4 light_;
+};
+
+}  // namespace
+
 ImageF shadowMask(const TraceScene& scene, const TraceCamera& camera, const CasterRays& casters,
                   const glm::dvec4& light) {
-  const Viewer viewer(scene, camera);
-  const auto litAt = [&](double x, double y) {
-    const Seen seen = viewer.at(x, y);
-    if (seen.quad == nullptr) return true;
-    const glm::dvec3 at = seen.position + glm::dvec3(scene.origin);
-    const double cosine = glm::dot(seen.normal, glm::normalize(glm::dvec3(light) - light.w * at));
-    return (seen.quad->thin ? std::abs(cosine) : cosine) > kGrazing &&
-           !casters.blocked(at + seen.normal * kLift, light);
-  };
+  const LightSeen seen(scene, camera, casters, light);
   const auto row = [&](double y, double first) {
     std::vector<bool> lit;
-    for (int x = 0; x + first <= camera.width; ++x) lit.push_back(litAt(x + first, y));
+    for (int x = 0; x + first <= camera.width; ++x) lit.push_back(seen.at(x + first, y));
     return lit;
   };
   ImageF mask(camera.width, camera.height, 1);
@@ -176,7 +238,8 @@ ImageF shadowMask(const TraceScene& scene, const TraceCamera& camera, const Cast
     const std::vector<bool> middle = row(y + 0.5, 0.5), below = row(y + 1, 0);
     for (std::size_t x = 0; x < middle.size(); ++x) {
       const int corners = above[x] + above[x + 1] + below[x] + below[x + 1];
-      const bool changes = corners != (middle[x] ? 4 : 0);
+      const bool changes =
+          corners != (middle[x] ? 4 : 0) || seen.doubtful(double(x) + 0.5, y + 0.5);
       mask.at(int(x), y)[0] = middle[x] ? (changes ? 0.75f : 1.0f) : (changes ? 0.25f : 0.0f);
     }
     above = below;

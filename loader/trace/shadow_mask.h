@@ -36,8 +36,13 @@ class CasterRays {
 /// eight bits, so there rounding decides.
 constexpr double kGrazing = 0.01;
 
+/// What a frame knows of a place: where in the picture to this part of a pixel (rasterisers put corners
+/// on a grid of 1/256), and how far to this part of the range of depth (16 steps of 24 bits).
+constexpr double kFramePixel = 1.0 / 256;
+constexpr double kFrameDepth = 16.0 / (1 << 24);
+
 /// One channel: 1 lit, also where no block is seen; 0 in shadow or turned away. Where the answer
-/// changes within the pixel, lit is 0.75 and dark 0.25. `light`: w 0 and the
+/// changes within the pixel, or within what a frame can know of its middle, lit is 0.75 and dark 0.25. `light`: w 0 and the
 /// direction to it, or w 1 and its place in world blocks. What is seen through water is judged, not
 /// the water; leaves and plants that turn away are lit through.
 ImageF shadowMask(const TraceScene& scene, const TraceCamera& camera, const CasterRays& casters,

@@ -56,8 +56,8 @@ class EdgeSum {
     crossings_.push_back(end);
   }
 
-  /// `merge`: runs go on past the ends of the edges that they are made of.
-  std::vector<Run> runs(bool merge) {
+  /// None goes past the end of an edge: where runs, caps and visible faces meet they share corners.
+  std::vector<Run> runs() {
     std::vector<Run> result = std::move(oblique_);
     std::sort(crossings_.begin(), crossings_.end(),
               [](const Crossing& a, const Crossing& b) { return a.key() < b.key(); });
@@ -71,10 +71,8 @@ class EdgeSum {
              crossings_[end].at == here.at;
            ++end)
         next += crossings_[end].change;
-      if (next != count || !merge) {
-        emit(here, since, count, result);
-        since = here.at;
-      }
+      emit(here, since, count, result);
+      since = here.at;
       count = next;
       i = end;
     }
@@ -99,9 +97,9 @@ class VolumeBuilder {
 
   VolumeMesh build() {
     if (distant()) mesh_.vertices.push_back(glm::vec4(-glm::vec3(light_), 0));
+    addSides(false);
+    addSides(true);
     // Caps of solids are drawn in closed volumes only, those of other casters always.
-    addSides(false, !options_.closed);
-    addSides(true, false);
     mesh_.sideIndices = std::uint32_t(mesh_.indices.size());
     forEachMaker([&](const CasterFace& face) {
       if (options_.closed || face.seeThrough) addCaps(face);
@@ -147,14 +145,14 @@ class VolumeBuilder {
       if (makesVolume(face, light_) && (!options_.takes || options_.takes(face))) visit(face);
   }
 
-  void addSides(bool seeThrough, bool merge) {
+  void addSides(bool seeThrough) {
     EdgeSum edges;
     forEachMaker([&](const CasterFace& face) {
       if (face.seeThrough != seeThrough) return;
       const std::array<glm::vec3, 4> polygon = towardLight(face);
       for (std::size_t i = 0; i < 4; ++i) edges.add(polygon[i], polygon[(i + 1) % 4]);
     });
-    for (const Run& run : edges.runs(merge)) addSide(run);
+    for (const Run& run : edges.runs()) addSide(run);
   }
 
   // A distant light's volumes end in one point at infinity, which needs no cap.

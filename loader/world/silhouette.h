@@ -39,8 +39,8 @@ struct VolumeOptions {
   std::function<bool(const CasterFace&)> takes = {};
 };
 
-/// Where there are caps, sides end where their corners lie, so that no two edges meet in a T; other
-/// sides have one piece for each straight run of edges.
+/// Sides end where corners of faces lie: no edge meets another in a T, neither of caps nor of the faces
+/// that are seen, since the rasteriser would leave cracks there.
 VolumeMesh buildVolumes(const CasterSet& casters, const VolumeLight& light,
                         const VolumeOptions& options);
 

@@ -183,13 +183,38 @@ TEST(D6, edges_of_four_faces_cancel) {
   EXPECT_EQ(mesh.vertices.size(), 1 + mesh.indices.size() / 3 * 2);
 }
 
-TEST(D7, runs_are_merged_only_where_no_cap_ends) {
+TEST(D7, sides_end_where_corners_lie) {
   const CasterSet set = cloud(1, 1.1);  // one cube of 8
   const VolumeLight light(glm::normalize(glm::vec3(0.3f, 0.5f, 0.7f)), 0);
-  EXPECT_EQ(buildVolumes(set, light, {}).indices.size() / 3, 6u) << "the outline, one run an edge";
+  EXPECT_EQ(buildVolumes(set, light, {}).indices.size() / 3, 6u * 8) << "the outline";
   const VolumeMesh closed = buildVolumes(set, light, {.closed = true});
   EXPECT_EQ(closed.sideIndices / 3, 6u * 8);
   EXPECT_EQ((closed.indices.size() - closed.sideIndices) / 3, 3u * 64 * 2);
+}
+
+// A leaf is two faces, one to each side: whichever the light sees makes the volume.
+TEST(D5, a_lone_quad_shades_what_lies_behind_it_from_either_side) {
+  CasterFace up;
+  up.corners = {glm::vec3(0, 0, 0), {0, 0, 1}, {1, 0, 1}, {1, 0, 0}};
+  up.normal = {0, 1, 0};
+  up.seeThrough = true;
+  CasterFace down = up;
+  std::swap(down.corners[1], down.corners[3]);
+  down.normal = -up.normal;
+  CasterSet leaf;
+  leaf.faces = {up, down};
+  for (const float side : {1.0f, -1.0f}) {
+    const VolumeLight light(0.5f, side * 4, 0.5f, 1);
+    const VolumeMesh mesh = buildVolumes(leaf, light, {.closed = true});
+    const auto countAt = [&](double x, double y) {
+      return -crossings(mesh, {x, y * side, 0.47}, {x * 3e9, side * 1e9, 7e9});
+    };
+    EXPECT_EQ(countAt(0.43, 2), 0) << "before it";
+    EXPECT_EQ(countAt(0.43, -2), 1) << "behind it";
+    EXPECT_EQ(countAt(1.2, -4), 1) << "its shadow is twice as wide there";
+    EXPECT_EQ(countAt(1.53, -4), 0) << "beside it";
+    EXPECT_EQ(countAt(-0.51, -4), 0) << "beside it";
+  }
 }
 
 TEST(D9, a_face_that_the_test_leaves_out_does_not_hold_the_eye) {

@@ -17,7 +17,10 @@ constexpr int kFrames = 100, kWidth = 160, kHeight = 90;
 
 struct Path {
   const char* name;
-  std::string world;                                     ///< beside the worlds of ours
+  std::string world;  ///< beside the worlds of ours
+  /// Wrong pixels inside that are not the volumes': where rays and rasteriser see another surface, by
+  /// the holes of leaves and plants or where two faces fight for a pixel; docs/accuracy.md.
+  int interior;
   std::vector<std::pair<glm::dvec3, glm::dvec3>> looks;  ///< from, to
 };
 
@@ -25,6 +28,7 @@ const std::vector<Path>& paths() {
   static const std::vector<Path> kPaths = {
       {"pillars",
        "pillars",
+       0,
        {{{22, 13, 46}, {21, 2, 18}},
         {{12, 5, 22}, {11, 3, 8}},
         {{7.4, 3.4, 16.2}, {24, 2.5, 9}},
@@ -32,12 +36,14 @@ const std::vector<Path>& paths() {
         {{30, 4, 31}, {38, 6, 20}}}},
       {"terrain",
        "terrain",
+       18,
        {{{48, 37, 94}, {44, 18, 40}},
         {{60, 30, 70}, {40, 20, 40}},
         {{40, 27, 50}, {70, 18, 30}},
         {{20, 30, 30}, {60, 18, 60}}}},
       {"smallhouse1",
        "../../shared/worlds/smallhouse1.schem",
+       5,
        {{{-10.7, 31.3, 31.2}, {10, 10, 10}},
         {{-6, 6, 24}, {10, 6, 10}},
         {{24, 5, 23}, {8, 5, 10}},
@@ -109,8 +115,7 @@ TEST_P(VolumePath, equals_rays_inside_of_lit_and_dark) {
   EXPECT_LT(inShadow, kFrames - 3);
   EXPECT_GT(pixels, (kFrames - 30) * kWidth * kHeight);
   EXPECT_LT(double(edge), 0.002 * double(pixels));
-  // Single pixels along seams of volumes; docs/accuracy.md.
-  EXPECT_LT(double(interior), 5e-5 * double(pixels));
+  EXPECT_LE(interior, GetParam().interior);
 }
 
 INSTANTIATE_TEST_SUITE_P(Worlds, VolumePath, testing::ValuesIn(paths()),
