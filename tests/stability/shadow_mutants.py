@@ -17,7 +17,6 @@ MUTANTS = [
     ("C3 half of the normal offset", "*C3_normal*", [(MAP, "* 1.4143 *", "* 0.5 *")]),
     ("C3 a block of bias", "*C3_normal*",
      [(MAP, "float bias = 0.01 * depth_per_block;", "float bias = 2.0 * depth_per_block;")]),
-    ("C3 half of the normal offset on a world", "*C3_default*", [(MAP, "* 1.4143 *", "* 0.5 *")]),
     ("C3 a block of bias on a world", "*C3_shadows*:*C3_default*",
      [(MAP, "float bias = 0.01 * depth_per_block;", "float bias = 2.0 * depth_per_block;")]),
     ("C4 normal of the camera's space", "C4.*",
