@@ -229,7 +229,7 @@ Candidates placesToClose(Part part) {
   for (std::size_t i = 0; i < part.size(); ++i) {
     const LaidOut& entry = part[i];
     if (entry.firstOfLine && i > 0) {
-      const bool orElse = is(entry, "else") && !blocks.empty() &&
+      const bool orElse = is(entry, "else") && !is(part[i - 1], "}") && !blocks.empty() &&
                           blocks.back()->file == entry.file &&
                           blocks.back()->statement == entry.indent;
       const auto last = indents.find(entry.file);

@@ -278,6 +278,26 @@ TEST(validate, an_else_belongs_to_the_brace_that_is_missing_before_it) {
                          "/a.fsh:3\n"));
 }
 
+TEST(validate, an_else_below_its_brace_lacks_none) {
+  EXPECT_THAT(fragmentMessages("float f(float x) {\n"         // 2
+                               "  if (x > 0.0) {\n"           // 3
+                               "    if (x > 1.0) {\n"         // 4
+                               "      x = 1.0;\n"             // 5
+                               "    } else if (x > 2.0) {\n"  // 6
+                               "      x = 2.0;\n"             // 7
+                               "\n\n"                         // 8, 9
+                               "    x += 1.0;\n"              // 10
+                               "  }\n"                        // 11
+                               "  else {\n"                   // 12
+                               "    x = 3.0;\n"
+                               "  }\n"
+                               "  return x;\n"
+                               "}\n" +
+                               kLater),
+              StartsWith("/a.fsh:7:15: error: expected '}' after ';': nothing closes the '{' at "
+                         "/a.fsh:6\n"));
+}
+
 TEST(validate, a_block_that_holds_an_include_ends_behind_it) {
   EXPECT_THAT(fragmentMessages("float f(float x) {\n"
                                "  if (x > 0.0) {\n"
