@@ -45,8 +45,9 @@ TEST(AutoOption, cost_is_a_sum_of_products_and_numbers_may_be_values_of_options)
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].option, "SHADOWS");
   EXPECT_EQ(found[0].value, "MAP");
-  EXPECT_DOUBLE_EQ(found[0].cost({{"pixels", 100}, {"lamps", 3}, {"faces", 7}}), 0.5 + 1.2 + 7);
-  EXPECT_DOUBLE_EQ(found[0].cost({{"faces", 7}}), 7.5) << "what is not known is 0";
+  // Written numbers are floats, as in all properties.
+  EXPECT_FLOAT_EQ(found[0].cost({{"pixels", 100}, {"lamps", 3}, {"faces", 7}}), 0.5 + 1.2 + 7);
+  EXPECT_FLOAT_EQ(found[0].cost({{"faces", 7}}), 7.5) << "what is not known is 0";
   EXPECT_THAT(found[0].quantities(), ElementsAre("pixels", "lamps", "faces"));
   EXPECT_EQ(found[0].formula(), "0.5 + 0.004 pixels lamps + 1 faces");
 }
@@ -75,7 +76,7 @@ TEST(AutoOption, cheapest_is_chosen_and_all_are_told) {
   const AutoChoice few = chooseAuto(found, "SHADOWS", {{"faces", 10}}, "");
   EXPECT_EQ(few.value, "VOLUME");
   ASSERT_EQ(few.candidates.size(), 2u);
-  EXPECT_DOUBLE_EQ(few.candidates[0].milliseconds, 1.1);
+  EXPECT_FLOAT_EQ(few.candidates[0].milliseconds, 1.1);
   EXPECT_EQ(chooseAuto(found, "SHADOWS", {{"faces", 1000}}, "").value, "MAP");
   EXPECT_EQ(chooseAuto(found, "OTHER", {}, "").value, "");
 }

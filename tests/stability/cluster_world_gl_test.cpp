@@ -108,17 +108,19 @@ TEST(lamps, table_is_sorted_by_place) {
   }
 }
 
-TEST(lamps, few_lamps_get_no_lists_when_the_method_is_chosen_by_their_number) {
-  const auto row = [](int count) {
-    return floorWith(
-        fmt::format(R"({{"box": "torch", "min": [6, 1, 12], "max": [{}, 1, 12]}})", 5 + count));
+TEST(lamps, few_lamps_get_no_lists_when_the_method_is_chosen_by_its_cost) {
+  const auto square = [](int side) {
+    return floorWith(fmt::format(
+        R"({{"box": "magma_block", "min": [3, 1, 3], "max": [{0}, 1, {0}]}})", 2 + side));
   };
-  for (const int count : {8, 9}) {
-    PackSession chosen = sessionOf(row(count), "AUTO");
+  for (const int side : {2, 25}) {
+    PackSession chosen = sessionOf(square(side), "AUTO", {}, 96);
     chosen.renderFrames(1);
-    EXPECT_EQ(stateOf(chosen).lamps, count);
-    EXPECT_EQ(stateOf(chosen).grids, count > 8);
-    EXPECT_EQ(chosen.dump("colortex0").pixels, pictureOf(row(count), "DEFERRED").pixels) << count;
+    EXPECT_EQ(stateOf(chosen).lamps, side * side);
+    EXPECT_EQ(stateOf(chosen).grids, side > 2) << side;
+    PackSession deferred = sessionOf(square(side), "DEFERRED", {}, 96);
+    deferred.renderFrames(1);
+    EXPECT_EQ(chosen.dump("colortex0").pixels, deferred.dump("colortex0").pixels) << side;
   }
 }
 
