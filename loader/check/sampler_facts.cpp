@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <vector>
 
 #include "check/glsl_types.h"
 #include "frame/pack_resources.h"
@@ -30,13 +31,27 @@ char componentOf(std::string_view format) {
   return found->formatClass == gl::FormatClass::Int ? 'i' : 'f';
 }
 
-bool isReplaced(const ShaderPack& pack, const ProgramSource& program, const std::string& name) {
+/// The textures of shaders.properties that the program reads by this name: "colortex4.1" gives one more
+/// of another type.
+std::vector<const TextureBinding*> replacementsOf(const ShaderPack& pack,
+                                                  const ProgramSource& program,
+                                                  const std::string& name) {
   const std::string stage = textureStageOf(program.group);
-  return std::any_of(pack.properties.textures.begin(), pack.properties.textures.end(),
-                     [&](const TextureBinding& texture) {
-                       return canonicalBuffer(texture.sampler) == canonicalBuffer(name) &&
-                              (texture.stage.empty() || texture.stage == stage);
-                     });
+  std::vector<const TextureBinding*> found;
+  for (const TextureBinding& texture : pack.properties.textures) {
+    if (canonicalBuffer(texture.sampler) == canonicalBuffer(name) &&
+        (texture.stage.empty() || texture.stage == stage))
+      found.push_back(&texture);
+  }
+  return found;
+}
+
+/// Images are flat; what a raw texture is, its line says.
+std::optional<Bound> imageOf(const std::vector<const TextureBinding*>& textures) {
+  const bool raw = std::ranges::any_of(
+      textures, [](const TextureBinding* texture) { return !texture->rawType.empty(); });
+  if (raw) return std::nullopt;
+  return Bound{.what = textures.front()->path};
 }
 
 Bound targetOf(const ShaderPack& pack, bool shadow, int index) {
@@ -85,14 +100,18 @@ std::optional<Bound> bufferOf(const ShaderPack& pack, const ProgramSource& progr
 }
 
 std::optional<Bound> boundTo(const ShaderPack& pack, const ProgramSource& program,
-                             const std::string& name, bool image) {
+                             const StageGlobal& global, bool image) {
+  const std::string name(global.name);
   for (const CustomImage& custom : pack.properties.images) {
     if ((image ? custom.name : custom.sampler) != name) continue;
     return Bound{.what = fmt::format("{}, whose format is {}", name, custom.internalFormat),
                  .component = componentOf(custom.internalFormat),
                  .dimensions = custom.dimensions};
   }
-  if (!image && isReplaced(pack, program, name)) return std::nullopt;
+  const auto textures =
+      image ? std::vector<const TextureBinding*>() : replacementsOf(pack, program, name);
+  // Programs share declarations, and what is replaced in one of them is not in another.
+  if (!textures.empty()) return global.used ? imageOf(textures) : std::nullopt;
   const auto buffer = parseBufferName(name, false);
   if (!buffer || buffer->image != image) return std::nullopt;
   return bufferOf(pack, program, *buffer);
@@ -109,7 +128,7 @@ std::optional<SamplerProblem> samplerProblem(const ShaderPack& pack, const Progr
                                              const StageGlobal& global) {
   const OpaqueType type = opaqueType(global.type);
   if (type.component == 0) return std::nullopt;
-  const auto bound = boundTo(pack, program, std::string(global.name), type.image);
+  const auto bound = boundTo(pack, program, global, type.image);
   if (!bound) return std::nullopt;
   const std::string wanted = wantedType(*bound, type.image);
   if (type.dimensions != bound->dimensions || type.array) {

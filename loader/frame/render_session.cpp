@@ -37,15 +37,14 @@ MacroDefinitions environmentFor(const gl::DriverInfo& driver) {
   return standardMacros(host);
 }
 
-RenderSession::RenderSession(gl::Context& context, SessionRequest request, SceneData scene)
-    : context_(context), request_(std::move(request)), scene_(std::move(scene)) {}
+RenderSession::RenderSession(SessionRequest request, SceneData scene)
+    : request_(std::move(request)), scene_(std::move(scene)) {}
 
 std::unique_ptr<RenderSession> RenderSession::create(gl::Context& context, SessionRequest request,
                                                      World world, Diagnostics& diagnostics) {
   request.load.environment = environmentFor(context.driver());
   if (request.time) world.environment.time = *request.time;
-  auto session =
-      std::unique_ptr<RenderSession>(new RenderSession(context, std::move(request), SceneData()));
+  auto session = std::unique_ptr<RenderSession>(new RenderSession(std::move(request), SceneData()));
   const auto asked = session->loadPack(diagnostics);
   if (asked == nullptr) return nullptr;
   session->scene_ = buildScene(std::move(world), meshStyleOf(*asked), diagnostics);

@@ -62,7 +62,7 @@ class RenderSession {
   const AutoChoices& autoChoices() const { return auto_; }
 
  private:
-  RenderSession(gl::Context& context, SessionRequest request, SceneData scene);
+  RenderSession(SessionRequest request, SceneData scene);
   std::shared_ptr<const ShaderPack> loadPack(Diagnostics& diagnostics);
   std::shared_ptr<const ShaderPack> rebuildPack(Diagnostics& diagnostics);
   bool use(const std::string& cause, std::shared_ptr<const ShaderPack> asked,
@@ -78,7 +78,6 @@ class RenderSession {
   void applyEvents(Diagnostics& diagnostics);
   void rebuildScene(Diagnostics& diagnostics);
 
-  gl::Context& context_;
   SessionRequest request_;
   SceneData scene_;
   std::unique_ptr<FrameRenderer> renderer_;

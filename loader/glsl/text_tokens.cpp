@@ -5,6 +5,7 @@
 #include <cctype>
 #include <iterator>
 #include <map>
+#include <span>
 #include <string>
 
 namespace orris {
@@ -69,6 +70,20 @@ bool mayEndStatement(const std::vector<Token>& tokens, std::size_t index) {
   if (token.kind == TokenKind::Number || token.text == "]") return true;
   if (token.text == ")") return !closesHead(tokens, index);
   return token.kind == TokenKind::Identifier && !isOneOf(token.text, {"else", "do"});
+}
+
+/// "if (a" above a line that begins with "||": what is missing is missing below.
+bool isHeadThatGoesOn(std::span<const Token> tokens, const Token& parenthesis) {
+  const auto at = std::ranges::find_if(tokens, [&](const Token& token) {
+    return token.origin.line == parenthesis.origin.line &&
+           token.origin.column == parenthesis.origin.column;
+  });
+  if (at == tokens.begin() || at == tokens.end()) return false;
+  const auto below = std::find_if(at, tokens.end(), [&](const Token& token) {
+    return token.origin.line > parenthesis.origin.line;
+  });
+  return isOneOf(std::prev(at)->text, {"if", "while"}) && below != tokens.end() &&
+         isOneOf(below->text, {"||", "&&", "==", "!=", "<", ">", "+", "-", "*", "/"});
 }
 
 }  // namespace
@@ -136,7 +151,10 @@ std::optional<Token> unclosedParenthesis(const MappedText& text, int line,
     if (!ofLine.empty()) ofLine.pop_back();
   }
   std::erase_if(open, [](const auto& entry) { return entry.second.empty(); });
-  return open.size() == 1 ? std::optional(open.begin()->second.front()) : std::nullopt;
+  if (open.size() != 1) return std::nullopt;
+  const Token& parenthesis = open.begin()->second.front();
+  if (isHeadThatGoesOn(std::span(begin, end), parenthesis)) return std::nullopt;
+  return parenthesis;
 }
 
 }  // namespace orris

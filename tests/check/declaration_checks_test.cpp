@@ -306,6 +306,20 @@ TEST(Types, samplers_and_formats) {
           "which is not compared"));
 }
 
+TEST(Types, an_image_instead_of_a_buffer_is_flat) {
+  EXPECT_THAT(messages(fragmentOf("uniform samplerCube colortex4;\nvoid main() { gl_FragColor = "
+                                  "texture(colortex4, vec3(0)); }",
+                                  "texture.composite.colortex4 = minecraft:textures/atlas/"
+                                  "blocks.png\n")),
+              ElementsAre("sampler-type /composite.fsh:2:21: warning: samplerCube cannot read "
+                          "minecraft:textures/atlas/blocks.png"));
+  EXPECT_THAT(messages(fragmentOf("uniform samplerCube colortex4;\nvoid main() { gl_FragColor = "
+                                  "vec4(1); }",
+                                  "texture.composite.colortex4 = minecraft:textures/atlas/"
+                                  "blocks.png\n")),
+              IsEmpty());
+}
+
 TEST(Types, custom_images_and_their_samplers_have_the_type_of_their_format) {
   const auto shader = [](const std::string& image, const std::string& sampler) {
     return fragmentOf("layout(r32ui) uniform " + image + " cells;\nuniform " + sampler +
@@ -323,11 +337,14 @@ TEST(Types, custom_images_and_their_samplers_have_the_type_of_their_format) {
                   "whose format is R32UI"));
 }
 
-TEST(Types, a_custom_texture_may_have_any_type) {
-  EXPECT_THAT(messages(fragmentOf("uniform sampler3D colortex6;\n"
-                                  "void main() { gl_FragColor = texture(colortex6, vec3(0)); }",
-                                  "texture.composite.colortex6 = minecraft:a.png\n")),
-              IsEmpty());
+TEST(Types, a_raw_texture_may_have_any_type) {
+  Files files = fragmentOf(
+      "uniform sampler3D colortex6;\n"
+      "void main() { gl_FragColor = texture(colortex6, vec3(0)); }",
+      "texture.composite.colortex6 = a.dat TEXTURE_3D RGBA8 2 2 2 RGBA "
+      "UNSIGNED_BYTE\n");
+  files["/a.dat"] = std::string(32, 'x');
+  EXPECT_THAT(messages(files), IsEmpty());
 }
 
 // ---- outputs

@@ -348,6 +348,19 @@ TEST(validate, the_line_that_lacks_a_parenthesis_is_told_and_not_the_end_of_its_
       "  hint: no ')' of this line closes it\n");
 }
 
+TEST(validate, a_condition_goes_on_below_its_head) {
+  EXPECT_THAT(fragmentMessages("float f(float x) {\n"
+                               "  if(x > 1.0\n"
+                               "  || x > 2.0\n"
+                               "  || x > 3.0 {\n"
+                               "    return 1.0;\n"
+                               "  }\n"
+                               "  return x;\n"
+                               "}\n"
+                               "void main() { f(1.0); }\n"),
+              StartsWith("/a.fsh:5:"));
+}
+
 TEST(validate, an_entry_of_a_list_lacks_its_parenthesis) {
   EXPECT_THAT(fragmentMessages("const vec3 list[2] = vec3[2](\n"
                                "  vec3(1.0, 0.0, 0.0,\n"
