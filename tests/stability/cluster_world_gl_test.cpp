@@ -124,6 +124,31 @@ TEST(lamps, few_lamps_get_no_lists_when_the_method_is_chosen_by_its_cost) {
   }
 }
 
+// Without the lines of shaders.properties that a host chooses by, as in the game.
+TEST(lamps, few_lamps_get_no_lists_when_the_pack_chooses_for_itself) {
+  const auto row = [](int count) {
+    return floorWith(
+        fmt::format(R"({{"box": "torch", "min": [6, 1, 12], "max": [{}, 1, 12]}})", 5 + count));
+  };
+  for (const int count : {8, 9}) {
+    SessionSetup setup{
+        .world = row(count),
+        .options = {{"LIGHT_METHOD", "AUTO"}, {"GI_METHOD", "NONE"}, {"SHADOW_METHOD", "NONE"}},
+        .width = 48,
+        .height = 48};
+    setup.change = [](PackTexts& files) {
+      std::string& text = files.at("/shaders.properties");
+      for (std::size_t at = 0; (at = text.find("\nauto.", at)) != std::string::npos; ++at)
+        text.insert(at + 1, "#");
+    };
+    PackSession chosen(setup);
+    chosen.renderFrames(1);
+    EXPECT_EQ(stateOf(chosen).lamps, count);
+    EXPECT_EQ(stateOf(chosen).grids, count > 8);
+    EXPECT_EQ(chosen.dump("colortex0").pixels, pictureOf(row(count), "DEFERRED").pixels) << count;
+  }
+}
+
 TEST(lamps, two_runs_give_the_same_bits) {
   const std::string world = floorWith(kThreeLamps);
   PackSession first = sessionOf(world, "CLUSTERED"), second = sessionOf(world, "CLUSTERED");
