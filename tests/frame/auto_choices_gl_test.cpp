@@ -1,6 +1,7 @@
 // Options that choose for themselves, in a session: by the scene, again when it has changed by much.
 #include <gmock/gmock.h>
 
+#include "lamp_floor.h"
 #include "render_fixture.h"
 
 namespace orris {
@@ -26,16 +27,7 @@ class AutoSession : public RenderTest {
 constexpr const char* kByLamps = "auto.method.one = 1 + 1 lamps\nauto.method.two = 10\n";
 
 World withLamps(int count, const char* event = nullptr) {
-  World world;
-  world.blocks = BlockWorld({-8, 0, -8}, {16, 4, 16});
-  const auto stone = world.blocks.paletteIndex(*parseBlockState("minecraft:stone"));
-  world.blocks.fill({-8, 0, -8}, {7, 0, 7}, stone);
-  const auto lamp = world.blocks.paletteIndex(*parseBlockState("minecraft:sea_lantern"));
-  for (int i = 0; i < count; ++i) world.blocks.set({i % 8 - 4, 1, i / 8 - 4}, lamp);
-  Camera camera;
-  camera.position = {0.5, 5.5, 0.5};
-  camera.pitch = 90;
-  world.cameras = {camera};
+  World world = lampFloor(count);
   if (event)
     for (int i = 0; i < 30; ++i)
       world.events.push_back({3, SetBlock{{i % 8 - 4, 1, i / 8 - 4}, *parseBlockState(event)}});

@@ -3,23 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include "lamp_floor.h"
+
 namespace orris {
 namespace {
-
-/// A floor of 16 x 16 blocks with lamps on it, seen from above.
-World withLamps(int count) {
-  World world;
-  world.blocks = BlockWorld({-8, 0, -8}, {16, 4, 16});
-  const auto stone = world.blocks.paletteIndex(*parseBlockState("minecraft:stone"));
-  world.blocks.fill({-8, 0, -8}, {7, 0, 7}, stone);
-  const auto lamp = world.blocks.paletteIndex(*parseBlockState("minecraft:sea_lantern"));
-  for (int i = 0; i < count; ++i) world.blocks.set({i % 8 - 4, 1, i / 8 - 4}, lamp);
-  Camera camera;
-  camera.position = {0.5, 5.5, 0.5};
-  camera.pitch = 90;
-  world.cameras = {camera};
-  return world;
-}
 
 Quantities measured(World world, int size = 32) {
   Diagnostics diagnostics;
@@ -36,7 +23,7 @@ Quantities measured(World world, int size = 32) {
 }
 
 TEST(SceneQuantities, of_a_floor_under_the_sky) {
-  const Quantities floor = measured(withLamps(0));
+  const Quantities floor = measured(lampFloor(0));
   EXPECT_EQ(floor.size(), sceneQuantities().size());
   EXPECT_EQ(floor.at("pixels"), 1024);
   // Top and bottom of 16 x 16 blocks, and four sides.
@@ -52,17 +39,20 @@ TEST(SceneQuantities, of_a_floor_under_the_sky) {
   EXPECT_LT(floor.at("volumes"), 100);
   // From 4.5 blocks away with 70 degrees, 32 pixels are 6.3 blocks, and a texel an eighth of one.
   EXPECT_NEAR(floor.at("texel_pixels"), 0.125 * 32 / 6.3, 0.1);
-  EXPECT_EQ(measured(withLamps(0), 64).at("pixels"), 4096);
+  EXPECT_EQ(measured(lampFloor(0), 64).at("pixels"), 4096);
 }
 
 TEST(SceneQuantities, lamps_reach_as_far_as_their_level) {
-  const Quantities many = measured(withLamps(20));
+  const Quantities many = measured(lampFloor(20));
   EXPECT_EQ(many.at("lamps"), 20);
   EXPECT_NEAR(many.at("lamps_reaching"), 20, 0.01) << "level 15, and nothing is farther than 8";
+  const Quantities dim = measured(lampFloor(1, "minecraft:magma_block"));
+  EXPECT_EQ(dim.at("lamps"), 1);
+  EXPECT_LT(dim.at("lamps_reaching"), 0.3) << "level 3, and at the border of what is seen";
 }
 
 TEST(SceneQuantities, no_sun_comes_into_a_closed_room) {
-  World room = withLamps(1);
+  World room = lampFloor(1);
   const auto stone = room.blocks.paletteIndex(*parseBlockState("minecraft:stone"));
   World closed;
   closed.blocks = BlockWorld({-8, 0, -8}, {16, 12, 16});
