@@ -17,6 +17,10 @@ constexpr double kFaceRadius = 1.01;
 /// sides and caps alike: what touches a volume from outside is not in it, however the depths of faces
 /// that meet in an edge are rounded. Caps of leaves even coincide with what is seen.
 constexpr float kBehind = 4, kBehindSlope = 1.0f / 256;
+/// Where the light lies in a plane of blocks, one volume may end in it and the next begin, with depths
+/// that are rounded differently. The ends lie so many times as far behind: whatever lies there is in
+/// both rather than in none.
+constexpr float kEndsBehind = 2;
 
 void bindVolumeVertices(const gl::Program& program) {
   gl::EnableClientState(GL_VERTEX_ARRAY);
@@ -42,6 +46,12 @@ constexpr StencilRule kZPass{GL_LESS, GL_KEEP, GL_INCR_WRAP, GL_KEEP, GL_DECR_WR
 constexpr StencilRule kZFail{GL_LESS, GL_DECR_WRAP, GL_KEEP, GL_INCR_WRAP, GL_KEEP};
 /// Along the whole of a ray a closed volume is left once more than entered when the eye is in it.
 constexpr StencilRule kWholeRay{GL_ALWAYS, GL_KEEP, GL_DECR_WRAP, GL_KEEP, GL_INCR_WRAP};
+
+void drawBehind(float times, std::uint32_t first, std::uint32_t end) {
+  gl::PolygonOffset(times * kBehindSlope, times * kBehind);
+  gl::DrawElements(GL_TRIANGLES, static_cast<int>(end - first), GL_UNSIGNED_INT,
+                   reinterpret_cast<const void*>(first * sizeof(std::uint32_t)));
+}
 
 void setRule(const StencilRule& rule) {
   gl::DepthFunc(rule.depthFunction);
@@ -100,6 +110,7 @@ ShadowVolumes::Drawn ShadowVolumes::upload(const VolumeMesh& mesh) {
   drawn.indices = gl::createBuffer(mesh.indices.size() * sizeof(std::uint32_t), mesh.indices.data(),
                                    "shadow volume indices");
   drawn.indexCount = static_cast<std::uint32_t>(mesh.indices.size());
+  drawn.alongCount = mesh.alongIndices;
   return drawn;
 }
 
@@ -150,8 +161,16 @@ void ShadowVolumes::draw(const gl::Program& program, const VolumeLight& light,
     bindVolumeVertices(program);
     setRule(rule);
     gl::Enable(GL_POLYGON_OFFSET_FILL);
-    gl::PolygonOffset(kBehindSlope, kBehind);
-    gl::DrawElements(GL_TRIANGLES, static_cast<int>(part.indexCount), GL_UNSIGNED_INT, nullptr);
+    drawBehind(1, part.alongCount, part.indexCount);
+    if (part.alongCount > 0) {
+      gl::Enable(GL_CULL_FACE);
+      gl::CullFace(GL_BACK);
+      drawBehind(1, 0, part.alongCount);
+      gl::CullFace(GL_FRONT);
+      drawBehind(kEndsBehind, 0, part.alongCount);
+      gl::CullFace(GL_BACK);
+      gl::Disable(GL_CULL_FACE);
+    }
     gl::Disable(GL_POLYGON_OFFSET_FILL);
     unbindVolumeVertices(program);
   };

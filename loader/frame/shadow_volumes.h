@@ -44,7 +44,7 @@ class ShadowVolumes {
  private:
   struct Drawn {
     gl::Buffer vertices, indices;
-    std::uint32_t indexCount = 0;
+    std::uint32_t indexCount = 0, alongCount = 0;
   };
   static Drawn upload(const VolumeMesh& mesh);
   const Drawn& silhouettes(const VolumeLight& light, bool closed);

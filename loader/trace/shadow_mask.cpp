@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace orris {
 namespace {
@@ -29,7 +30,7 @@ glm::dvec3 rayOf(const TraceCamera& camera, double x, double y) {
 
 /// What a pixel shows of opaque blocks, as the path tracer finds it.
 struct Seen {
-  const TraceQuad* quad = nullptr;
+  const TraceQuad* quad = nullptr;    ///< nullptr: the sky
   glm::dvec3 position{0}, normal{0};  ///< grid space; normal toward the eye
 };
 
@@ -38,48 +39,95 @@ class Viewer {
   Viewer(const TraceScene& scene, const TraceCamera& camera) : scene_(scene), camera_(camera) {
     const glm::dvec4 corner = glm::dmat4(camera.projectionInverse) * glm::dvec4(0, 0, -1, 1);
     near_ = -corner.z / corner.w;
+    clipOf_ = glm::inverse(glm::dmat4(camera.projectionInverse));
+    worldToView_ = glm::transpose(glm::dmat3(camera.modelViewInverse));
   }
 
   /// The first opaque surface, and those that follow so close that a frame may show them instead.
   /// `px`, `py` in the pixel, or on its rim: (0, 0) is the picture's top left corner. `depth`: part of
   /// the range of depth.
   std::vector<Seen> at(double px, double py, double depth) const {
-    const glm::dvec3 direction = rayOf(camera_, px, py);
-    const glm::dvec3 eye = camera_.position - glm::dvec3(scene_.origin);
-    Ray ray;
-    ray.origin = glm::vec3(eye);
-    ray.direction = withoutZeros(glm::vec3(direction));
-    ray.cell = glm::ivec3(glm::floor(ray.origin));
-    const PixelFootprint footprint = footprintOf(std::min(int(px), camera_.width - 1),
-                                                 std::min(int(py), camera_.height - 1), ray.origin);
     std::vector<Seen> found;
-    if (!scene_.grid.contains(ray.cell) && !scene_.grid.enter(ray)) return found;
     double last = std::numeric_limits<double>::infinity();
-    for (int layer = 0; layer < kMaxLayers; ++layer) {
-      const RayHit hit = scene_.grid.look(ray, &footprint);
-      if (hit.quad == kNoQuad) break;
-      const TraceQuad& quad = scene_.grid.quad(hit.quad);
-      if (!quad.translucent) {
-        const Seen next = seen(quad, eye, direction);
-        const double distance = glm::distance(eye, next.position);
-        if (found.empty()) last = distance + stepAt(distance, depth);
-        // Nor one that has no plane: what fills the inside of a solid.
-        if (!(distance <= last)) break;
-        found.push_back(next);
-        if (depth == 0) break;
-      }
-      ray.origin = quad.corner + quad.edgeU * hit.at.x + quad.edgeV * hit.at.y;
-      ray.cell = hit.cell;
-      ray.enteredBy = -1;
-      ray.ignore = hit.quad;
-    }
+    forEachSurface(px, py, false, [&](const Seen& next) {
+      const double distance = glm::distance(eye(), next.position);
+      if (found.empty()) last = distance + stepAt(distance, depth);
+      if (distance > last) return false;
+      found.push_back(next);
+      return depth != 0;
+    });
     return found;
+  }
+
+  /// Of all surfaces that the ray meets, holes or not, the one that a frame of this depth shows.
+  std::optional<Seen> shownAt(double px, double py, double depth) const {
+    if (depth >= 1) return Seen();
+    std::optional<Seen> shown;
+    double least = std::numeric_limits<double>::infinity();
+    forEachSurface(px, py, true, [&](const Seen& next) {
+      const double here = depthAt(next, px, py), off = std::abs(here - depth);
+      const double unsure = kFrameDepth + std::abs(depthAt(next, px + kFramePixel, py) - here) +
+                            std::abs(depthAt(next, px, py + kFramePixel) - here);
+      if (off < least && off <= unsure) {
+        least = off;
+        shown = next;
+      }
+      return true;
+    });
+    return shown;
+  }
+
+  /// The same surface's place at another point of the picture.
+  Seen movedTo(Seen seen, double px, double py) const {
+    const glm::dvec3 direction = rayOf(camera_, px, py);
+    const double distance =
+        glm::dot(seen.position - eye(), seen.normal) / glm::dot(direction, seen.normal);
+    seen.position = eye() + direction * distance;
+    return seen;
   }
 
   /// What a part of the range of depth is in blocks, so far from the eye: depth is 1 - near / distance.
   double stepAt(double distance, double depth) const { return depth * distance * distance / near_; }
 
  private:
+  glm::dvec3 eye() const { return camera_.position - glm::dvec3(scene_.origin); }
+
+  /// Depth of the surface's plane at a point of the picture, 0 to 1.
+  double depthAt(const Seen& seen, double px, double py) const {
+    const glm::dvec4 clip =
+        clipOf_ *
+        glm::dvec4(glm::dmat3(worldToView_) * (movedTo(seen, px, py).position - eye()), 1);
+    return clip.z / clip.w * 0.5 + 0.5;
+  }
+
+  /// Opaque surfaces along a ray until `visit` returns false; `whole`: cutouts without holes.
+  template <class Visit>
+  void forEachSurface(double px, double py, bool whole, const Visit& visit) const {
+    const glm::dvec3 direction = rayOf(camera_, px, py);
+    Ray ray;
+    ray.origin = glm::vec3(eye());
+    ray.direction = withoutZeros(glm::vec3(direction));
+    ray.cell = glm::ivec3(glm::floor(ray.origin));
+    PixelFootprint footprint = footprintOf(std::min(int(px), camera_.width - 1),
+                                           std::min(int(py), camera_.height - 1), ray.origin);
+    footprint.whole = whole;
+    if (!scene_.grid.contains(ray.cell) && !scene_.grid.enter(ray)) return;
+    for (int layer = 0; layer < kMaxLayers; ++layer) {
+      const RayHit hit = scene_.grid.look(ray, &footprint);
+      if (hit.quad == kNoQuad) return;
+      const TraceQuad& quad = scene_.grid.quad(hit.quad);
+      if (!quad.translucent) {
+        const Seen next = seen(quad, eye(), direction);
+        // What has no plane fills the inside of a solid.
+        if (std::isnan(glm::distance(eye(), next.position)) || !visit(next)) return;
+      }
+      ray.origin = quad.corner + quad.edgeU * hit.at.x + quad.edgeV * hit.at.y;
+      ray.cell = hit.cell;
+      ray.enteredBy = -1;
+      ray.ignore = hit.quad;
+    }
+  }
+
   // Squares of four begin in the lower left corner of the picture.
   PixelFootprint footprintOf(int x, int y, const glm::vec3& origin) const {
     const int left = x & ~1, below = camera_.height - 1 - ((camera_.height - 1 - y) & ~1);
@@ -101,6 +149,8 @@ class Viewer {
   const TraceScene& scene_;
   const TraceCamera& camera_;
   double near_;
+  glm::dmat4 clipOf_;
+  glm::dmat3 worldToView_;
 };
 
 }  // namespace
@@ -187,10 +237,33 @@ class LightSeen {
     return seen.empty() || reaches(seen[0], 0);
   }
 
+  /// What a frame shows at a pixel's middle when the ray meets another surface first.
+  std::optional<Seen> other(double x, double y, double depth) const {
+    std::vector<Seen> met = viewer_.at(x, y, kFrameDepth);
+    if (met.empty()) met.emplace_back();
+    const std::optional<Seen> shown = viewer_.shownAt(x, y, depth);
+    const bool same = !shown || std::any_of(met.begin(), met.end(), [&](const Seen& seen) {
+      return seen.quad == shown->quad;
+    });
+    return same ? std::nullopt : shown;
+  }
+
+  bool reached(const Seen& seen) const { return seen.quad == nullptr || reaches(seen, 0); }
+
+  /// doubtful() of one surface.
+  bool doubtfulOn(const Seen& seen, double x, double y) const {
+    bool lit = false, dark = false;
+    for (const glm::dvec2& place : kPlaces) {
+      const Seen moved =
+          viewer_.movedTo(seen, x + place.x * kFramePixel, y + place.y * kFramePixel);
+      for (const double lift : {0.0, kFrameDepth}) (reaches(moved, lift) ? lit : dark) = true;
+    }
+    return lit && dark;
+  }
+
   /// Does the answer at a pixel's middle depend on more than a frame knows? Any straight line within
   /// half of kFramePixel parts one of three points from the middle.
   bool doubtful(double x, double y) const {
-    constexpr glm::dvec2 kPlaces[] = {{0, 0}, {0.97, 0.26}, {-0.71, 0.71}, {-0.26, -0.97}};
     bool lit = false, dark = false;
     for (const glm::dvec2& place : kPlaces) {
       const auto found =
@@ -204,6 +277,8 @@ class LightSeen {
   }
 
  private:
+  static constexpr glm::dvec2 kPlaces[] = {{0, 0}, {0.97, 0.26}, {-0.71, 0.71}, {-0.26, -0.97}};
+
   /// `lift`: of the range of depth, from the seen place to the eye.
   bool reaches(const Seen& seen, double lift) const {
     const glm::dvec3 on = seen.position + glm::dvec3(scene_.origin);
@@ -225,7 +300,7 @@ class LightSeen {
 }  // namespace
 
 ImageF shadowMask(const TraceScene& scene, const TraceCamera& camera, const CasterRays& casters,
-                  const glm::dvec4& light) {
+                  const glm::dvec4& light, ShownFrame* shown) {
   const LightSeen seen(scene, camera, casters, light);
   const auto row = [&](double y, double first) {
     std::vector<bool> lit;
@@ -238,9 +313,16 @@ ImageF shadowMask(const TraceScene& scene, const TraceCamera& camera, const Cast
     const std::vector<bool> middle = row(y + 0.5, 0.5), below = row(y + 1, 0);
     for (std::size_t x = 0; x < middle.size(); ++x) {
       const int corners = above[x] + above[x + 1] + below[x] + below[x + 1];
-      const bool changes =
-          corners != (middle[x] ? 4 : 0) || seen.doubtful(double(x) + 0.5, y + 0.5);
-      mask.at(int(x), y)[0] = middle[x] ? (changes ? 0.75f : 1.0f) : (changes ? 0.25f : 0.0f);
+      const double px = double(x) + 0.5, py = y + 0.5;
+      bool changes = corners != (middle[x] ? 4 : 0) || seen.doubtful(px, py), lit = middle[x];
+      const std::optional<Seen> other =
+          shown != nullptr ? seen.other(px, py, shown->depth.at(int(x), y)[0]) : std::nullopt;
+      if (other) {
+        ++shown->others;
+        lit = seen.reached(*other);
+        changes = changes || (other->quad != nullptr && seen.doubtfulOn(*other, px, py));
+      }
+      mask.at(int(x), y)[0] = lit ? (changes ? 0.75f : 1.0f) : (changes ? 0.25f : 0.0f);
     }
     above = below;
   }

@@ -41,11 +41,19 @@ constexpr double kGrazing = 0.01;
 constexpr double kFramePixel = 1.0 / 256;
 constexpr double kFrameDepth = 16.0 / (1 << 24);
 
+/// A frame of the same view. Whether a texel of a cutout is a hole two texture units may answer
+/// differently, where its alpha is close to the test's: then the frame shows another surface than the
+/// pixel's ray meets first, and light is judged there.
+struct ShownFrame {
+  ImageF depth;          ///< its depth buffer
+  long long others = 0;  ///< counts such pixels
+};
+
 /// One channel: 1 lit, also where no block is seen; 0 in shadow or turned away. Where the answer
-/// changes within the pixel, or within what a frame can know of its middle, lit is 0.75 and dark 0.25. `light`: w 0 and the
-/// direction to it, or w 1 and its place in world blocks. What is seen through water is judged, not
+/// changes within the pixel, or within what a frame can know of its middle, lit is 0.75 and dark
+/// 0.25. `light`: w 0 and the direction to it, or w 1 and its place in world blocks. What is seen through water is judged, not
 /// the water; leaves and plants that turn away are lit through.
 ImageF shadowMask(const TraceScene& scene, const TraceCamera& camera, const CasterRays& casters,
-                  const glm::dvec4& light);
+                  const glm::dvec4& light, ShownFrame* shown = nullptr);
 
 }  // namespace orris

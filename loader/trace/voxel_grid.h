@@ -94,6 +94,7 @@ struct TextureLevel {
 struct PixelFootprint {
   glm::vec3 origin{0};
   std::array<glm::vec3, 3> rays{};
+  bool whole = false;  ///< cutouts are met as if they had no holes
 };
 
 /// Alpha below which a cutout texture has a hole: what the pack's programs and Iris use.

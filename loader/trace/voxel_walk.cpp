@@ -89,6 +89,7 @@ class VoxelGrid::Walk {
   void meetQuads(const TraceCell& cell);
   void passFilter(const TraceFilter& filter, float leave);
   bool isHole(std::uint32_t quad, const glm::vec2& at) const {
+    if (kCamera && footprint_ != nullptr && footprint_->whole) return false;
     const TraceQuad& sheet = grid_.quads_[quad];
     const glm::vec4 texel = kCamera ? grid_.texel(sheet, at, grid_.textureLevel(quad, footprint_))
                                     : grid_.texel(sheet, at);

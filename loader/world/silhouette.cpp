@@ -97,8 +97,10 @@ class VolumeBuilder {
 
   VolumeMesh build() {
     if (distant()) mesh_.vertices.push_back(glm::vec4(-glm::vec3(light_), 0));
-    addSides(false);
-    addSides(true);
+    const std::vector<Run> runs = sides();
+    addSides(runs, true);
+    mesh_.alongIndices = std::uint32_t(mesh_.indices.size());
+    addSides(runs, false);
     // Caps of solids are drawn in closed volumes only, those of other casters always.
     mesh_.sideIndices = std::uint32_t(mesh_.indices.size());
     forEachMaker([&](const CasterFace& face) {
@@ -145,14 +147,31 @@ class VolumeBuilder {
       if (makesVolume(face, light_) && (!options_.takes || options_.takes(face))) visit(face);
   }
 
-  void addSides(bool seeThrough) {
-    EdgeSum edges;
+  /// Boundaries of solids, then of other casters.
+  std::vector<Run> sides() const {
+    EdgeSum edges[2];
     forEachMaker([&](const CasterFace& face) {
-      if (face.seeThrough != seeThrough) return;
       const std::array<glm::vec3, 4> polygon = towardLight(face);
-      for (std::size_t i = 0; i < 4; ++i) edges.add(polygon[i], polygon[(i + 1) % 4]);
+      for (std::size_t i = 0; i < 4; ++i)
+        edges[face.seeThrough].add(polygon[i], polygon[(i + 1) % 4]);
     });
-    for (const Run& run : edges.runs()) addSide(run);
+    std::vector<Run> runs = edges[0].runs();
+    const std::vector<Run> others = edges[1].runs();
+    runs.insert(runs.end(), others.begin(), others.end());
+    return runs;
+  }
+
+  /// Does the light lie in the plane of blocks that the side is in?
+  bool alongPlane(const Run& run) const {
+    const glm::vec3 toLight = glm::vec3(light_) - light_.w * run.from;
+    for (int axis = 0; axis < 3; ++axis)
+      if (run.from[axis] == run.to[axis] && std::abs(toLight[axis]) < kAlongLight) return true;
+    return false;
+  }
+
+  void addSides(const std::vector<Run>& runs, bool along) {
+    for (const Run& run : runs)
+      if (alongPlane(run) == along) addSide(run);
   }
 
   // A distant light's volumes end in one point at infinity, which needs no cap.

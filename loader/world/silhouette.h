@@ -28,6 +28,9 @@ struct VolumeMesh {
   std::vector<glm::vec4> vertices;
   /// Triangles, counter-clockwise as seen from outside of the volume: sides, then caps.
   std::vector<std::uint32_t> indices;
+  /// The first of them: sides in planes of blocks that the light lies in, where one volume may end and
+  /// the next begin.
+  std::uint32_t alongIndices = 0;
   std::uint32_t sideIndices = 0;  ///< how many of them are sides
 };
 
