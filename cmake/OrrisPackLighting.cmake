@@ -26,7 +26,7 @@ endfunction()
 
 set(functions "")
 foreach(file include/math/color.glsl include/math/sampling.glsl include/blocks.glsl
-        include/lighting/sky.glsl include/lighting/direct.glsl)
+        include/lighting/sky.glsl include/lighting/direct.glsl include/lighting/glossy.glsl)
   orris_glsl_to_cpp(${file} text)
   if(file MATCHES "direct")
     # Which of the two reflects is chosen at run time.

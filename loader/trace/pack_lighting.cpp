@@ -39,6 +39,8 @@ PackLighting::PackLighting(const LightingInput& input)
   lightIrradiance_ = functions_->light_irradiance();
   const auto direct = input.options.find("DIRECT_LIGHT");
   if (direct != input.options.end()) directLight_ = direct->second;
+  const auto glossy = input.options.find("GI_GLOSSY");
+  mirrors_ = glossy != input.options.end() && glossy->second == "true";
 }
 
 PackLighting::~PackLighting() = default;
@@ -77,6 +79,26 @@ bool PackLighting::isThin(int id) const {
 }
 
 bool PackLighting::isWater(int id) const { return id == Functions::block_water; }
+
+int PackLighting::gloss(int id) const { return mirrors_ ? functions_->block_gloss(id) : 0; }
+
+vec3 PackLighting::reflectGlossy(int gloss, const vec3& albedo, const vec3& n, const vec3& v,
+                                 const vec3& l) const {
+  return directLight_ == "NONE" ? vec3(0) : functions_->reflect_glossy(gloss, albedo, n, v, l);
+}
+
+vec3 PackLighting::mattShare(int gloss, const vec3& albedo, float cosine) const {
+  return functions_->matt_share(gloss, albedo, cosine);
+}
+
+MirrorSample PackLighting::mirror(int gloss, const vec3& albedo, const vec3& n, const vec3& v,
+                                  const vec2& u) const {
+  const float alpha = functions_->gloss_alpha(gloss);
+  const vec3 facet = functions_->ggx_facet(n, v, alpha, u);
+  const vec3 direction = reflect(-v, facet);
+  return {direction, functions_->gloss_fresnel(gloss, albedo, dot(v, facet)) *
+                         functions_->ggx_masking(dot(n, direction), alpha)};
+}
 
 vec3 packToLinear(const vec3& color) { return PackLighting::Functions().to_linear(color); }
 

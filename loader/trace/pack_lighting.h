@@ -29,6 +29,11 @@ struct LampLight {
   float radius = 0;  ///< of a ball in the middle of its cell; 0: the block's own faces shine
 };
 
+/// A direction and the weight of the light from there; 0 below the surface.
+struct MirrorSample {
+  glm::vec3 direction{0}, weight{0};
+};
+
 class PackLighting {
  public:
   explicit PackLighting(const LightingInput& input);
@@ -51,6 +56,16 @@ class PackLighting {
   /// Plants and leaves: lit from both sides.
   bool isThin(int id) const;
   bool isWater(int id) const;
+  /// Class of a block that mirrors, 0 of a matt one; with GI_GLOSSY.
+  int gloss(int id) const;
+  /// As reflectDirect, of a block of that class.
+  glm::vec3 reflectGlossy(int gloss, const glm::vec3& albedo, const glm::vec3& n,
+                          const glm::vec3& v, const glm::vec3& l) const;
+  /// Share of the light from elsewhere that its matt ground reflects.
+  glm::vec3 mattShare(int gloss, const glm::vec3& albedo, float cosine) const;
+  /// One direction that it mirrors toward `v`, and what light from there is multiplied by; `u` in 0..1.
+  MirrorSample mirror(int gloss, const glm::vec3& albedo, const glm::vec3& n, const glm::vec3& v,
+                      const glm::vec2& u) const;
 
   struct Functions;  ///< the pack's text
 
@@ -58,6 +73,7 @@ class PackLighting {
   std::unique_ptr<Functions> functions_;
   glm::vec3 lightDirection_{0}, lightIrradiance_{0};
   std::string directLight_ = "PHONG";
+  bool mirrors_ = false;
 };
 
 /// Textures to light, with the pack's to_linear.

@@ -95,6 +95,7 @@ void PathTracer::setSurface(const RayHit& hit, const glm::vec3& direction, Trace
   surface.quad = hit.quad;
   surface.albedo = glm::vec3(scene_.grid.texel(quad, hit.at, level));
   surface.thin = quad.thin;
+  surface.gloss = quad.gloss;
 }
 
 glm::vec3 PathTracer::sunVisibility(const TraceSurface& surface, RayCounts& counts) const {
@@ -168,6 +169,12 @@ void PathTracer::askLamp(const TraceSurface& surface, SampleRandom& random, Quer
   query.send(surface, direction, counts.lamp, counts);
 }
 
+/// Of the front of a lamp's face; 0 of all else.
+glm::vec3 PathTracer::lampRadiance(const RayHit& hit) const {
+  const std::uint32_t lamp = scene_.grid.quad(hit.quad).lamp;
+  return lamp == kNoQuad || hit.back ? glm::vec3(0) : scene_.lamps.face(lamp).radiance;
+}
+
 /// The light of a lamp that a cosine ray met.
 glm::vec3 PathTracer::metLamp(const RayHit& hit, const TraceSurface& from,
                               const glm::vec3& direction) const {
@@ -181,8 +188,22 @@ glm::vec3 PathTracer::metLamp(const RayHit& hit, const TraceSurface& from,
   return density > 0 ? lamp.radiance * (density / (density + other)) : glm::vec3(0);
 }
 
-glm::vec3 PathTracer::incoming(TraceSurface surface, SampleRandom& random,
-                               RayCounts& counts) const {
+/// The nearest ball of a lamp in a direction, as rays of the pack meet it; null if a block is nearer.
+const LampFace* PathTracer::ballAlong(const Ray& ray, float until) const {
+  const LampFace* nearest = nullptr;
+  for (const LampFace& lamp : scene_.lamps.faces()) {
+    const glm::vec3 to = lamp.corner - ray.origin;
+    const float along = glm::dot(to, ray.direction);
+    const float inside = lamp.radius * lamp.radius - (glm::dot(to, to) - along * along);
+    if (along <= 0 || inside <= 0 || along - std::sqrt(inside) >= until) continue;
+    until = along - std::sqrt(inside);
+    nearest = &lamp;
+  }
+  return nearest;
+}
+
+glm::vec3 PathTracer::incoming(TraceSurface surface, SampleRandom& random, RayCounts& counts,
+                               const glm::vec3* from) const {
   const VoxelGrid& grid = scene_.grid;
   const int limit = settings_.bounces < 0 ? kMaxBounces : settings_.bounces;
   glm::vec3 throughput(1), sunThroughput(0), radiance(0);
@@ -191,8 +212,10 @@ glm::vec3 PathTracer::incoming(TraceSurface surface, SampleRandom& random,
   for (int bounce = 0;; ++bounce) {
     if (bounce > 0) askSun(surface, sun, counts);
     if (bounce >= limit || !survives) break;
-    askLamp(surface, random, lamp, counts);
-    const glm::vec3 direction = cosineDirection(surface.normal, random.pair());
+    const bool chosen = bounce == 0 && from != nullptr;
+    lamp.wanted = false;
+    if (!chosen) askLamp(surface, random, lamp, counts);
+    const glm::vec3 direction = chosen ? *from : cosineDirection(surface.normal, random.pair());
     path.send(surface, direction, counts.path, counts);
     Query& beside = lamp.wanted ? lamp : sun;
     if (beside.wanted)
@@ -202,9 +225,12 @@ glm::vec3 PathTracer::incoming(TraceSurface surface, SampleRandom& random,
     if (lamp.wanted && sun.wanted) grid.intersect(sun.ray, sun.hit);
     radiance += sunThroughput * sun.arrived() + throughput * lamp.arrived();
     throughput *= path.hit.filter;
+    const LampFace* ball = chosen ? ballAlong(path.ray, path.hit.distance) : nullptr;
+    if (ball != nullptr) return radiance + throughput * ball->radiance;
     if (path.hit.quad == kNoQuad)
       return radiance + throughput * scene_.lighting->skyRadiance(direction);
-    radiance += throughput * metLamp(path.hit, surface, direction);
+    radiance +=
+        throughput * (chosen ? lampRadiance(path.hit) : metLamp(path.hit, surface, direction));
 
     setSurface(path.hit, direction, surface);
     sunThroughput = throughput;
@@ -219,9 +245,23 @@ glm::vec3 PathTracer::incoming(TraceSurface surface, SampleRandom& random,
   return radiance + sunThroughput * sun.arrived();
 }
 
+/// One sample of what a mirror shows.
+glm::vec3 PathTracer::mirrored(const PixelView::Layer& layer, SampleRandom& random,
+                               RayCounts& counts) const {
+  const TraceSurface& surface = layer.surface;
+  const MirrorSample sample = scene_.lighting->mirror(surface.gloss, surface.albedo, surface.normal,
+                                                      layer.toViewer, random.pair());
+  if (sample.weight == glm::vec3(0)) return glm::vec3(0);
+  return sample.weight * incoming(surface, random, counts, &sample.direction);
+}
+
 glm::vec3 PathTracer::sample(const PixelView& view, SampleRandom& random, RayCounts& counts) const {
   glm::vec3 radiance = view.constant;
   for (const PixelView::Layer& layer : view.layers) {
+    if (layer.mirror) {
+      radiance += layer.weight * mirrored(layer, random, counts);
+      continue;
+    }
     TraceSurface surface = layer.surface;
     const glm::vec3 reflected = chooseSide(surface, random);
     radiance += layer.weight * reflected * incoming(surface, random, counts);

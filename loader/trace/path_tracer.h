@@ -39,14 +39,17 @@ struct TraceSurface {
   std::uint32_t quad = kNoQuad;
   glm::vec3 albedo{0};
   bool thin = false;  ///< lets through what it reflects
+  int gloss = 0;      ///< as TraceQuad; of what the camera sees
 };
 
 /// What a pixel sees, found once: `constant` needs no sampling (sky, emission, direct sun), each layer
-/// adds weight times the mean radiance that its surface receives.
+/// adds weight times what its surface reflects of the light it receives: as a matt one, or as a mirror.
 struct PixelView {
   struct Layer {
     TraceSurface surface;
     glm::vec3 weight{0};
+    bool mirror = false;
+    glm::vec3 toViewer{0};  ///< of a mirror
   };
   glm::vec3 constant{0};
   std::vector<Layer> layers;
@@ -61,8 +64,10 @@ class PathTracer {
   PixelView view(int x, int y, RayCounts& counts) const;
   /// One sample of its radiance.
   glm::vec3 sample(const PixelView& view, SampleRandom& random, RayCounts& counts) const;
-  /// One sample of the mean radiance over the hemisphere of a surface, weighed by the cosine.
-  glm::vec3 incoming(TraceSurface surface, SampleRandom& random, RayCounts& counts) const;
+  /// One sample of the mean radiance over the hemisphere of a surface, weighed by the cosine; or, with
+  /// a direction, of the radiance from there.
+  glm::vec3 incoming(TraceSurface surface, SampleRandom& random, RayCounts& counts,
+                     const glm::vec3* from = nullptr) const;
 
  private:
   struct Look;
@@ -80,7 +85,10 @@ class PathTracer {
                RayCounts& counts) const;
   static void askBall(const TraceSurface& surface, const LampDraw& drawn, glm::vec2 u, Query& query,
                       RayCounts& counts);
+  const LampFace* ballAlong(const Ray& ray, float until) const;
+  glm::vec3 lampRadiance(const RayHit& hit) const;
   glm::vec3 metLamp(const RayHit& hit, const TraceSurface& from, const glm::vec3& direction) const;
+  glm::vec3 mirrored(const PixelView::Layer& layer, SampleRandom& random, RayCounts& counts) const;
   void setSurface(const RayHit& hit, const glm::vec3& direction, TraceSurface& surface,
                   const TextureLevel& level = {}) const;
   glm::vec3 pixelRay(int x, int y) const;

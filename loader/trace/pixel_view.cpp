@@ -30,8 +30,10 @@ glm::vec3 PathTracer::drawnSun(const TraceSurface& surface, const glm::vec3& toV
   if (lit.thin && glm::dot(lit.normal, toSun) < 0) lit.normal = -lit.normal;
   if (glm::dot(lit.normal, toSun) <= 0 || light.lightIrradiance() == glm::vec3(0))
     return glm::vec3(0);
-  return light.lightIrradiance() * light.reflectDirect(lit.albedo, lit.normal, toViewer, toSun) *
-         sunVisibility(lit, counts);
+  const glm::vec3 reflected =
+      lit.gloss != 0 ? light.reflectGlossy(lit.gloss, lit.albedo, lit.normal, toViewer, toSun)
+                     : light.reflectDirect(lit.albedo, lit.normal, toViewer, toSun);
+  return light.lightIrradiance() * reflected * sunVisibility(lit, counts);
 }
 
 void PathTracer::seeOpaque(const Look& from, const RayHit& hit, const glm::vec3& weight,
@@ -41,7 +43,12 @@ void PathTracer::seeOpaque(const Look& from, const RayHit& hit, const glm::vec3&
   const std::uint8_t level = scene_.grid.quad(hit.quad).emission;
   view.constant += weight * (surface.albedo * scene_.emissionScale[level] +
                              drawnSun(surface, -from.ray.direction, counts));
-  view.layers.push_back({surface, weight});
+  if (surface.gloss == 0) return view.layers.push_back({surface, weight});
+  const glm::vec3 toViewer = -from.ray.direction;
+  const float cosine = std::max(glm::dot(surface.normal, toViewer), 0.0f);
+  view.layers.push_back(
+      {surface, weight * scene_.lighting->mattShare(surface.gloss, surface.albedo, cosine)});
+  view.layers.push_back({surface, weight, true, toViewer});
 }
 
 /// Returns the share of what is behind.
@@ -53,6 +60,7 @@ float PathTracer::seeTranslucent(const Look& from, const RayHit& hit, const glm:
   const TextureLevel level = scene_.grid.textureLevel(hit.quad, from.footprint);
   setSurface(hit, from.ray.direction, surface, level);
   surface.thin = false;
+  surface.gloss = 0;
   const float grazing = 1 - glm::clamp(glm::dot(surface.normal, toViewer), 0.0f, 1.0f);
   const float mirror =
       quad.water ? kWaterReflectance + (1 - kWaterReflectance) * std::pow(grazing, 5.0f) : 0;

@@ -51,6 +51,7 @@ class SceneBuilder {
   struct State {
     bool seen = false;
     bool thin = false, water = false, emits = false;
+    std::uint8_t gloss = 0;
     std::uint8_t filter = 0, surface = 0;  ///< of a whole cell; with air above it
     glm::vec3 radiance{0};                 ///< of every lit face, or of the ball
     float ball = 0;                        ///< radius
@@ -103,6 +104,7 @@ void SceneBuilder::describeStates() {
     const glm::vec4 mean = meanTexel(texture_, placed.quad);
     state.thin = lighting_->isThin(id);
     state.water = lighting_->isWater(id);
+    state.gloss = std::uint8_t(lighting_->gloss(id));
     if (placed.quad.emission > 0) {
       const LampLight light = lighting_->lampLight(id, placed.quad.emission, glm::vec3(mean));
       const float shown = drawnArea(facts, input_.atlas) * std::max(mean.w, 0.1f);
@@ -173,6 +175,7 @@ void SceneBuilder::addCell(glm::ivec3 cell, std::size_t first, std::size_t end) 
     quad.corner -= glm::vec3(low_);
     quad.thin = state.thin;
     quad.water = state.water;
+    quad.gloss = state.gloss;
     quad.translucent = quad.translucent && !state.emits;
     quad.filters = quad.translucent && state.filter == 0;
     if (isUnitSide(placed_[i])) made.faces = std::uint8_t(made.faces | 1 << placed_[i].face);

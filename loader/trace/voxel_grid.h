@@ -23,9 +23,10 @@ struct TraceQuad {
   std::uint8_t emission = 0;              ///< light level 0..15
   bool alphaTested = false;               ///< holes where the texture is
   bool translucent = false;               ///< blended; rays pass
-  bool filters = false;  ///< translucent and no block of it: tints rays that meet its front
-  bool thin = false;     ///< lit from both sides
-  bool water = false;    ///< mirrors at grazing angles
+  bool filters = false;    ///< translucent and no block of it: tints rays that meet its front
+  bool thin = false;       ///< lit from both sides
+  std::uint8_t gloss = 0;  ///< class of the pack's mirrors; 0: matt
+  bool water = false;      ///< mirrors at grazing angles
 };
 
 /// What of a quad a ray is tested with.

@@ -76,6 +76,7 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 #define GI_METHOD FACE_CACHE // [NONE BOUNCE_1 BOUNCE_2 BOUNCE_4 FLOODFILL FACE_CACHE]
 #define GI_SAMPLES 1 // [1 2 4]
 #define GI_LAMPS HIT // [HIT SAMPLED]
+//#define GI_GLOSSY // Polished blocks and metals mirror the voxels about them
 #define VOXEL_SIZE 64 // [32 48 64 96 128]
 #define RAY_WALK DISTANCE // [GRID DISTANCE]
 
@@ -152,6 +153,12 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 #define FACES 1
 #else
 #define FACES 0
+#endif
+// Rays that mirrors send look into the cache of faces.
+#ifdef GI_GLOSSY
+#define GLOSSY FACES
+#else
+#define GLOSSY 0
 #endif
 #define AIR_LIGHT (GI_METHOD == FLOODFILL || (GI_METHOD == FACE_CACHE && !FACES))
 #define FLOOD_IMAGE (AIR_LIGHT && IMAGES && FLOODFILL_STORAGE == IMAGE_3D)

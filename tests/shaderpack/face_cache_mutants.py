@@ -14,6 +14,7 @@ LAMPS = "include/faces/lamp_sample.glsl"
 HIT = "include/lighting/hit.glsl"
 TRANSLUCENT = "program/gbuffers_translucent.glsl"
 LAKES = "program/s0_lakes.glsl"
+LIGHTING = "program/d4_lighting.glsl"
 
 MUTANTS = [
     ("key without direction", "face_cache.closed_wall*",
@@ -109,4 +110,18 @@ MUTANTS = [
     ("pixel leaves sampled lamps out", "indirect.rays_to_lamps*",
      [(GI, "radiance += throughput * lamp_sample(Receiver(origin, normal));",
        ";")]),
+    ("mirrors without Fresnel", "glossy.*",
+     [(GI, "vec3 weight = gloss_fresnel(s.gloss, s.albedo, dot(v, facet)) *",
+       "vec3 weight = s.albedo *")]),
+    ("mirror looks along its facet", "glossy.a_polished*",
+     [(GI, "vec3 direction = reflect(-v, facet);",
+       "vec3 direction = facet;")]),
+    ("mirrored light kept while the eye moves", "glossy.what_was*",
+     [(GI, "camera_is_still() ? texelFetch(colortex8, pixel, 0) : vec4(0.0)",
+       "texelFetch(colortex8, pixel, 0)")]),
+    ("a polished block's ground gets all light", "glossy.a_polished*",
+     [(LIGHTING, "matt *= matt_share(s.gloss, s.albedo, max(dot(n, v), 0.0));",
+       "matt *= 1.0;")]),
+    ("gloss taken for light from both sides", "glossy.*",
+     [("include/gbuffer.glsl", "material -= float(s.gloss) * material_gloss;", "")]),
 ]

@@ -9,6 +9,8 @@ const int block_slab_bottom = 13;
 const int block_slab_top = 14;
 const int block_water = 20;
 const int block_translucent = 21;  // stained glass, ice, slime
+const int block_polished = 30;     // full blocks with a smooth coat
+const int block_metal = 31;        // full blocks
 const int block_lamp = 100;        // full cubes, 100 + colour
 const int block_small_lamp = 200;  // torches and the like, 200 + colour
 const int block_spot_lamp = 300;   // small ones that shine one way, 300 + 10 * direction + colour:
@@ -18,6 +20,9 @@ const int block_lamps_end = 360;
 bool is_lamp(int id) { return id >= block_lamp && id < block_lamps_end; }
 
 bool is_small_lamp(int id) { return id >= block_small_lamp && id < block_lamps_end; }
+
+/// Class of include/lighting/glossy.glsl; 0 is matt.
+int block_gloss(int id) { return id == block_polished || id == block_metal ? id - block_polished + 1 : 0; }
 
 /// Light colour by the last digits of a lamp's id, linear, brightest channel 1; black means the
 /// block's own texture decides.

@@ -26,11 +26,14 @@
 //   shadow map without translucent blocks, above the rows of the voxels
 // colortex7    RGBA32F   window  0      opaque gbuffers               deferred4
 //   with LIGHT_METHOD=FORWARD: radiance that the surface reflects of lamps
+// colortex8    RGBA16F   window  keep   deferred                      deferred (next frame), deferred4
+//   with GI_GLOSSY: rgb what polished blocks and metals mirror, a number of frames in it; RGBA32F
+//   where colortex3 is
 //
 // The images of the lamps are told in include/lights, those of the face cache in
 // include/faces/face_cache.glsl, those that are made of the voxels in include/voxel/: changes, distance,
 // flood_image, active_bricks.
-// colortex3..7 and the shadow targets exist only while an option uses them.
+// colortex3..8 and the shadow targets exist only while an option uses them.
 #if !defined INCLUDED_BUFFERS
 #define INCLUDED_BUFFERS
 
@@ -59,6 +62,21 @@ const int colortex6Format = RGBA16F;
 const bool colortex5Clear = false;
 const int shadowcolor0Format = RGBA8;
 const vec4 shadowcolor0ClearColor = vec4(0.0, 0.0, 0.0, 0.0);
+*/
+#endif
+
+#if GLOSSY
+#if TEMPORAL_FRAMES > 128
+/*
+const int colortex8Format = RGBA32F;
+*/
+#else
+/*
+const int colortex8Format = RGBA16F;
+*/
+#endif
+/*
+const bool colortex8Clear = false;
 */
 #endif
 

@@ -6,8 +6,10 @@
 #include "/include/math/color.glsl"
 #include "/include/math/encoding.glsl"
 
-// Material byte: emission 0..15, plus this for surfaces lit from both sides (plants, leaves).
+// Material byte: emission 0..15, plus this for surfaces lit from both sides (plants, leaves), plus so
+// many times the class of gloss (include/lighting/glossy.glsl).
 const float material_thin = 16.0;
+const float material_gloss = 32.0;
 
 #if defined READ_GBUFFER
 uniform sampler2D colortex1;
@@ -21,6 +23,7 @@ struct Surface {
     vec2 light;    // block, sky: 0..1
     float emission;  // level 0..15
     bool thin;
+    int gloss;       // class, 0: matt
     bool sky;      // nothing was drawn: only player is valid, as a direction
 };
 
@@ -45,6 +48,8 @@ Surface read_surface(ivec2 pixel) {
     s.normal = decode_normal(geometry.xy);
     s.albedo = to_linear(color.rgb);
     s.light = geometry.zw;
+    s.gloss = int(material / material_gloss);
+    material -= float(s.gloss) * material_gloss;
     s.thin = material >= material_thin;
     s.emission = s.thin ? material - material_thin : material;
     s.sky = depth >= 1.0;

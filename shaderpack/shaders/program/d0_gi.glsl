@@ -26,6 +26,11 @@ layout(rgba16f) uniform readonly image3D face_light;
 layout(r32ui) uniform readonly uimage2D face_memory;
 #include "/include/faces/face_cache.glsl"
 #endif
+#if GLOSSY
+#include "/include/lighting/glossy.glsl"
+
+uniform sampler2D colortex8;
+#endif
 #if LAMP_RAYS
 layout(r32ui) uniform readonly uimage2D face_list;
 layout(r32ui) uniform readonly uimage2D face_tally;
@@ -47,7 +52,12 @@ const int gi_bounces = 1;
 uniform sampler2D colortex3;
 uniform sampler2D colortex5;
 
+#if GLOSSY
+/* RENDERTARGETS: 3,5,8 */
+layout(location = 2) out vec4 out_mirrored;
+#else
 /* RENDERTARGETS: 3,5 */
+#endif
 layout(location = 0) out vec4 out_radiance;
 layout(location = 1) out vec4 out_plane;
 
@@ -132,6 +142,24 @@ vec3 gather(Surface s, vec3 light) {
     return radiance;
 }
 
+#if GLOSSY
+/// One sample of what a polished block or a metal mirrors.
+vec3 mirrored(Surface s, vec3 light) {
+    vec3 v = -normalize(s.player);
+    float alpha = gloss_alpha(s.gloss);
+    vec3 facet = ggx_facet(s.normal, v, alpha, next_random().xy);
+    vec3 direction = reflect(-v, facet);
+    vec3 weight = gloss_fresnel(s.gloss, s.albedo, dot(v, facet)) *
+                  ggx_masking(dot(s.normal, direction), alpha);
+    Hit hit = trace_from_face(to_volume(s.player) + s.normal * ray_offset, direction);
+    weight *= hit.transmittance;
+    if (!hit.found) return weight * sky_beyond(direction, s.light.y);
+    if (is_lamp_voxel(hit.voxel.code)) return weight * lamp_light(hit.voxel);
+    vec3 cached = trusted(imageLoad(face_light, face_texel(hit.cell, face_of(hit.normal)))).rgb;
+    return weight * hit.voxel.color * (sun_at(hit, light, s.light.y) + cached);
+}
+#endif
+
 #ifdef TEMPORAL_ACCUMULATION
 
 bool camera_is_still() {
@@ -190,6 +218,16 @@ void main() {
     out_radiance = vec4(radiance, 1.0);
 #ifdef TEMPORAL_ACCUMULATION
     out_radiance = accumulate(radiance, history(s));
+#endif
+#if GLOSSY
+    // Without turns for what is matt.
+    out_mirrored = vec4(0.0);
+    for (int i = 0; i < min(s.gloss, 1); ++i) out_mirrored = vec4(mirrored(s, light), 1.0);
+#ifdef TEMPORAL_ACCUMULATION
+    // What is mirrored moves with the eye.
+    out_mirrored =
+        accumulate(out_mirrored.rgb, camera_is_still() ? texelFetch(colortex8, pixel, 0) : vec4(0.0));
+#endif
 #endif
     out_plane = surface_plane(s.player, s.normal);
     if (s.sky) {

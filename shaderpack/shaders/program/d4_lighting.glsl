@@ -14,6 +14,11 @@ void main() { gl_Position = ftransform(); }
 #include "/include/gbuffer.glsl"
 #include "/include/lighting/ambient.glsl"
 #include "/include/lighting/direct.glsl"
+#if GLOSSY
+#include "/include/lighting/glossy.glsl"
+
+uniform sampler2D colortex8;
+#endif
 #include "/include/lighting/sun_visibility.glsl"
 #if LAMPS_FORWARD
 #include "/include/lights/lamps.glsl"
@@ -76,18 +81,30 @@ vec3 light_surface(Surface s, ivec2 pixel) {
     vec3 n = s.thin && dot(s.normal, l) < 0.0 ? -s.normal : s.normal;
     float level = s.emission / 15.0;
     vec3 radiance = s.albedo * (EMISSION_STRENGTH * level * level);
-    radiance += s.albedo * indirect_radiance(s, pixel);
+    vec3 matt = s.albedo;
+#if GLOSSY
+    if (s.gloss > 0) {
+        matt *= matt_share(s.gloss, s.albedo, max(dot(n, v), 0.0));
+        radiance += texelFetch(colortex8, pixel, 0).rgb;
+    }
+#endif
+    radiance += matt * indirect_radiance(s, pixel);
 #if DIRECT_LIGHT != NONE
     vec3 sun = light_irradiance() * sun_visibility(pixel, s.player, n, l, s.light.y);
 #if GATHERED
     sun *= sun_tint(s.player, ivec3(floor(to_volume(s.player + n * 0.02))));
 #endif
+#if GLOSSY
+    radiance += sun * (s.gloss > 0 ? reflect_glossy(s.gloss, s.albedo, n, v, l)
+                                   : reflect_direct(s.albedo, n, v, l));
+#else
     radiance += sun * reflect_direct(s.albedo, n, v, l);
+#endif
 #endif
 #if LAMPS_FORWARD
     radiance += texelFetch(colortex7, pixel, 0).rgb;
 #elif LAMPS
-    radiance += s.albedo / pi * lamps_irradiance(s.player, s.normal, float(s.thin));
+    radiance += matt / pi * lamps_irradiance(s.player, s.normal, float(s.thin));
 #endif
     return radiance;
 }

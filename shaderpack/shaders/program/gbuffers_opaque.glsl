@@ -34,6 +34,9 @@ void main() {
     int id = int(floor(mc_Entity.x + 0.5));
     bool thin = id == block_plant || id == block_leaves;
     material = block_emission(id, at_midBlock.w) + (thin ? material_thin : 0.0);
+#if GLOSSY
+    material += material_gloss * float(block_gloss(id));
+#endif
 }
 
 #else
@@ -73,7 +76,7 @@ void main() {
 #endif
     out_albedo = vec4(color.rgb, material / 255.0);
 #if LAMPS_FORWARD
-    float thin = float(material >= material_thin);
+    float thin = float(mod(material, material_gloss) >= material_thin);
     // As the G-buffer rounds them, so that the methods differ in their cost alone.
     vec3 albedo = to_linear(floor(clamp(color.rgb, 0.0, 1.0) * 255.0 + 0.5) / 255.0);
     vec3 n = decode_normal(encode_normal(normal));

@@ -1,0 +1,92 @@
+// Mirrors: polished blocks and metals look along one ray into the face cache.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "pack_session.h"
+
+namespace orris::test {
+namespace {
+
+OptionValues options(const char* glossy) {
+  return {{"GI_METHOD", "FACE_CACHE"},
+          {"VOXEL_SIZE", "32"},
+          {"GI_FILTER", "false"},
+          {"AMBIENT_MINIMUM", "0.0"},
+          {"GI_GLOSSY", glossy}};
+}
+
+/// A room with a floor of one block and a far wall of glowstone, and others.
+std::string hall(const std::string& floor, const std::string& walls = "black_concrete") {
+  return fmt::format(R"({{"size": [11, 9, 13],
+      "blocks": [{{"hollow": "{1}", "min": [0, 0, 0], "max": [10, 8, 12]}},
+                 {{"box": "{0}", "min": [1, 0, 1], "max": [9, 0, 11]}},
+                 {{"box": "glowstone", "min": [1, 1, 0], "max": [9, 7, 0]}}],
+      "cameras": [{{"name": "eye", "position": [5.5, 4, 10]}}],
+      "environment": {{"time": 18000}}}})",
+                     floor, walls);
+}
+
+const glm::dvec3 kEye(5.5, 4, 10), kFloor(5.5, 1, 6);
+
+double linear(float stored) { return std::pow(double(stored), 2.2); }
+
+// From 3 blocks above and 4 behind, the mirror image of the wall's middle: cosine 3/5.
+TEST(glossy, metal_shows_the_lamps_that_it_mirrors_in_its_own_colour) {
+  // Lamps all about: the lobe's tail is wider than one wall.
+  PackSession pack(hall("gold_block", "glowstone"), options("true"));
+  pack.look(kEye, kFloor);
+  pack.renderFrames(100);
+  const ImageF albedo = pack.dump("colortex1");
+  const glm::dvec3 seen = pack.meanRadiance();
+  const glm::dvec3 lamp = 16.0 * glm::dvec3(1, .70, .38);
+  for (int channel = 0; channel < 3; ++channel) {
+    double expected = 0;
+    for (std::size_t i = 0; i < albedo.pixels.size(); i += 4) {
+      const double straight = linear(albedo.pixels[i + std::size_t(channel)]);
+      expected += (straight + (1 - straight) * std::pow(.4, 5)) * lamp[channel];
+    }
+    expected /= double(albedo.pixels.size() / 4);
+    EXPECT_NEAR(seen[channel] / expected, 1, .03) << channel;
+  }
+}
+
+TEST(glossy, a_polished_floor_mirrors_a_little_over_its_matt_ground) {
+  const auto floor = [](const char* glossy) {
+    PackSession pack(hall("polished_diorite"), options(glossy));
+    pack.look(kEye, kFloor);
+    pack.renderFrames(100);
+    return pack.meanRadiance().r;
+  };
+  const double fresnel = .05 + .95 * std::pow(.4, 5);
+  EXPECT_NEAR((floor("true") - (1 - fresnel) * floor("false")) / (fresnel * 16), 1, .05);
+}
+
+TEST(glossy, what_was_mirrored_is_gone_when_the_eye_moves) {
+  PackSession pack(hall("iron_block"), options("true"));
+  pack.look(kEye, kFloor);
+  pack.renderFrames(60);
+  ASSERT_GT(pack.meanRadiance().r, 3);
+  // Toward the black wall, at the floor that was in the middle.
+  pack.look({5.5, 4, 2}, kFloor);
+  pack.renderFrames(1);
+  const ImageF mirrored = pack.dump("colortex8");
+  double sum = 0;
+  for (std::size_t i = 0; i < mirrored.pixels.size(); i += 4) sum += double(mirrored.pixels[i]);
+  EXPECT_LT(sum / double(mirrored.pixels.size() / 4), .6);
+}
+
+TEST(glossy, only_mirrors_need_a_target) {
+  for (const auto& [glossy, method, there] : {std::tuple("false", "FACE_CACHE", false),
+                                              {"true", "BOUNCE_1", false},
+                                              {"true", "FACE_CACHE", true}}) {
+    OptionValues values = options(glossy);
+    values["GI_METHOD"] = method;
+    PackSession pack(hall("stone"), values);
+    EXPECT_EQ(bool(pack.session().renderer().schedule().target(false, 8)), there) << method;
+  }
+}
+
+}  // namespace
+}  // namespace orris::test
