@@ -9,6 +9,7 @@
 #include "app/progress.h"
 #include "app/render_output.h"
 #include "check/program_check.h"
+#include "frame/counters.h"
 #include "frame/render_session.h"
 
 namespace orris {
@@ -91,6 +92,8 @@ int runRender(const RenderOptions& options, Report& report, nlohmann::json& resu
 
   const auto times = drawFrames(*session, options.image.frames, report);
   result = describe(*session, context->driver());
+  Diagnostics counted = counterWarnings(session->renderer());
+  report.add(counted);
   if (report.status() != kClean) return report.status();
   const std::vector<std::string> errors = context->takeErrors();
   for (const std::string& message : errors) report.error("gl-error", message);

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/inputs.h"
+#include "frame/counters.h"
 #include "image/image.h"
 
 namespace orris {
@@ -38,9 +39,10 @@ bool writeDump(const std::string& path, const ImageF& image, Report& report, int
 
 bool writeTimings(const std::string& path, const std::vector<FrameStepTime>& times, Report& report,
                   int& status) {
-  std::string text = "frame,step,milliseconds\n";
+  std::string text = "frame,step,milliseconds,processor_milliseconds\n";
   for (const FrameStepTime& time : times)
-    text += fmt::format("{},{},{:.4f}\n", time.frame, time.step.name, time.step.seconds * 1e3);
+    text += fmt::format("{},{},{:.4f},{:.4f}\n", time.frame, time.step.name,
+                        time.step.seconds * 1e3, time.step.processorSeconds * 1e3);
   return writeWholeFile(path, text, report, status);
 }
 
@@ -78,20 +80,6 @@ nlohmann::json describeAuto(const AutoChoices& autoChoices, const ShaderPack& pa
         {{"option", choice.option}, {"value", choice.value}, {"candidates", candidates}});
   }
   return {{"options", options}, {"quantities", autoChoices.quantities()}};
-}
-
-/// What the pack counts: its custom images of whole numbers that are one short row.
-nlohmann::json describeCounters(const FrameRenderer& renderer) {
-  constexpr float kMost = 64;
-  nlohmann::json counters = nlohmann::json::object();
-  for (const CustomImage& image : renderer.pack().properties.images) {
-    const bool row = !image.relative && image.size[0] <= kMost && image.size[1] == 1;
-    if (!row || image.dimensions > 2 || image.pixelFormat != "RED_INTEGER") continue;
-    if (const std::optional<ImageF> values = renderer.dump(image.name))
-      for (const float value : values->pixels)
-        counters[image.name].push_back(static_cast<long long>(value));
-  }
-  return counters;
 }
 
 }  // namespace
@@ -149,7 +137,7 @@ nlohmann::json describe(RenderSession& session, const gl::DriverInfo& driver) {
           {"steps", steps},
           {"targets", targets},
           {"auto", describeAuto(session.autoChoices(), pack)},
-          {"counters", describeCounters(session.renderer())},
+          {"counters", readCounters(session.renderer())},
           {"shadowResolution", schedule.shadowResolution}};
 }
 

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "app/inputs.h"
+#include "frame/counters.h"
 #include "image/image.h"
 
 namespace orris {
@@ -66,6 +67,7 @@ int Viewer::run() {
   std::signal(SIGINT, onInterrupt);
   std::signal(SIGTERM, onInterrupt);
   while (!ended()) drawFrame();
+  tellCounters();
   if (!options_.screenshot.empty()) saveScreenshot(options_.screenshot);
   return status_;
 }
@@ -251,10 +253,20 @@ void Viewer::tellGlErrors() {
   }
 }
 
+// Each once, however the number changes.
+void Viewer::tellCounters() {
+  for (Diagnostic& diagnostic : counterWarnings(session_->renderer())) {
+    if (!toldCounters_.insert(diagnostic.at.line).second) continue;
+    Diagnostics one{std::move(diagnostic)};
+    report_.add(one);
+  }
+}
+
 void Viewer::showTimes() {
   ++titleFrames_;
   const Clock::time_point now = Clock::now();
   if (now - titleSince_ < kTitleInterval) return;
+  tellCounters();
   const double milliseconds = secondsBetween(titleSince_, now) * 1000 / titleFrames_;
   const ShaderPack& pack = session_->renderer().pack();
   const std::string profile = pack.currentProfile();

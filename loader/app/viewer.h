@@ -4,6 +4,7 @@
 #include <chrono>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "app/common.h"
@@ -47,6 +48,7 @@ class Viewer {
   void tellReload(bool succeeded);
   void tellGlErrors();
   void showTimes();
+  void tellCounters();
   void saveScreenshot(const std::string& path);
   bool ended() const;
   void say(const std::string& line) const;
@@ -63,6 +65,7 @@ class Viewer {
   bool closed_ = false;
   Clock::time_point lastFrame_, lastPoll_, titleSince_;
   int titleFrames_ = 0;
+  std::set<int> toldCounters_;  ///< lines of shaders.properties
 };
 
 }  // namespace orris

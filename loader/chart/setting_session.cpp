@@ -17,8 +17,9 @@ double millisecondsOf(FrameClock clock) {
   return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
 }
 
-void addPass(Visit& visit, const StepTime& step, int frames) {
-  const double milliseconds = step.seconds * 1e3 / frames;
+void addPass(Visit& visit, const StepTime& step, FrameClock clock, int frames) {
+  const double seconds = clock == FrameClock::Wall ? step.seconds : step.processorSeconds;
+  const double milliseconds = seconds * 1e3 / frames;
   const auto found = std::find_if(visit.passes.begin(), visit.passes.end(),
                                   [&](const auto& pass) { return pass.first == step.name; });
   if (found == visit.passes.end())
@@ -52,7 +53,7 @@ Visit SettingSession::visit(int frames, FrameClock clock, Diagnostics& diagnosti
     const double start = millisecondsOf(clock);
     draw(diagnostics);  // ends with its last pass finished
     visit.frames.push_back(millisecondsOf(clock) - start);
-    for (const StepTime& step : renderer().stepTimes()) addPass(visit, step, frames);
+    for (const StepTime& step : renderer().stepTimes()) addPass(visit, step, clock, frames);
   }
   return visit;
 }

@@ -16,6 +16,7 @@ std::span<const Rule> propertyRules() {
       {"buffer-object-syntax", Severity::Warning, "a bufferObject cannot be read"},
       {"buffer-size", Severity::Error, "a bufferObject cannot be made"},
       {"buffer-unknown", Severity::Warning, "a property names a buffer that does not exist"},
+      {"counter-warning", Severity::Warning, "a warn line names no counter of the pack"},
       {"dimension-folder", Severity::Warning,
        "a key of dimension.properties names no folder of the pack"},
       {"feature-undeclared", Severity::Error,

@@ -1,6 +1,7 @@
 #include "frame/frame_renderer.h"
 
 #include <fmt/format.h>
+#include <time.h>
 
 #include <algorithm>
 #include <chrono>
@@ -17,6 +18,13 @@ namespace orris {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+/// Of all threads.
+double processorSeconds() {
+  timespec time{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
+}
 
 RenderLayer layerOf(Geometry geometry) {
   return geometry == Geometry::Cutout        ? RenderLayer::Cutout
@@ -91,6 +99,7 @@ void FrameRenderer::render(const FrameState& state) {
 
 void FrameRenderer::runStep(const Step& step, const FrameState& state) {
   const auto start = Clock::now();
+  const double startOfWork = options_.timings ? processorSeconds() : 0;
   const bool draws = step.kind == Step::Kind::Fullscreen || step.kind == Step::Kind::Draw ||
                      step.kind == Step::Kind::DrawShadow || step.kind == Step::Kind::ShadowVolumes;
   // A program beyond a limit of the driver was reported when it was built.
@@ -137,7 +146,8 @@ void FrameRenderer::runStep(const Step& step, const FrameState& state) {
   }
   if (!options_.timings) return;
   gl::Finish();
-  stepTimes_.push_back({step.name, std::chrono::duration<double>(Clock::now() - start).count()});
+  stepTimes_.push_back({step.name, std::chrono::duration<double>(Clock::now() - start).count(),
+                        processorSeconds() - startOfWork});
 }
 
 const GpuProgram& FrameRenderer::programOf(const Step& step) const {

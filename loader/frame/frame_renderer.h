@@ -33,7 +33,8 @@ struct LoadReport {
 
 struct StepTime {
   std::string name;
-  double seconds = 0;
+  double seconds = 0;           ///< that passed
+  double processorSeconds = 0;  ///< of all threads; of a software rasteriser what the step costs
 };
 
 /// Needs the context it was made with to be current in every call.

@@ -4,6 +4,7 @@
 
 #include "glsl/name_watch.h"
 #include "pack/auto_properties.h"
+#include "pack/counter_warning.h"
 #include "pack/features.h"
 #include "pack/legacy_ids.h"
 #include "pack/resource_check.h"
@@ -64,9 +65,10 @@ PackProperties readPackProperties(const PackFiles& files, const OptionValues& va
   if (files.properties) {
     out.shader = parseShaderProperties(kPropertiesFile, *files.properties, macros, files.options,
                                        out.diagnostics, &watch);
-    // Read again where an option is AUTO; here for what is wrong with it.
+    // Read again by whoever chooses or warns; here for what is wrong with them.
     if (asksForAuto(out.shader))
       parseAutoOptions(kPropertiesFile, *files.properties, macros, files.options, out.diagnostics);
+    parseCounterWarnings(kPropertiesFile, *files.properties, macros, out.shader, out.diagnostics);
     checkDeclared(out.shader, out.diagnostics);
     checkResources(out.shader, *files.source, out.diagnostics);
   }

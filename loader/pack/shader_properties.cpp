@@ -173,7 +173,7 @@ void reportUnknown(const PropertyContext& context) {
 bool isKnownKey(std::string_view key) {
   const auto& names = settings();
   return key == "weather" || key == "screen" || key.starts_with("screen.") ||
-         key.starts_with("profile.") || key.starts_with("auto.") ||
+         key.starts_with("profile.") || key.starts_with("auto.") || key.starts_with("warn.") ||
          std::any_of(names.begin(), names.end(),
                      [&](auto& setting) { return setting.key == key; }) ||
          std::any_of(kReaders.begin(), kReaders.end(),
