@@ -85,7 +85,7 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 #define LIGHT_RANGE 1.0 // [0.25 0.5 0.75 1.0 1.5]
 #define LIGHT_DISTANCE 64 // [32 48 64]
 #define LIGHT_SHADOWS 0 // [0 1 2 4 8] Lamps that a point sees or not: the strongest; others shine through walls
-#define LIGHT_CAPACITY 4096 // [256 1024 4096 16384]
+#define LIGHT_CAPACITY 16384 // [256 1024 4096 16384]
 #define LIGHT_LIST 512 // [64 128 256 512 1024 2048]
 #define LIGHT_COLUMNS 16 // [8 16 20 32]
 #define LIGHT_SLICES 24 // [1 8 16 24 32]

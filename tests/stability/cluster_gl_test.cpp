@@ -160,7 +160,7 @@ TEST(F4, lights_behind_the_eye_light_what_is_before_it) {
   EXPECT_GT(found.lit, 1000);
 }
 
-TEST(F8, a_list_without_room_ends_and_counts_what_is_missing) {
+TEST(F8, what_a_list_has_no_room_for_is_counted_and_kept_by_its_bit) {
   // A thousand lights too small to leave the cluster before the middle of a tile.
   ClusterLab lab({.light =
                       "Light((gbufferModelViewInverse * vec4(0.15, 0.15, -4.5, 1.0)).xyz, 1e4, "
@@ -171,17 +171,50 @@ TEST(F8, a_list_without_room_ends_and_counts_what_is_missing) {
   lab.renderFrames(2);
   const LightState state = stateOf(lab.pack());
   EXPECT_EQ(state.lamps, 1000);
-  EXPECT_EQ(state.dropped, 936);
+  EXPECT_EQ(state.spilled, 936);
   EXPECT_EQ(state.longest, 1000);
   EXPECT_EQ(state.entries, 1000);
   float longest = 0;
+  int words = 0;
   const ImageF bits = lab.pack().dump("light_bits");
-  for (int y = 0; y < bits.height; ++y) longest = std::max(longest, bits.at(bits.width - 1, y)[0]);
-  EXPECT_EQ(longest, 64);
+  for (int y = 0; y < bits.height; ++y) {
+    longest = std::max(longest, bits.at(bits.width - 1, y)[0]);
+    for (int word = 0; word + 1 < bits.width; ++word) words += bits.at(word, y)[0] != 0;
+  }
+  EXPECT_EQ(lampsOfLength(longest), 1000);
+  EXPECT_EQ(words, 32 - 2) << "the list has those of two words";
   // Nothing but the one list, of which the first entry is light 0.
   int written = 0;
   for (const float entry : lab.pack().dump("light_list").pixels) written += entry != 0;
   EXPECT_EQ(written, 63);
+}
+
+TEST(F8, points_get_the_light_of_all_whether_lists_have_room_or_not) {
+  const OptionValues grids[] = {{{"LIGHT_LIST", "64"}},
+                                {{"LIGHT_LIST", "64"}, {"LIGHT_METHOD", "TILED"}}};
+  for (const OptionValues& grid : grids) {
+    ClusterLab lab(
+        {.light = kAround, .lights = 1000, .probe = kSeen, .options = grid, .width = 24});
+    lab.renderFrames(3);
+    Comparison found;
+    compareAll(lab, 24, found);
+    EXPECT_EQ(found.wrong, 0) << found.most;
+    EXPECT_GT(found.lit, 200);
+    EXPECT_GT(stateOf(lab.pack()).spilled, 1000);
+  }
+}
+
+TEST(F8, what_lists_left_in_the_bits_is_gone_when_they_are_made_anew) {
+  const auto entries = [](const char* room) {
+    ClusterLab lab({.light = kAround,
+                    .lights = 1000,
+                    .probe = "vec4(0.0)",
+                    .options = {{"LIGHT_LIST", room}, {"LIGHT_METHOD", "TILED"}},
+                    .width = 8});
+    lab.renderFrames(4);
+    return stateOf(lab.pack()).entries;
+  };
+  EXPECT_EQ(entries("64"), entries("1024"));
 }
 
 TEST(F8, lists_are_sorted_and_hold_each_light_once) {

@@ -23,7 +23,7 @@ vec3 random(int n) {{
 constexpr const char* kTable = R"(#version 430 compatibility
 #include "/settings.glsl"
 #include "/include/lights/changes.glsl"
-#include "/include/lights/grid.glsl"
+#include "/include/lights/grid_rest.glsl"
 #include "/include/lights/lamp_light.glsl"
 #include "/include/math/random.glsl"
 layout(local_size_x = 64) in;
@@ -32,6 +32,7 @@ layout(rgba32f) uniform writeonly image2D light_table;
 {0}
 Light test_light(int i) {{ return {1}; }}
 void main() {{
+    clear_rests(int(gl_LocalInvocationID.x), 64);
     for (int i = int(gl_LocalInvocationID.x); i < {2}; i += 64) {{
         Light light = test_light(i);
         imageStore(light_table, table_texel(uint(i)),

@@ -9,8 +9,11 @@ namespace orris::test {
 
 /// light_state of include/lights/lamps.glsl.
 struct LightState {
-  int lamps, lampsDropped, dropped, longest, entries, tables, grids;
+  int lamps, lampsDropped, spilled, longest, entries, tables, grids;
 };
+
+/// Of the word length_word of light_bits (include/lights/list_length.glsl).
+inline int lampsOfLength(float word) { return static_cast<int>(word) & 0xffff; }
 
 LightState stateOf(PackSession& pack);
 

@@ -103,7 +103,7 @@ TEST(F6, clusters_list_lights_in_vain_as_often_as_predicted) {
     for (int row = 1; row + 1 < kRows; ++row)
       for (int column = 1; column + 1 < kColumns; ++column) {
         const int y = list.height - 1 - (slice * kTiles + row * kColumns + column);
-        const int length = int(bits.at(bits.width - 1, y)[0]);
+        const int length = lampsOfLength(bits.at(bits.width - 1, y)[0]);
         const auto sides = clusterOf(column, row, slice, scale);
         for (int i = 0; i < length; ++i) {
           ++bySlice[slice].listed;

@@ -12,6 +12,7 @@ SUM = "include/lights/lit_by_lamps.glsl"
 TABLE = "program/s2_light_table.glsl"
 ASSIGN = "program/s3_light_assign.glsl"
 LISTS = "program/s4_light_lists.glsl"
+REST = "include/lights/grid_rest.glsl"
 COMMIT = "program/s5_light_commit.glsl"
 GI = "program/d0_gi.glsl"
 LIT = "program/d4_lighting.glsl"
@@ -61,7 +62,7 @@ MUTANTS = [
     ("F5 columns for rows", "F5.a_thousand*",
      [(GRID, "ivec2(row * grid_columns + column,", "ivec2(column * grid_rows + row,")]),
     ("F5 bits of the frame before stay", "F8.lists*",
-     [(LISTS, "imageStore(light_bits, ivec3(word, cluster), uvec4(0u));", "")]),
+     [(LISTS, "imageStore(light_bits, ivec3(word, cluster), uvec4(bits));", "")]),
     ("F6 corners of tiles not looked at", "F6.*",
      [(ASSIGN, "if (wide * wide + high * high > radius * radius) continue;", "")]),
     ("F6 whole range in every slice", "F6.*",
@@ -76,10 +77,14 @@ MUTANTS = [
        "return ivec2(0, (axis == 0 ? grid_columns : grid_rows) - 1);")]),
     ("F2 logarithm from the near plane", "F2.*:F1.slices*",
      [(GRID, "const float first_slice = LIGHT_FIRST_SLICE;", "const float first_slice = 0.05;")]),
-    ("F8 no cap in the grid", "F8.a_list*",
-     [(LISTS, "uvec4(min(count, list_capacity))", "uvec4(count)")]),
-    ("F8 overflow not counted", "F8.a_list*",
-     [(LISTS, "if (count > list_capacity) imageAtomicAdd", "if (count > 4096u) imageAtomicAdd")]),
+    ("F8 lists without an end", "F8.what_a*:F8.points*",
+     [(LISTS, "bits != 0u && count < list_capacity;", "bits != 0u;")]),
+    ("F8 overflow not counted", "F8.what_a*",
+     [(LISTS, "if (found.y > 0u) imageAtomicAdd", "if (found.y > 4096u) imageAtomicAdd")]),
+    ("F8 overflow dark", "F8.points*", [(SUM, "int end = first < 0 ? first :", "int end = true ? first :")]),
+    ("F8 overflow a word late", "F8.points*", [(LISTS, "rest = uint(word + 1);", "rest = uint(word + 2);")]),
+    ("F8 overflow of the frame before stays", "F8.what_lists*",
+     [(REST, "if (rest == 0u) continue;", "if (rest != 9999u) continue;")]),
     ("F8 lists from behind", "F8.lists*",
      [(LISTS, "uvec4(uint(word * 32 + findLSB(bits)))", "uvec4(uint(word * 32 + 31 - findLSB(bits)))")]),
     ("F8 table past its end", "lamps.table_without*",

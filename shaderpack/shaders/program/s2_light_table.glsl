@@ -1,8 +1,12 @@
-// Makes the table of the lamps from the cells: a row along x each, after those before it.
+// Makes the table of the lamps from the cells, a row along x each, after those before it; and room for
+// the lists.
 #include "/settings.glsl"
 
 #include "/include/lights/changes.glsl"
 #include "/include/lights/lamp_light.glsl"
+#if LIGHT_GRID
+#include "/include/lights/grid_rest.glsl"
+#endif
 
 layout(local_size_x = 64) in;
 const ivec3 workGroups = ivec3(64, 1, 1);
@@ -28,6 +32,9 @@ void enter(uint slot, ivec3 cell, uint lamp) {
 void main() {
     int rows = lights_changed() ? lamp_volume * lamp_volume : 0;
     int threads = int(gl_NumWorkGroups.x * gl_WorkGroupSize.x);
+#if LIGHT_GRID
+    clear_rests(int(gl_GlobalInvocationID.x), threads);
+#endif
     for (int i = int(gl_GlobalInvocationID.x); i < rows; i += threads) {
         int y = i % lamp_volume;
         int z = i / lamp_volume;

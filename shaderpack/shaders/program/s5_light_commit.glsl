@@ -12,7 +12,7 @@ void main() {
     bool table = lights_changed();
 #if LIGHT_GRID
     if (grid_changed()) {
-        note(state_dropped, tally_of(lamp_dropped));
+        note(state_spilled, tally_of(lamp_spilled));
         note(state_longest, tally_of(lamp_longest));
         note(state_entries, tally_of(lamp_entries));
         note(state_grids, state_of(state_grids) + 1u);

@@ -1,7 +1,7 @@
 // Views of the grid, instead of the lit scene (LIGHT_DEBUG).
 //   SLICE   number of the slice, mod 8, as brightness; its tile's parity in blue
 //   COUNT   r: lamps in the pixel's list / 1000, g: slice / 1000, b: tile / 1000; for reading by number
-//   HEAT    lamps in the list, from blue over green at 16 to red at 256 and white where it is cut off
+//   HEAT    lamps in the list, from blue over green at 16 to red at 256 and white where the list has no room for all
 #if !defined INCLUDED_LIGHTS_DEBUG
 #define INCLUDED_LIGHTS_DEBUG
 
@@ -22,7 +22,7 @@ vec3 light_debug(Surface s) {
     int parity = (cluster.x / grid_columns + cluster.x % grid_columns) & 1;
     return vec3(vec2(cluster.y & 7) / 7.0, float(parity));
 #else
-    return count >= list_capacity ? vec3(1.0) : heat(float(count));
+    return count > list_capacity ? vec3(1.0) : heat(float(count));
 #endif
 }
 

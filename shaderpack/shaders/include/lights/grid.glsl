@@ -1,8 +1,9 @@
 // Clusters of the view: tiles of the screen times slices of distance along the view's axis
 // (Olsson et al. 2012, "Clustered Deferred and Forward Shading"). TILED has one slice.
 //
-//   light_bits   r32ui, kept: (word, tile, slice), one bit a lamp, empty between frames; in the word
-//                length_word the length of the list
+//   light_bits   r32ui, kept: (word, tile, slice), one bit a lamp; what is in the list leaves it, what
+//                has no room there stays, and is asked for by its bit; in the word length_word how
+//                many they are (list_length.glsl)
 //   light_list   r16ui, kept: (entry, tile, slice), indices into the table, in their order
 //
 // Which cluster a surface is in follows from where it is, not from the pixel or the depth buffer, so
@@ -10,6 +11,7 @@
 #if !defined INCLUDED_LIGHTS_GRID
 #define INCLUDED_LIGHTS_GRID
 
+#include "/include/lights/list_length.glsl"
 #include "/include/uniforms.glsl"
 
 const int grid_columns = LIGHT_COLUMNS;

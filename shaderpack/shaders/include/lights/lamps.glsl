@@ -41,16 +41,16 @@ const int kind_spot = 3;  // + 0..5 = towards -x +x -y +y -z +z: a small one tha
 
 const ivec2 lamp_checksum = ivec2(lamp_volume + 1, 0);
 const ivec2 lamp_total = ivec2(lamp_volume + 1, 1);
-const ivec2 lamp_dropped = ivec2(lamp_volume + 1, 2);
+const ivec2 lamp_spilled = ivec2(lamp_volume + 1, 2);
 const ivec2 lamp_longest = ivec2(lamp_volume + 1, 3);
 const ivec2 lamp_entries = ivec2(lamp_volume + 1, 4);
 
 const int state_checksum = 0;
 const int state_lamps = 1;          // in the table
 const int state_lamps_dropped = 2;  // for which it had no room
-const int state_dropped = 3;        // entries for which lists of clusters had no room
-const int state_longest = 4;        // list that was wanted
-const int state_entries = 5;        // of all lists, with those that had no room
+const int state_spilled = 3;        // entries beyond the room of their list, asked for by bits
+const int state_longest = 4;        // most lamps of a cluster
+const int state_entries = 5;        // of all clusters
 const int state_tables = 6;         // how often the table was made
 const int state_grids = 7;          // how often the lists were made
 

@@ -36,20 +36,30 @@ vec3 light_of_lamp(uint lamp, vec3 position, vec3 normal, float thin) {
 uint lamp_count() { return imageLoad(light_state, ivec2(state_lamps, 0)).r; }
 
 #if LIGHT_GRID
-/// Lamps to ask at the cluster.
-uint cluster_count(ivec2 cluster) {
+/// Lamps to ask at the cluster; without lists all.
+uint cluster_length(ivec2 cluster) {
     uint lamps = lamp_count();
     return has_lists(lamps) ? imageLoad(light_bits, ivec3(length_word, cluster)).r : lamps;
 }
 
+uint cluster_count(ivec2 cluster) { return packed_lamps(cluster_length(cluster)); }
+
 vec3 cluster_irradiance(ivec2 cluster, vec3 position, vec3 normal, float thin) {
     vec3 sum = vec3(0.0);
     bool lists = has_lists(lamp_count());
-    int count = int(cluster_count(cluster));
-    for (int i = 0; i < count; ++i) {
+    uint length = cluster_length(cluster);
+    uint count = packed_lamps(length);
+    int listed = int(lists ? min(count, list_capacity) : count);
+    for (int i = 0; i < listed; ++i) {
         uint lamp = lists ? imageLoad(light_list, ivec3(i, cluster)).r : uint(i);
         sum += light_of_lamp(lamp, position, normal, thin);
     }
+    // Those beyond, in the table's order still.
+    int first = int(packed_rest(length)) - 1;
+    int end = first < 0 ? first : (int(lamp_count()) + 31) / 32;
+    for (int word = first; word < end; ++word)
+        for (uint bits = imageLoad(light_bits, ivec3(word, cluster)).r; bits != 0u; bits &= bits - 1u)
+            sum += light_of_lamp(uint(word * 32 + findLSB(bits)), position, normal, thin);
     return sum;
 }
 #endif
