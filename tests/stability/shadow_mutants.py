@@ -6,6 +6,8 @@ For kill_list.py --table; rows as in mutants.py.
 MAP = "include/lighting/shadow.glsl"
 SPACE = "include/lighting/shadow_space.glsl"
 DIRECT = "include/lighting/direct.glsl"
+LIT = "program/d4_lighting.glsl"
+TRANSLUCENT = "program/gbuffers_translucent.glsl"
 
 MUTANTS = [
     ("C1 filter wider than its bias", "*C1*", [(MAP, "y <= radius; ++y", "y <= radius + 1; ++y"),
@@ -44,4 +46,17 @@ MUTANTS = [
     ("E3 albedo twice", "E3.reflected*",
      [(DIRECT, "return albedo * ((1.0 - phong_specular) / pi)",
        "return albedo * albedo * ((1.0 - phong_specular) / pi)")]),
+    ("published: shadow factor left out", "Listing.sun*",
+     [(LIT, "light_irradiance() * sun_visibility(pixel, s.player, n, l, s.light.y);", "light_irradiance();")]),
+    ("published: shadow factor left out of glass", "Listing.sun*",
+     [(TRANSLUCENT, "light_irradiance() * light_visibility(player, n, l, shadow_radius, light.y) *",
+       "light_irradiance() *")]),
+    ("published: albedo twice in ambient light", "Listing.every*",
+     [(LIT, "radiance += s.albedo * indirect_radiance", "radiance += s.albedo * s.albedo * indirect_radiance")]),
+    ("published: albedo twice in ambient light on glass", "Listing.every*",
+     [(TRANSLUCENT, "vec3 radiance = albedo * indirect", "vec3 radiance = albedo * albedo * indirect")]),
+    ("published: albedo twice in lamplight", "Listing.every*",
+     [(LIT, "radiance += s.albedo / pi * lamps", "radiance += s.albedo * s.albedo / pi * lamps")]),
+    ("published: albedo twice in lamplight on glass", "Listing.every*",
+     [(TRANSLUCENT, "radiance += albedo / pi * lamps", "radiance += albedo * albedo / pi * lamps")]),
 ]
