@@ -1,21 +1,23 @@
 #!/usr/bin/env python3
 """Charts the methods for many lamps against the number of lamps, and the grid of clusters.
 
-Lamps: processor time of a frame over that without lamps (`orris chart`, interleaved) is what shading costs, as nothing
-is made anew while the camera stands still; what it takes longer while the camera turns is culling (runs of `orris
-render`, processor time); lights a pixel are counted by LIGHT_DEBUG. Grid: tiles times slices, linear and logarithmic,
-shading, lights a pixel and entries of all lists.
+Processor time of passes. Lamps: `shade` is what the passes that light (deferred4, and what is drawn) take over the same
+without lamps (`orris chart`, interleaved); `cull` what making the lists takes in each frame of a turning camera
+(`orris render --timings`, shadowcomp2 to 5); `collect` what the shadow pass takes that finds the lamps. Lights a pixel and
+entries are counted by LIGHT_DEBUG. Grid: the same for columns times slices, linear and logarithmic.
 
-Writes lamps.csv, lamps.svg, grid.csv and grid.svg into the folder. A second run of the same command goes on where the
-first one ended. Needs matplotlib (python3-matplotlib)."""
+Writes lamps.csv, lamps.png, grid.csv and grid.png into the folder. A second run of the same command goes on where the
+first one ended, as does one after --budget seconds; what is not measured yet is left out. Needs matplotlib
+(python3-matplotlib)."""
 
 import argparse
 import csv
 import json
 import pathlib
-import resource
+import statistics
 import struct
 import subprocess
+import time
 import zlib
 
 import matplotlib
@@ -23,18 +25,38 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
-from chart_runs import frame_times, lamp_field  # noqa: E402
+from chart_runs import lamp_field, pass_times, run_chart  # noqa: E402
 
 METHODS = ["CLUSTERED", "TILED", "DEFERRED", "FORWARD"]
+LISTED = ["CLUSTERED", "TILED"]
 LAMPS = [16, 64, 256, 1024, 4096, 16384]
 COMMON = ["GI_METHOD=NONE", "SHADOW_METHOD=NONE", "DIRECT_LIGHT=NONE", "LIGHT_CAPACITY=16384", "LIGHT_LIST=2048"]
-COLUMNS, SLICES, SLICING = [8, 16, 20, 32], [8, 16, 24, 32], ["LINEAR", "LOGARITHMIC"]
-TURN = 24  # frames
+COLUMNS, SLICES, SLICING = [8, 16, 20, 32], [1, 8, 16, 24, 32], ["LINEAR", "LOGARITHMIC"]
+LIGHTING = ["deferred4", "gbuffers_terrain", "gbuffers_water"]  # passes in which lamps shine
+CULLING = ["shadowcomp2", "shadowcomp3", "shadowcomp4", "shadowcomp5"]
+TURN = 12  # frames
 
 
-def kept(path, make):
-    """What `make` gave, from the file where it is there."""
+class Clock:
+    """Of a run that may end early."""
+
+    def __init__(self, budget):
+        self.end = time.monotonic() + budget if budget else None
+
+    def left(self):
+        """Seconds; 0 without a budget."""
+        return max(self.end - time.monotonic(), 1) if self.end else 0
+
+    def over(self):
+        return self.end is not None and time.monotonic() >= self.end
+
+
+def kept(args, name, make):
+    """What `make` gave, from the file where it is there; None when there is no time left to make it."""
+    path = args.folder / f"{name}.json"
     if not path.exists():
+        if args.clock.over():
+            return None
         path.write_text(json.dumps(make()))
     return json.loads(path.read_text())
 
@@ -75,56 +97,73 @@ def count(args, world, settings):
     return {"lights": 1000 * mean_of(dump), "entries": state[5], "longest": state[4]}
 
 
-def processor_seconds(args, world, method, frames):
-    before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    subprocess.run([args.orris, "render", args.pack, world, "-o", args.folder / "cull.png", "--size", args.size,
-                    "--frames", str(frames), "--quiet", "--set", *COMMON, f"LIGHT_METHOD={method}"], check=True)
-    after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime
+def culling(args, lamps, settings):
+    """Milliseconds a frame of making the lists while the camera turns; the first frame makes the table, too."""
+    path = args.folder / "cull.csv"
+    subprocess.run([args.orris, "render", args.pack, lamp_field(lamps, args.folder, TURN), "-o", args.folder / "cull.png",
+                    "--size", args.size, "--frames", str(TURN), "--quiet", "--timings", path, "--set", *COMMON, *settings],
+                   check=True)
+    frames = {}
+    with path.open() as file:
+        for row in csv.DictReader(file):
+            if row["step"] in CULLING and int(row["frame"]) > 0:
+                frames[row["frame"]] = frames.get(row["frame"], 0) + float(row["processor_milliseconds"])
+    return statistics.median(frames.values())
 
 
-def culling(args, lamps, method):
-    """Milliseconds a frame of making the lists: turning less standing still, the least of the rounds."""
-    worlds = [lamp_field(lamps, args.folder, turn) for turn in (TURN, 0)]
-    rounds = [[processor_seconds(args, world, method, TURN) for world in worlds] for _ in range(args.cull_rounds)]
-    return 1e3 * (min(r[0] for r in rounds) - min(r[1] for r in rounds)) / TURN
+def shading(passes, dark):
+    """Milliseconds that lamps add to the passes of a frame; `dark`: the passes without lamps."""
+    return sum(passes.get(name, 0) - dark.get(name, 0) for name in LIGHTING)
 
 
 def lamp_rows(args):
-    """Rows of lamps, method, ms of shading, ms of culling, lights a pixel, entries, longest list."""
+    """Rows of lamps, method, ms of shading, culling and collecting, lights a pixel, entries, longest list."""
     for lamps in LAMPS:
         world = lamp_field(lamps, args.folder)
-        methods = [m for m in METHODS if lamps <= args.most_asked or m in ("CLUSTERED", "TILED")]
-        times = frame_times(args.orris, args.pack, world, args.folder / f"chart{lamps}",
-                            [f"LIGHT_METHOD=NONE,{','.join(methods)}"], size=args.size, settings=COMMON,
-                            baseline="LIGHT_METHOD=NONE", reference="LIGHT_METHOD=CLUSTERED",
-                            rounds=args.rounds if lamps <= 1024 else 2)
-        # Any method collects the lamps in a shadow pass; what is left over a picture without is light.
-        for method in methods:
-            listed = method in ("CLUSTERED", "TILED")
-            counts = (kept(args.folder / f"count{lamps}-{method}.json",
-                           lambda: count(args, world, [f"LIGHT_METHOD={method}"])) if listed
-                      else {"lights": lamps, "entries": 0, "longest": 0})
-            cull = kept(args.folder / f"cull{lamps}-{method}.json", lambda: culling(args, lamps, method)) if listed else 0
-            yield [lamps, method, times[f"LIGHT_METHOD={method}"] - times["LIGHT_METHOD=NONE"], cull,
-                   counts["lights"], counts["entries"], counts["longest"]]
+        # Those that ask every lamp take seconds a frame: few turns, and no others that wait for them.
+        few = lamps > 1024
+        for methods, rounds in ((["CLUSTERED", "TILED"], args.rounds), (["DEFERRED"], 2 if few else args.rounds),
+                                (["FORWARD"], 1 if few else 2)):
+            folder = args.folder / f"chart{lamps}-{methods[0]}"
+            if not args.clock.over():
+                run_chart(args.orris, args.pack, world, folder, [f"LIGHT_METHOD=NONE,{','.join(methods)}"],
+                          size=args.size, settings=COMMON, baseline="LIGHT_METHOD=NONE",
+                          reference=f"LIGHT_METHOD={methods[0]}", rounds=rounds, visit=1 if few else 2,
+                          seconds=args.clock.left())
+            passes = pass_times(folder)
+            for method in methods:
+                found = passes.get(f"LIGHT_METHOD={method}")
+                cull, counts = 0, {"lights": lamps, "entries": 0, "longest": 0}
+                if method in LISTED:
+                    cull = kept(args, f"cull{lamps}-{method}", lambda: culling(args, lamps, [f"LIGHT_METHOD={method}"]))
+                    counts = kept(args, f"count{lamps}-{method}", lambda: count(args, world, [f"LIGHT_METHOD={method}"]))
+                if found and cull is not None and counts:
+                    yield [lamps, method, shading(found, passes["LIGHT_METHOD=NONE"]), cull, found.get("shadow", 0),
+                           counts["lights"], counts["entries"], counts["longest"]]
 
 
 def grid_rows(args):
-    """Rows of slicing, columns, slices, ms of shading, lights a pixel, entries."""
+    """Rows of slicing, columns, slices, ms of shading and culling, lights a pixel, entries."""
     world = lamp_field(args.grid_lamps, args.folder)
+    folder = args.folder / "grid"
+    axes = ["LIGHT_COLUMNS=" + ",".join(map(str, COLUMNS)), "LIGHT_SLICES=" + ",".join(map(str, SLICES)),
+            "LIGHT_SLICING=" + ",".join(SLICING)]
+    if not args.clock.over():
+        run_chart(args.orris, args.pack, world, folder, axes, size=args.size,
+                  settings=[*COMMON, "LIGHT_METHOD=CLUSTERED"],
+                  baseline="LIGHT_COLUMNS=16,LIGHT_SLICES=24,LIGHT_SLICING=LOGARITHMIC", rounds=args.rounds, visit=1,
+                  seconds=args.clock.left())
+    times = pass_times(folder)
     for slicing in SLICING:
-        times = frame_times(args.orris, args.pack, world, args.folder / f"grid-{slicing}",
-                            ["LIGHT_COLUMNS", "LIGHT_SLICES=" + ",".join(map(str, SLICES))], size=args.size,
-                            settings=[*COMMON, "LIGHT_METHOD=CLUSTERED", f"LIGHT_SLICING={slicing}"],
-                            baseline="LIGHT_COLUMNS=16,LIGHT_SLICES=24", rounds=args.rounds)
         for columns in COLUMNS:
             for slices in SLICES:
-                settings = [f"LIGHT_COLUMNS={columns}", f"LIGHT_SLICES={slices}"]
-                counts = kept(args.folder / f"grid{columns}-{slices}-{slicing}.json",
-                              lambda: count(args, world, ["LIGHT_METHOD=CLUSTERED", f"LIGHT_SLICING={slicing}", *settings]))
-                milliseconds = next(ms for label, ms in times.items() if set(settings) <= set(label.split()))
-                yield [slicing, columns, slices, milliseconds, counts["lights"], counts["entries"]]
+                settings = [f"LIGHT_COLUMNS={columns}", f"LIGHT_SLICES={slices}", f"LIGHT_SLICING={slicing}"]
+                asked, name = ["LIGHT_METHOD=CLUSTERED", *settings], f"grid{columns}-{slices}-{slicing}"
+                found = next((passes for label, passes in times.items() if set(settings) <= set(label.split())), None)
+                counts = kept(args, "count-" + name, lambda: count(args, world, asked))
+                cull = kept(args, "cull-" + name, lambda: culling(args, args.grid_lamps, asked))
+                if found and counts and cull is not None:
+                    yield [slicing, columns, slices, found["deferred4"], cull, counts["lights"], counts["entries"]]
 
 
 def write(path, head, rows):
@@ -140,32 +179,34 @@ def draw_lamps(rows, path, size):
         if any(r[3] for r in own):
             cost.plot([r[0] for r in own], [max(r[3], 0.01) for r in own], ":s", ms=3, color=f"C{index}",
                       label=f"{method}, cull")
-        lights.plot([r[0] for r in own], [r[4] for r in own], "-o", ms=4, color=f"C{index}", label=method)
+        lights.plot([r[0] for r in own], [r[5] for r in own], "-o", ms=4, color=f"C{index}", label=method)
     for axes in (cost, lights):
-        axes.set(xscale="log", yscale="log", xlabel="lamps")
         axes.set_xscale("log", base=2)
+        axes.set(yscale="log", xlabel="lamps")
         axes.grid(True, which="both", alpha=0.2)
         axes.legend(fontsize=7)
-    cost.set_ylabel("ms of processor time over no lamps")
+    cost.set_ylabel("ms of processor time a frame")
     lights.set_ylabel("lights asked a pixel")
-    figure.suptitle(f"lamp_field, {size}", fontsize=10)
+    figure.suptitle(f"lamp_field, {size}: shading, and making the lists anew", fontsize=10)
     figure.savefig(path, dpi=100)
 
 
 def draw_grid(rows, path, lamps, size):
-    figure, (cost, lights) = plt.subplots(1, 2, figsize=(9.6, 4.2), layout="constrained")
+    figure, panels = plt.subplots(1, 3, figsize=(12.6, 4.2), layout="constrained")
     for style, slicing in (("-", "LOGARITHMIC"), (":", "LINEAR")):
         for index, columns in enumerate(COLUMNS):
             own = [row for row in rows if row[0] == slicing and row[1] == columns]
-            label = f"{columns} columns, {slicing.lower()}"
-            cost.plot([r[2] for r in own], [r[3] for r in own], style + "o", ms=4, color=f"C{index}", label=label)
-            lights.plot([r[5] / 1000 for r in own], [r[4] for r in own], style + "o", ms=4, color=f"C{index}", label=label)
-    cost.set(xlabel="slices", ylabel="ms of a frame, camera at rest")
-    lights.set(xlabel="entries of all lists, thousands", ylabel="lights asked a pixel", xscale="log")
-    for axes in (cost, lights):
+            look = {"ms": 4, "color": f"C{index}", "label": f"{columns} columns, {slicing.lower()}"}
+            panels[0].plot([r[2] for r in own], [r[3] for r in own], style + "o", **look)
+            panels[1].plot([r[2] for r in own], [r[3] + r[4] for r in own], style + "o", **look)
+            panels[2].plot([r[6] / 1000 for r in own], [r[5] for r in own], style + "o", **look)
+    panels[0].set(xlabel="slices", ylabel="ms of lighting, camera at rest")
+    panels[1].set(xlabel="slices", ylabel="ms of lighting and lists, camera in motion")
+    panels[2].set(xlabel="entries of all lists, thousands", ylabel="lights asked a pixel", xscale="log")
+    for axes in panels:
         axes.grid(True, which="both", alpha=0.2)
-    lights.legend(fontsize=7)
-    figure.suptitle(f"{lamps} lamps, {size}: tiles and slices", fontsize=10)
+    panels[2].legend(fontsize=7)
+    figure.suptitle(f"{lamps} lamps, {size}: columns and slices", fontsize=10)
     figure.savefig(path, dpi=100)
 
 
@@ -176,20 +217,23 @@ def main():
     parser.add_argument("folder", type=pathlib.Path)
     parser.add_argument("--only", nargs="+", default=["lamps", "grid"], choices=["lamps", "grid"])
     parser.add_argument("--size", default="160x90")
-    parser.add_argument("--rounds", type=int, default=4)
-    parser.add_argument("--cull-rounds", type=int, default=3)
-    parser.add_argument("--most-asked", type=int, default=16384, help="lamps beyond which no method asks all of them")
+    parser.add_argument("--rounds", type=int, default=6)
     parser.add_argument("--grid-lamps", type=int, default=4096)
+    parser.add_argument("--budget", type=float, default=0, help="seconds after which nothing more is begun; 0: none")
     args = parser.parse_args()
+    args.clock = Clock(args.budget)
     args.folder.mkdir(parents=True, exist_ok=True)
     if "lamps" in args.only:
         rows = list(lamp_rows(args))
-        write(args.folder / "lamps.csv", ["lamps", "method", "shade_ms", "cull_ms", "lights", "entries", "longest"], rows)
-        draw_lamps(rows, args.folder / "lamps.svg", args.size)
+        write(args.folder / "lamps.csv",
+              ["lamps", "method", "shade_ms", "cull_ms", "collect_ms", "lights", "entries", "longest"], rows)
+        draw_lamps(rows, args.folder / "lamps.png", args.size)
     if "grid" in args.only:
         rows = list(grid_rows(args))
-        write(args.folder / "grid.csv", ["slicing", "columns", "slices", "ms", "lights", "entries"], rows)
-        draw_grid(rows, args.folder / "grid.svg", args.grid_lamps, args.size)
+        write(args.folder / "grid.csv", ["slicing", "columns", "slices", "shade_ms", "cull_ms", "lights", "entries"], rows)
+        draw_grid(rows, args.folder / "grid.png", args.grid_lamps, args.size)
+    if args.clock.over():
+        print("the time is over: the same command goes on")
 
 
 if __name__ == "__main__":

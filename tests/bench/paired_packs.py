@@ -1,68 +1,57 @@
 #!/usr/bin/env python3
-"""Is one pack slower than another, say than itself at an earlier commit (`git worktree add OLD COMMIT`)?
+"""Is a frame of one pack dearer than that of another, say of itself at an earlier commit (`git archive COMMIT shaderpack`)?
 
-Processor time of a frame of each, a long run of `orris render` less a short one, in turns (A B B A); prints the median
-of the ratios B / A, its 95 % interval by a bootstrap, and the same of A with itself."""
+Each run (`bench_packs`) is a process that draws A, B and A again in turns and counts processor time. Where in memory its
+pictures lie stays for a run, so several runs with other places are what counts: prints the median over the runs of B / A
+and its 95 % interval by a bootstrap, and the same of A with itself."""
 
 import argparse
-import pathlib
+import json
+import os
 import random
-import resource
 import statistics
 import subprocess
-import tempfile
-
-FEW = 2  # frames of a short run
-
-
-def processor_seconds(orris, pack, args, frames, picture):
-    before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    subprocess.run([orris, "render", pack, args.world, "-o", picture, "--size", args.size, "--frames", str(frames),
-                    "--quiet", *(["--set", *args.set] if args.set else [])], check=True)
-    after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime
-
-
-def frame_time(orris, pack, args, picture):
-    """Milliseconds."""
-    short, long = (processor_seconds(orris, pack, args, frames, picture) for frames in (FEW, FEW + args.frames))
-    return (long - short) / args.frames * 1e3
 
 
 def interval(values, seed=1):
     """2.5 % and 97.5 % of the bootstrapped median."""
     rng = random.Random(seed)
-    medians = sorted(statistics.median(rng.choices(values, k=len(values))) for _ in range(2000))
-    return medians[50], medians[1949]
+    medians = sorted(statistics.median(rng.choices(values, k=len(values))) for _ in range(4000))
+    return medians[100], medians[3899]
 
 
 def told(name, ratios):
     low, high = interval(ratios)
-    return f"{name}: {statistics.median(ratios):.3f} [{low:.3f}, {high:.3f}]"
+    return f"{name}: {statistics.median(ratios):.4f} [{low:.4f}, {high:.4f}]"
+
+
+def run(args, number):
+    """Milliseconds of A, ratio B / A, ratio A / A. Every second run loads them in another order."""
+    packs = [args.pack, args.other, args.pack] if number % 2 else [args.pack, args.pack, args.other]
+    env = dict(os.environ, ORRIS_RUN="x" * (97 * number % 4096))  # moves the stack
+    done = subprocess.run([args.bench, args.world, args.size, str(args.rounds), *packs, "--", *args.set], check=True,
+                          text=True, stdout=subprocess.PIPE, env=env)
+    first, second, third = json.loads(done.stdout)
+    other, again = (second, third) if number % 2 else (third, second)
+    # A twice: the better half of what A costs.
+    return first["milliseconds"], 2 * other["ratio"] / (1 + again["ratio"]), again["ratio"]
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("orris", help="draws A")
-    parser.add_argument("pack", type=pathlib.Path, help="A")
-    parser.add_argument("other", type=pathlib.Path, help="B")
+    parser.add_argument("bench", help="bench_packs")
+    parser.add_argument("pack", help="A")
+    parser.add_argument("other", help="B")
     parser.add_argument("world")
-    parser.add_argument("--other-orris", help="draws B; default: the same")
-    parser.add_argument("--size", default="320x180")
-    parser.add_argument("--frames", type=int, default=40)
-    parser.add_argument("--rounds", type=int, default=12)
+    parser.add_argument("--size", default="160x90")
+    parser.add_argument("--rounds", type=int, default=12, help="of a run")
+    parser.add_argument("--runs", type=int, default=16)
     parser.add_argument("--set", nargs="*", default=[], metavar="NAME=VALUE")
     args = parser.parse_args()
-    one, two = (args.orris, args.pack), (args.other_orris or args.orris, args.other)
-    pairs = []
-    with tempfile.TemporaryDirectory() as folder:
-        picture = pathlib.Path(folder) / "picture.png"
-        for _ in range(args.rounds):
-            a, b, b2, a2 = (frame_time(*which, args, picture) for which in (one, two, two, one))
-            pairs.append((a, a2, (b + b2) / 2))
-    print(f"A: {statistics.median((a + a2) / 2 for a, a2, _ in pairs):.2f} ms of processor time a frame")
-    print(told("B / A", [2 * b / (a + a2) for a, a2, b in pairs]))
-    print(told("A / A", [a2 / a for a, a2, _ in pairs]))
+    runs = [run(args, number) for number in range(args.runs)]
+    print(f"A: {statistics.median(r[0] for r in runs):.2f} ms of processor time a frame")
+    print(told("B / A", [r[1] for r in runs]))
+    print(told("A / A", [r[2] for r in runs]))
 
 
 if __name__ == "__main__":
