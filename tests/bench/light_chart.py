@@ -1,17 +1,13 @@
-#!/ usr / bin / env python3
-""
-    "Charts the methods for many lamps against the number of lamps, and the grid of clusters.
+#!/usr/bin/env python3
+"""Charts the methods for many lamps against the number of lamps, and the grid of clusters.
 
-    Processor time of passes.Lamps : `shade` is what the passes that
-    light(deferred4, and what is drawn) take over the same without
-    lamps(`orris chart`, interleaved);
-`cull` what making the lists takes in each frame of a turning camera(`orris render-- timings`,
-                                                                     shadowcomp2 to 5); `collect` what the shadow pass takes that finds the lamps. Lights a pixel and
+Processor time of passes. Lamps: `shade` is what the passes that light (deferred4, and what is drawn) take over the same
+without lamps (`orris chart`, interleaved); `cull` what making the lists takes in each frame of a turning camera
+(`orris render --timings`, shadowcomp2 to 5); `collect` what the shadow pass takes that finds the lamps. Lights a pixel and
 entries are counted by LIGHT_DEBUG. Grid: the same for columns times slices, linear and logarithmic.
 
 Writes lamps.csv, lamps.png, grid.csv and grid.png into the folder. A second run of the same command goes on where the
-first one ended, as does one after --budget seconds;
-what is not measured yet is left out. Needs matplotlib
+first one ended, as does one after --budget seconds; what is not measured yet is left out. Needs matplotlib
 (python3-matplotlib)."""
 
 import argparse
@@ -124,7 +120,7 @@ def lamp_rows(args):
     """Rows of lamps, method, ms of shading, culling and collecting, lights a pixel, entries, longest list."""
     for lamps in LAMPS:
         world = lamp_field(lamps, args.folder)
-#Those that ask every lamp take seconds a frame : few turns, and no others that wait for them.
+        # Those that ask every lamp take seconds a frame: few turns, and no others that wait for them.
         few = lamps > 1024
         for methods, rounds in ((["CLUSTERED", "TILED"], args.rounds), (["DEFERRED"], 2 if few else args.rounds),
                                 (["FORWARD"], 1 if few else 2)):
@@ -137,10 +133,8 @@ def lamp_rows(args):
             passes = pass_times(folder)
             for method in methods:
                 found = passes.get(f"LIGHT_METHOD={method}")
-                cull, counts = 0, {
-  "lights" : lamps, "entries" : 0, "longest" : 0
-}
-if method in LISTED:
+                cull, counts = 0, {"lights": lamps, "entries": 0, "longest": 0}
+                if method in LISTED:
                     cull = kept(args, f"cull{lamps}-{method}", lambda: culling(args, lamps, [f"LIGHT_METHOD={method}"]))
                     counts = kept(args, f"count{lamps}-{method}", lambda: count(args, world, [f"LIGHT_METHOD={method}"]))
                 if found and cull is not None and counts:
