@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "face_boiling.h"
 #include "face_field.h"
 
 namespace orris::test {
@@ -317,6 +318,27 @@ TEST(face_cache, only_a_share_of_the_faces_is_updated_while_nothing_changes) {
       << "after the edit: five faces, whatever their quads, and one hidden";
   pack.renderFrames(60);
   EXPECT_LT(updatedFaces(pack), all / 3);
+}
+
+// Boiling. FACE_GAIN=1 only shortens the time until a face rests on a whole window.
+TEST(face_cache, settled_light_hardly_changes) {
+  std::string world = R"({"size": [14, 8, 14],
+      "cameras": [{"name": "eye", "position": [6.5, 3.5, 6.5]}], "environment": {"time": 18000},
+      "blocks": [{"hollow": "light_gray_concrete", "min": [0, 0, 0], "max": [13, 7, 13]})";
+  for (int i = 0; i < 9; ++i)
+    world += fmt::format(R"(, {{"block": "glowstone", "at": [{}, {}, {}]}})", 3 + i % 3 * 3,
+                         2 + i % 2 * 3, 3 + i / 3 * 3);
+  PackSession pack(world + "]}", options({{"FACE_SHARE", "1"}, {"FACE_GAIN", "1.0"}}), 8, 8);
+  FaceBoiling boiling({0, 0, 0}, {14, 8, 14});
+  pack.renderFrames(150);
+  for (int i = 0; i < 24; ++i) {
+    pack.renderFrames(8);
+    boiling.add(faceField(pack, kVolume));
+  }
+  EXPECT_EQ(boiling.faces(), 12 * 12 * 2 + 12 * 6 * 4);
+  RecordProperty("boiling", fmt::format("{:.4f}", boiling.ofFaces()));
+  EXPECT_LT(boiling.ofFaces(), .05);
+  EXPECT_GT(boiling.ofFaces(), .01) << "nothing is sampled";
 }
 
 TEST(face_cache, repeated_runs_give_the_same_bits) {

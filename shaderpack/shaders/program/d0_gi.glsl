@@ -120,7 +120,7 @@ vec3 gather(Surface s, vec3 light) {
         }
         if (is_lamp_voxel(hit.voxel.code)) {
 #if LAMP_RAYS
-            radiance += throughput * met_lamp(hit, origin);
+            radiance += throughput * met_lamp(hit, Receiver(origin, normal), direction);
 #else
             radiance += throughput * lamp_light(hit.voxel) *
                         float(!lit_directly(bounce, hit.position));

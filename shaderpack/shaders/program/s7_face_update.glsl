@@ -36,7 +36,7 @@ vec3 hemisphere_sample(Face f, vec2 u, vec3 light) {
     if (!hit.found) {
         radiance = sky_beyond(direction, f.sky);
     } else if (is_lamp_voxel(hit.voxel.code)) {
-        radiance = met_lamp(hit, f.from.origin);
+        radiance = met_lamp(hit, f.from, direction);
     } else {
         radiance = hit.voxel.color * (sun_at(hit, light, f.sky) +
                                       light_of(hit.cell, face_of(hit.normal)).rgb);
@@ -57,7 +57,7 @@ vec4 updated(uint entry, vec3 light) {
     f.cell = packed_cell(entry);
     f.face = packed_face(entry);
     f.from.normal = face_normal(f.face);
-    f.sky = packed_sky(entry);
+    f.sky = packed_level(entry);
     vec4 old = light_of(f.cell, f.face);
 
     uvec3 place = uvec3(face_texel(f.cell, f.face));

@@ -57,10 +57,10 @@ vec3 face_normal(int face) {
     return vec3(axis == 0, axis == 1, axis == 2) * ((face & 1) == 1 ? 1.0 : -1.0);
 }
 
-/// An entry of the lists; `sky`: level 0..15 of the sky's light at the face.
-uint pack_face(ivec3 cell, int face, int sky) {
+/// An entry of the lists; `level`, 0..15: of the sky's light at the face, or of a lamp's own.
+uint pack_face(ivec3 cell, int face, int level) {
     uvec3 c = uvec3(cell);
-    return c.x | c.y << 7 | c.z << 14 | uint(face) << 21 | uint(sky) << 24;
+    return c.x | c.y << 7 | c.z << 14 | uint(face) << 21 | uint(level) << 24;
 }
 
 ivec3 packed_cell(uint entry) {
@@ -69,7 +69,7 @@ ivec3 packed_cell(uint entry) {
 
 int packed_face(uint entry) { return int(entry >> 21 & 7u); }
 
-float packed_sky(uint entry) { return float(entry >> 24) / 15.0; }
+float packed_level(uint entry) { return float(entry >> 24) / 15.0; }
 
 ivec2 face_slot(uint index) {
     return ivec2(int(index) % list_width, int(index) / list_width);

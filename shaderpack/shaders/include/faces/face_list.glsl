@@ -33,7 +33,7 @@ void list_face(ivec3 cell, int face, int code, int sky) {
     uint slot = imageAtomicAdd(face_tally, lamp ? tally_lamps : tally_faces, 1u);
     if (slot >= (lamp ? lamp_capacity : face_capacity)) return;
     imageStore(face_list, lamp ? lamp_slot(slot) : face_slot(slot),
-               uvec4(pack_face(cell, face, sky)));
+               uvec4(pack_face(cell, face, lamp ? code & 15 : sky)));
 }
 
 #endif

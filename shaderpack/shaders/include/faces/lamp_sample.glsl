@@ -1,6 +1,7 @@
-// Light of one lamp, drawn at random from the list of the shadow pass, by a ray to it. Lamps nearer
-// than lamp_near are left to rays into the hemisphere, which find them more surely, and there no
-// others may count: see met_lamp. The images face_list and face_tally belong to the program.
+// Light of one lamp, drawn at random from the list of the shadow pass, by a ray to it. Rays into the
+// hemisphere find lamps too, near ones more surely: both count a share of each, by the balance
+// heuristic (Veach & Guibas 1995), and together all of it. The images face_list and face_tally belong to
+// the program.
 #if !defined INCLUDED_FACES_LAMP_SAMPLE
 #define INCLUDED_FACES_LAMP_SAMPLE
 
@@ -8,10 +9,8 @@
 #include "/include/lighting/hit.glsl"
 #include "/include/math/random.glsl"
 
-// Nearer, sampling the surface of a lamp is noisier than hitting it.
-const float lamp_near = 2.0;
 // Lamps looked at for each that gets a ray.
-const int lamp_candidates = 4;
+const int lamp_candidates = 16;
 // Off a face, in blocks. Points of faces are exact, so this can be less than ray_offset.
 const float face_offset = 0.001;
 
@@ -31,17 +30,50 @@ vec3 point_of_face(ivec3 cell, int code, vec3 normal, vec2 at) {
     return vec3(cell) + unit + normal * face_offset;
 }
 
-/// Light of a lamp that a ray into the hemisphere met; 0 if rays to lamps count it.
-vec3 met_lamp(Hit hit, vec3 origin) {
+uint listed_lamps() { return min(imageLoad(face_tally, tally_lamps).r, lamp_capacity); }
+
+/// The share that rays to lamps count of light from a direction in which they have this density, were
+/// lamps chosen evenly. Any share would be right that both kinds of rays agree on.
+float sampled_share(float density, uint lamps, float cosine) {
+    float sampled = density * min(1.0, float(lamp_candidates) / float(max(lamps, 1u)));
+    return sampled / (sampled + max(cosine, 1e-6) / pi);
+}
+
+/// Densities over directions, of points on the face of a cube and of directions to a ball.
+float density_of_face(float far, float cosine) { return far * far / max(cosine, 1e-6); }
+
+float density_of_ball(float far) {
+    float ratio = min(small_lamp_radius / max(far, 1e-3), 0.999);
+    return 0.5 * (1.0 + sqrt(1.0 - ratio * ratio)) / (pi * ratio * ratio);
+}
+
+/// Light of a lamp that a ray into the hemisphere met, without what rays to lamps count of it.
+vec3 met_lamp(Hit hit, Receiver r, vec3 direction) {
     bool ball = hit.voxel.code >= voxel_small_lamp;
-    float far = distance(ball ? vec3(hit.cell) + 0.5 : hit.position, origin);
-    return far < lamp_near ? lamp_light(hit.voxel) : vec3(0.0);
+    float density = ball ? density_of_ball(distance(vec3(hit.cell) + 0.5, r.origin))
+                         : density_of_face(distance(hit.position, r.origin), -dot(hit.normal, direction));
+    return lamp_light(hit.voxel) * (1.0 - sampled_share(density, listed_lamps(), dot(direction, r.normal)));
+}
+
+/// About what a lamp gives if nothing hides it, to choose by: by its middle, and never 0 where a part of
+/// it gives something.
+float promise(Receiver r, uint entry) {
+    int face = packed_face(entry);
+    vec3 normal = face == face_ball ? vec3(0.0) : face_normal(face);
+    vec3 way = vec3(packed_cell(entry)) + 0.5 + 0.5 * normal - r.origin;
+    float squared = dot(way, way);
+    float far = sqrt(squared);
+    float here = max(0.0, dot(way, r.normal) + 0.75);
+    float there = face == face_ball ? 0.25 * far : max(0.0, 0.75 - dot(way, normal));
+    float level = packed_level(entry);
+    return level * level * here * there / (squared * squared + 0.1);
 }
 
 struct LampSample {
     ivec3 cell;
     vec3 direction;
-    vec3 light;  // mean radiance that it gives if it is seen
+    vec3 light;     // mean radiance that it gives if it is seen
+    float density;  // of the direction
 };
 
 /// A direction within the cone about `axis` with this cosine.
@@ -56,10 +88,12 @@ vec3 cone_direction(vec3 axis, float cosine, vec2 u) {
 LampSample sample_ball(Receiver r, ivec3 cell, vec3 radiance, vec2 u) {
     vec3 way = vec3(cell) + 0.5 - r.origin;
     float far = length(way);
-    float cosine = sqrt(1.0 - pow(small_lamp_radius / max(far, lamp_near), 2.0));
-    vec3 direction = cone_direction(way / far, cosine, u);
-    float share = far < lamp_near ? 0.0 : 2.0 * (1.0 - cosine) * max(0.0, dot(direction, r.normal));
-    return LampSample(cell, direction, radiance * share);
+    float density = density_of_ball(far);
+    vec3 direction = cone_direction(way / far, 1.0 - 0.5 / (pi * density), u);
+    float cosine = max(0.0, dot(direction, r.normal));
+    // From inside no ray sees it.
+    float share = far < small_lamp_radius ? 0.0 : cosine / (pi * density);
+    return LampSample(cell, direction, radiance * share, density);
 }
 
 LampSample sample_cube(Receiver r, ivec3 cell, int face, vec3 radiance, vec2 u) {
@@ -67,41 +101,47 @@ LampSample sample_cube(Receiver r, ivec3 cell, int face, vec3 radiance, vec2 u) 
     vec3 way = point_of_face(cell, voxel_solid, normal, u) - r.origin;
     float far = length(way);
     vec3 direction = way / far;
-    float cosines = max(0.0, dot(direction, r.normal)) * max(0.0, -dot(direction, normal));
-    float share = far < lamp_near ? 0.0 : cosines / (pi * far * far);
-    return LampSample(cell, direction, radiance * share);
+    float cosine = max(0.0, -dot(direction, normal));
+    float share = max(0.0, dot(direction, r.normal)) * cosine / (pi * far * far);
+    return LampSample(cell, direction, radiance * share, density_of_face(far, cosine));
 }
 
-LampSample sample_lamp(Receiver r, uint lamps) {
-    vec3 u = next_random();
-    uint entry = imageLoad(face_list, lamp_slot(min(uint(u.z * float(lamps)), lamps - 1u))).r;
+LampSample sample_lamp(Receiver r, uint entry, uint lamps) {
+    vec2 u = next_random().xy;
     ivec3 cell = packed_cell(entry);
-    vec3 radiance = lamp_light(voxel_at(cell)) * float(lamps);
-    if (packed_face(entry) == face_ball) return sample_ball(r, cell, radiance, u.xy);
-    return sample_cube(r, cell, packed_face(entry), radiance, u.xy);
+    vec3 radiance = lamp_light(voxel_at(cell));
+    LampSample lamp = packed_face(entry) == face_ball
+                          ? sample_ball(r, cell, radiance, u)
+                          : sample_cube(r, cell, packed_face(entry), radiance, u);
+    lamp.light *= sampled_share(lamp.density, lamps, dot(lamp.direction, r.normal));
+    return lamp;
 }
 
-/// Light of one lamp of a few, chosen by what each would give unhindered (Talbot et al. 2005).
+/// Light of one lamp of a few from all parts of the list, chosen by what they promise (resampling,
+/// Talbot et al. 2005).
 vec3 lamp_sample(Receiver r) {
-    uint lamps = min(imageLoad(face_tally, tally_lamps).r, lamp_capacity);
+    uint lamps = listed_lamps();
     if (lamps == 0u) return vec3(0.0);
-    LampSample chosen = LampSample(ivec3(0), vec3(0.0), vec3(0.0));
+    uint chosen = 0u;
     float sum = 0.0;
     float weight = 0.0;
     for (int i = 0; i < lamp_candidates; ++i) {
-        LampSample candidate = sample_lamp(r, lamps);
-        float own = dot(candidate.light, vec3(1.0));
+        vec2 u = next_random().xy;
+        uint index = uint((float(i) + u.x) * (float(lamps) / float(lamp_candidates)));
+        uint entry = imageLoad(face_list, lamp_slot(min(index, lamps - 1u))).r;
+        float own = promise(r, entry);
         sum += own;
-        if (next_random().x * sum < own) {
-            chosen = candidate;
+        if (u.y * sum < own) {
+            chosen = entry;
             weight = own;
         }
     }
     if (weight <= 0.0) return vec3(0.0);
-    Hit hit = trace_from_face(r.origin, chosen.direction);
-    bool seen = hit.found && hit.cell == chosen.cell;
-    return seen ? hit.transmittance * chosen.light * (sum / (weight * float(lamp_candidates)))
-                : vec3(0.0);
+    LampSample lamp = sample_lamp(r, chosen, lamps);
+    Hit hit = trace_from_face(r.origin, lamp.direction);
+    bool seen = hit.found && hit.cell == lamp.cell;
+    float times = sum * float(lamps) / (weight * float(lamp_candidates));
+    return seen ? hit.transmittance * lamp.light * times : vec3(0.0);
 }
 
 #endif
