@@ -41,6 +41,19 @@ class Measuring {
     return count;
   }
 
+  double extent() {
+    glm::dvec3 low = view_.cameraPosition, high = low;
+    for (const MeshSection& section : scene_.mesh.sections)
+      for (std::uint32_t i = section.first; i < section.first + section.count; ++i) {
+        const glm::dvec3 place =
+            glm::dvec3(section.origin) + glm::dvec3(scene_.mesh.vertices[i].position);
+        low = glm::min(low, place);
+        high = glm::max(high, place);
+      }
+    const glm::dvec3 sides = high - low;
+    return std::max(sides.x, std::max(sides.y, sides.z));
+  }
+
   double casters() { return double(casterSet().faces.size()); }
 
   double castersNear() {
@@ -168,15 +181,12 @@ struct Entry {
   std::string_view name;
   double (Measuring::*measure)();
 };
-constexpr Entry kEntries[] = {{"pixels", &Measuring::pixels},
-                              {"faces", &Measuring::faces},
-                              {"casters", &Measuring::casters},
-                              {"volumes", &Measuring::volumes},
-                              {"casters_near", &Measuring::castersNear},
-                              {"lamps", &Measuring::lampCount},
-                              {"lamps_reaching", &Measuring::lampsReaching},
-                              {"sun", &Measuring::sun},
-                              {"texel_pixels", &Measuring::texelPixels}};
+constexpr Entry kEntries[] = {
+    {"pixels", &Measuring::pixels},   {"faces", &Measuring::faces},
+    {"extent", &Measuring::extent},   {"casters", &Measuring::casters},
+    {"volumes", &Measuring::volumes}, {"casters_near", &Measuring::castersNear},
+    {"lamps", &Measuring::lampCount}, {"lamps_reaching", &Measuring::lampsReaching},
+    {"sun", &Measuring::sun},         {"texel_pixels", &Measuring::texelPixels}};
 
 }  // namespace
 

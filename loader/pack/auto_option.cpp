@@ -8,9 +8,10 @@
 namespace orris {
 namespace {
 
-constexpr std::array<SceneQuantity, 9> kQuantities{{
+constexpr std::array<SceneQuantity, 10> kQuantities{{
     {"pixels", "of the picture"},
     {"faces", "quads of blocks within the shadow distance of the eye"},
+    {"extent", "longest side of the box about the eye and all that is drawn, in blocks"},
     {"casters", "quads that cast shadow volumes"},
     {"volumes", "triangles of the shadow volumes, the light where it stands"},
     {"casters_near", "casters within eight blocks of the eye"},

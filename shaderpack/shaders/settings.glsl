@@ -77,7 +77,7 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 #define GI_SAMPLES 1 // [1 2 4]
 #define GI_LAMPS HIT // [HIT SAMPLED]
 //#define GI_GLOSSY // Polished blocks and metals mirror the voxels about them
-#define VOXEL_SIZE 64 // [32 48 64 96 128]
+#define VOXEL_SIZE AUTO // [32 48 64 96 128 AUTO]
 #define RAY_WALK DISTANCE // [GRID DISTANCE]
 
 // Many lamps
@@ -205,8 +205,9 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 #define SHADOW_TARGET SHADOW_RESOLUTION
 #endif
 
-// Volumes of 96 and 128 need a shadow target of 2048; with a smaller one they fall back to 64.
-#if VOXEL_SIZE >= 96 && SHADOW_RESOLUTION < 2048
+// Volumes of 96 and 128 need a shadow target of 2048; with a smaller one they fall back to 64, which is
+// also AUTO where the host does not choose.
+#if VOXEL_SIZE == AUTO || (VOXEL_SIZE >= 96 && SHADOW_RESOLUTION < 2048)
 #define VOLUME 64
 #else
 #define VOLUME VOXEL_SIZE

@@ -29,6 +29,7 @@ TEST(SceneQuantities, of_a_floor_under_the_sky) {
   // Top and bottom of 16 x 16 blocks, and four sides.
   EXPECT_EQ(floor.at("faces"), 2 * 256 + 4 * 16);
   EXPECT_EQ(floor.at("casters"), floor.at("faces"));
+  EXPECT_EQ(floor.at("extent"), 16);
   EXPECT_GT(floor.at("casters_near"), 100);
   EXPECT_LT(floor.at("casters_near"), 300);
   EXPECT_EQ(floor.at("lamps"), 0);

@@ -99,12 +99,14 @@ float CellField::brightest() const {
 }
 
 PackSession::PackSession(World world, const SessionSetup& setup) : options_(setup.options) {
+  // What AtlasLayout says, whatever the world's size.
+  options_.emplace("VOXEL_SIZE", "64");
   Diagnostics diagnostics;
   SessionRequest request;
   request.openPack = [change = setup.change](Diagnostics& problems) {
     return openReferencePack(change, problems);
   };
-  request.load.values = setup.options;
+  request.load.values = options_;
   request.renderer.width = setup.width;
   request.renderer.height = setup.height;
   request.camera = world.cameras.at(0);

@@ -119,5 +119,28 @@ TEST(cost, bounces_need_no_floodfill) {
   EXPECT_FALSE(schedule.target(false, 4));
 }
 
+int volumeOf(const std::string& world) {
+  PackSession pack(world, {{"GI_METHOD", "FACE_CACHE"}, {"VOXEL_SIZE", "AUTO"}});
+  for (const CustomImage& image : pack.session().renderer().pack().properties.images)
+    if (image.name == "face_light") return int(image.size[1]);
+  return 0;
+}
+
+// Twice the side of what is drawn, and four cells at each end that fade.
+TEST(cost, volume_of_voxels_is_as_large_as_the_world_needs) {
+  const auto floor = [](int side, int eye) {
+    return fmt::format(R"({{"size": [{0}, 4, {0}],
+        "blocks": [{{"box": "stone", "min": [0, 0, 0], "max": [{1}, 0, {1}]}}],
+        "cameras": [{{"name": "eye", "position": [{2}, 3, 4]}}]}})",
+                       side, side - 1, eye);
+  };
+  EXPECT_EQ(volumeOf(floor(12, 4)), 32);
+  EXPECT_EQ(volumeOf(floor(13, 4)), 48);
+  EXPECT_EQ(volumeOf(floor(20, 4)), 48);
+  EXPECT_EQ(volumeOf(floor(21, 4)), 64);
+  EXPECT_EQ(volumeOf(floor(60, 4)), 64) << "the largest that SHADOW_RESOLUTION has room for";
+  EXPECT_EQ(volumeOf(floor(12, 17)), 48) << "from outside";
+}
+
 }  // namespace
 }  // namespace orris::test
