@@ -19,6 +19,7 @@ nlohmann::json describe(const ChartData& chart, const Study& study) {
   for (const ChartPoint& point : chart.points) {
     points.push_back(
         {{"setting", point.setting->label},
+         {"chosen", point.result->chosen},
          {"milliseconds", point.milliseconds.value},
          {"ratio", point.cost.ratio},
          {"ratioInterval", {point.cost.ratioInterval.low, point.cost.ratioInterval.high}},

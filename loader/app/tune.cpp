@@ -71,10 +71,11 @@ const ChartPoint* pointOf(const ChartData& chart, const Setting& setting) {
 }
 
 std::string numbersOf(const ChartPoint& point) {
-  return fmt::format("{:.3f} ms [{:.3f}, {:.3f}], error {:.4g} [{:.4g}, {:.4g}]",
-                     point.milliseconds.value, point.milliseconds.interval.low,
-                     point.milliseconds.interval.high, point.error.value, point.error.interval.low,
-                     point.error.interval.high);
+  const std::string& chosen = point.result->chosen;
+  return fmt::format("{}{:.3f} ms [{:.3f}, {:.3f}], error {:.4g} [{:.4g}, {:.4g}]",
+                     chosen.empty() ? "" : "took " + chosen + ", ", point.milliseconds.value,
+                     point.milliseconds.interval.low, point.milliseconds.interval.high,
+                     point.error.value, point.error.interval.low, point.error.interval.high);
 }
 
 /// Why not this one?

@@ -164,7 +164,10 @@ void Viewer::drawFrame() {
   const Schedule& schedule = renderer.schedule();
   window_->show(renderer.screenFramebuffer(), schedule.width, schedule.height);
   tellGlErrors();
-  if (session_->frame() == 1) say("ready");
+  if (session_->frame() == 1) {
+    const std::string chosen = session_->autoChoices().text();
+    say(chosen.empty() ? "ready" : "ready; AUTO took " + chosen);
+  }
   showTimes();
   if (options_.image.frames == 0) std::this_thread::sleep_until(now + kShortestFrame);
 }

@@ -78,6 +78,9 @@ std::string summaryTable(const ChartData& chart) {
         point.result->error->after(chart.request.accumulated).error, point.result->ssim,
         point.front ? " *" : "");
   }
+  for (const ChartPoint& point : chart.points)
+    if (!point.result->chosen.empty())
+      text += fmt::format("{} took {}\n", point.setting->label, point.result->chosen);
   text += "* on the Pareto front of cost and " + std::string(chart.request.metric->label) + "\n";
   if (chart.again) {
     text += fmt::format("A/A: {:.4f} [{:.4f}, {:.4f}] of {} pairs\n", chart.again->ratio,

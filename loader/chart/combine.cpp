@@ -90,6 +90,9 @@ SettingResult combine(const std::vector<const SettingResult*>& cameras) {
   if (cameras.size() == 1) return *cameras.front();
   SettingResult result;
   result.label = cameras.front()->label;
+  for (const SettingResult* camera : cameras)
+    if (result.chosen.find(camera->chosen) == std::string::npos)
+      result.chosen += (result.chosen.empty() ? "" : " or ") + camera->chosen;
   const bool errors = std::all_of(cameras.begin(), cameras.end(),
                                   [](const SettingResult* r) { return r->error.has_value(); });
   if (errors) result.error = combineErrors(cameras);

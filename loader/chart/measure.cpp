@@ -106,6 +106,7 @@ std::size_t Measuring::fillGroup(Group& group, const std::vector<SettingJob*>& j
     if (known && *now < kSpareMemory + 2 * (*before - *now) / opened) break;
     Member member{jobs[next], openSettled(jobs[next]->request, diagnostics)};
     if (!member.session) continue;
+    member.job->result.chosen = member.session->chosen();
     if (!member.job->errorDone() && !measureError(member, diagnostics)) continue;
     hooks_.changed(*member.job);
     group.push_back(std::move(member));

@@ -64,13 +64,11 @@ std::string writeResult(const SettingResult& result) {
   for (const TimePair& pair : result.pairs) pairs.push_back({pair.own, pair.baseline});
   for (const PassTimes& pass : result.passes)
     passes.push_back({{"name", pass.name}, {"times", pass.times}});
-  const json text = {{"setting", result.label},
-                     {"key", result.key},
-                     {"error", result.error ? toJson(*result.error) : json(nullptr)},
-                     {"ssim", result.ssim},
-                     {"pairs", std::move(pairs)},
-                     {"frames", result.frames},
-                     {"passes", std::move(passes)}};
+  const json text = {
+      {"setting", result.label}, {"key", result.key},
+      {"chosen", result.chosen}, {"error", result.error ? toJson(*result.error) : json(nullptr)},
+      {"ssim", result.ssim},     {"pairs", std::move(pairs)},
+      {"frames", result.frames}, {"passes", std::move(passes)}};
   return text.dump(1) + "\n";
 }
 
@@ -80,6 +78,7 @@ std::optional<SettingResult> parseResult(const std::string& text) {
     SettingResult result;
     result.label = value.at("setting").get<std::string>();
     result.key = value.at("key").get<std::string>();
+    result.chosen = value.at("chosen").get<std::string>();
     if (!value.at("error").is_null()) result.error = toError(value.at("error"));
     result.ssim = value.at("ssim").get<double>();
     for (const json& pair : value.at("pairs"))

@@ -22,6 +22,7 @@ struct PassTimes {
 struct SettingResult {
   std::string label;
   std::string key;  ///< fingerprint of all that the numbers depend on
+  std::string chosen;  ///< for options that are AUTO: "SHADOW_METHOD=MAP_PCF"; "" where none is
   std::optional<ErrorSummary> error;
   double ssim = 0;                ///< of one frame as displayed
   std::vector<TimePair> pairs;    ///< one a round

@@ -40,6 +40,8 @@ class SettingSession {
   /// no such buffer, or it is not as large as the screen.
   std::optional<ImageF> picture(const std::string& buffer) const;
   const FrameRenderer& renderer() const { return session_->renderer(); }
+  /// For options that are AUTO; "" where none is.
+  std::string chosen() const { return session_->autoChoices().text(); }
 
  private:
   /// Not 0: packs divide by the time of a frame.

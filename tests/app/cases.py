@@ -343,6 +343,14 @@ program.composite.enabled = false
          stdout=[r'"flood_state": \[\n\s+[1-9]\d?,\n\s+512\n'], creates=["out.png"]),
     Case("at_rest_the_floodfill_does_nothing", [f"{FLOOD} --frames 120"], 0, {},
          stdout=[r'"flood_state": \[\n\s+0,\n\s+512\n'], creates=["out.png"]),
+    *[Case(f"auto_shadows_{world}_{size}",
+           [f"render {{source}}/shaderpack {{source}}/worlds/{world} -o out.png --size {size} --frames 1 --json "
+            "--set GI_METHOD=NONE SHADOW_METHOD=AUTO LIGHT_METHOD=AUTO"], 0, {}, creates=["out.png"],
+           stdout=[rf'"option": "SHADOW_METHOD",\n\s+"value": "{shadows}"', rf'"option": "LIGHT_METHOD",\n\s+"value": "{lamps}"'])
+      for world, size, shadows, lamps in (("cornell", "32x18", "NONE", "DEFERRED"),
+                                          ("pillars", "160x90", "VOLUME_AUTO", "NONE"),
+                                          ("terrain", "160x90", "VOLUME_AUTO", "NONE"),
+                                          ("terrain", "640x360", "MAP_PCF", "NONE"))],
     Case("settings_file_then_set", ["options pack --settings mine.txt --set TONE=2"], 0,
          {**pack({"composite.fsh": COMPOSITE}), "mine.txt": "TONE=3\n"}, stdout=["^TONE = 2"]),
     Case("settings_file", ["options pack --settings mine.txt"], 0,

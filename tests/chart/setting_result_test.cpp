@@ -12,6 +12,7 @@ SettingResult someResult() {
   SettingResult result;
   result.label = "A=1 B=\"2\"\n";
   result.key = "0123";
+  result.chosen = "A=MAP";
   ErrorSummary error;
   error.frames = 16;
   error.signedBias = -0.1;
