@@ -19,6 +19,7 @@ LIT = "program/d4_lighting.glsl"
 TRANSLUCENT = "program/gbuffers_translucent.glsl"
 SHADOW = "program/shadow.glsl"
 RAYS = "include/lights/lamp_shadows.glsl"
+DEBUG = "include/lights/debug.glsl"
 
 SLICE = "slice_of(distance_along));"
 CLAMP = "int(clamp(floor(guess), 0.0, float(grid_slices - 1)))"
@@ -90,7 +91,7 @@ MUTANTS = [
     ("F8 table past its end", "lamps.table_without*",
      [(CHANGES, "min(tally_of(lamp_total), table_capacity)", "tally_of(lamp_total)")]),
     ("E1 no least distance", "E1.*", [(LIGHT, "max(squared, radius)", "squared")]),
-    ("E1 lamp lights its own block", "E1.*", [(LIGHT, "cosine *= step(own_cell, off);", "")]),
+    ("E1 lamp lights its own block", "E1.*", [(LIGHT, "float outside = step(own_cell, off);", "float outside = 1.0;")]),
     ("table in the order of arrival", "lamps.table_is*:lamps.two*",
      [(TABLE, "uint slot = lamps_before(y, z);", "uint slot = listed_lamps() - left - lamps_before(y, z);")]),
     ("every quad a lamp", "lamps.nothing*:lamps.table_without*",
@@ -110,7 +111,7 @@ MUTANTS = [
      [(SUM, "lists ? imageLoad(light_list, ivec3(i, cluster)).r : uint(i)",
        "imageLoad(light_list, ivec3(i, cluster)).r")]),
     ("translucent surfaces without lamps", "lamps.translucent*",
-     [(TRANSLUCENT, "radiance += albedo / pi * lamps_irradiance(player, n, 0.0);", "")]),
+     [(TRANSLUCENT, "radiance += lamps_radiance(player, n, 0.0, albedo);", "")]),
     ("spots shine both ways", "lamps.spots*", [(LIGHT, "float cosine = along * inverse_distance *",
                                                 "float cosine = abs(along) * inverse_distance *"),
                                                (LIGHT, "(positive ? -1.0 : 1.0);", "1.0;")]),
@@ -119,6 +120,12 @@ MUTANTS = [
        "float radius = inversesqrt(stored.w) * "
        "(imageLoad(light_table, table_texel(lamp) + ivec2(1, 0)).w < 0.0 ? 0.3 : 1.0);")]),
     ("spots shine the other way", "lamps.spots*", [(LIGHT, "(positive ? -1.0 : 1.0)", "(positive ? 1.0 : -1.0)")]),
+    ("highlights seen from above", "lamps.highlights*",
+     [(LIGHT, "reflect_direct(albedo, n, view, way * inverse)", "reflect_direct(albedo, n, n, way * inverse)")]),
+    ("highlights seen otherwise by each method", "lamps.every_method_gives_the_same_h*",
+     [(SUM, "lamp_view = -normalize(player);", "lamp_view = -normalize(player) * float(LIGHT_METHOD);")]),
+    ("heat without white", "lamps.views*", [(DEBUG, "count > list_capacity ? vec3(1.0) : ", "")]),
+    ("tiles for slices in the view", "lamps.views*", [(DEBUG, "cluster.y & 7", "cluster.x & 7")]),
     ("rays see every lamp", "lamps.rays*", [(RAYS, "bool sees =", "bool sees = true ||")]),
     ("rays see no lamp", "lamps.rays*", [(RAYS, "return sees ? hit.transmittance : vec3(0.0);", "return vec3(0.0);")]),
     ("glass hides lamps", "lamps.rays_to*", [(RAYS, "return sees ? hit.transmittance", "return sees ? floor(hit.transmittance)")]),

@@ -53,6 +53,44 @@ TEST(lamps, every_method_gives_the_same_picture) {
   }
 }
 
+/// What a spot of floor at (16.5, z) under a roof reflects of one lamp to an eye at z = 24.5, over the same
+/// as by a matt surface.
+double glossAt(double z, const char* reflection) {
+  const auto light = [&](const char* gloss) {
+    PackSession pack = sessionOf(floorWith(R"({"block": "sea_lantern", "at": [16, 4, 12]},
+                                   {"box": "stone", "min": [0, 11, 0], "max": [31, 11, 31]})"),
+                                 "CLUSTERED",
+                                 {{"AMBIENT_MINIMUM", "0.0"},
+                                  {"SKY_STRENGTH", "0.0"},
+                                  {"DIRECT_LIGHT", reflection},
+                                  {"LIGHT_GLOSS", gloss}},
+                                 16);
+    pack.look({16.5, 5.5, 24.5}, {16.5, 1, z});
+    pack.renderFrames(1);
+    return pack.meanRadiance().g;
+  };
+  return light("true") / light("false");
+}
+
+TEST(lamps, highlights_are_where_a_mirror_would_show_the_lamp) {
+  for (const char* reflection : {"PHONG", "LAMBERT_GGX"})
+    EXPECT_GT(glossAt(17.75, reflection), 1.1) << reflection;
+  EXPECT_NEAR(glossAt(10, "PHONG"), 0.9, 0.01) << "what Phong's matt part has";
+}
+
+TEST(lamps, every_method_gives_the_same_highlights) {
+  const auto picture = [](const char* method) {
+    PackSession pack = sessionOf(floorWith(kThreeLamps), method, {{"LIGHT_GLOSS", "true"}});
+    pack.renderFrames(1);
+    return pack.dump("colortex0");
+  };
+  const ImageF deferred = picture("DEFERRED"), forward = picture("FORWARD");
+  EXPECT_EQ(picture("CLUSTERED").pixels, deferred.pixels);
+  EXPECT_NE(pictureOf(floorWith(kThreeLamps), "DEFERRED").pixels, deferred.pixels);
+  for (size_t i = 0; i < forward.pixels.size(); ++i)
+    ASSERT_NEAR(forward.pixels[i], deferred.pixels[i], (1 + deferred.pixels[i]) / 255) << i;
+}
+
 // The slice is that of the distance, not of the depth buffer's number.
 TEST(F3, slices_on_a_floor_are_where_the_plane_is) {
   PackSession pack = sessionOf(
@@ -72,6 +110,32 @@ TEST(F3, slices_on_a_floor_are_where_the_plane_is) {
     seen.insert(slice);
   }
   EXPECT_GT(seen.size(), 8U);
+}
+
+TEST(lamps, views_of_the_grid_show_what_is_counted) {
+  const std::string world =
+      floorWith(R"({"box": "sea_lantern", "min": [10, 1, 6], "max": [20, 1, 16]})");
+  const auto view = [&world](const char* what) {
+    PackSession pack = sessionOf(
+        world, "CLUSTERED", {{"LIGHT_DEBUG", what}, {"LIGHT_LIST", "64"}, {"LIGHT_RANGE", "0.5"}});
+    pack.renderFrames(1);
+    return pack.dump("colortex0");
+  };
+  const ImageF count = view("COUNT"), slice = view("SLICE"), heat = view("HEAT");
+  int full = 0, none = 0;
+  for (int y = 0; y < count.height; ++y)
+    for (int x = 0; x < count.width; ++x) {
+      const float *counted = count.at(x, y), *heated = heat.at(x, y);
+      if (counted[0] + counted[1] + counted[2] == 0) continue;  // sky
+      EXPECT_NEAR(slice.at(x, y)[0], float(std::lround(counted[1] * 1000) & 7) / 7, 1e-3);
+      const long lamps = std::lround(counted[0] * 1000);
+      full += lamps > 64;
+      none += lamps <= 1;
+      EXPECT_EQ(heated[0] == 1 && heated[1] == 1 && heated[2] == 1, lamps > 64) << lamps;
+      EXPECT_EQ(heated[2] == 1 && heated[1] == 0, lamps <= 1) << lamps;
+    }
+  EXPECT_GT(full, 20);
+  EXPECT_GT(none, 5);
 }
 
 TEST(lamps, translucent_surfaces_are_lit_by_the_same_lists) {

@@ -104,7 +104,7 @@ vec3 light_surface(Surface s, ivec2 pixel) {
 #if LAMPS_FORWARD
     radiance += texelFetch(colortex7, pixel, 0).rgb;
 #elif LAMPS
-    radiance += matt / pi * lamps_irradiance(s.player, s.normal, float(s.thin));
+    radiance += lamps_radiance(s.player, s.normal, float(s.thin), matt);
 #endif
     return radiance;
 }

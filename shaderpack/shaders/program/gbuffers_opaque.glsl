@@ -80,7 +80,7 @@ void main() {
     // As the G-buffer rounds them, so that the methods differ in their cost alone.
     vec3 albedo = to_linear(floor(clamp(color.rgb, 0.0, 1.0) * 255.0 + 0.5) / 255.0);
     vec3 n = decode_normal(encode_normal(normal));
-    out_lamps = vec4(albedo / pi * lamps_irradiance(player, n, thin), 0.0);
+    out_lamps = vec4(lamps_radiance(player, n, thin, albedo), 0.0);
 #endif
     out_geometry = vec4(encode_normal(normal), occlude_light(light, tint.a));
 }

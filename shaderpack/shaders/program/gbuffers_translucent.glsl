@@ -142,7 +142,7 @@ void main() {
                 reflect_direct(albedo, n, v, l);
 #endif
 #if LAMPS
-    radiance += albedo / pi * lamps_irradiance(player, n, 0.0);
+    radiance += lamps_radiance(player, n, 0.0, albedo);
 #endif
 
     // Fresnel: Schlick, reflectance 0.02.

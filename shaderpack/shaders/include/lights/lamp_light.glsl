@@ -3,6 +3,9 @@
 #define INCLUDED_LIGHTS_LAMP_LIGHT
 
 #include "/include/lights/lamps.glsl"
+#if LAMP_GLOSS
+#include "/include/lighting/direct.glsl"
+#endif
 #include "/include/math/sampling.glsl"
 #include "/include/voxel/voxel.glsl"
 
@@ -51,22 +54,40 @@ float spot_share(float direction, vec3 way, float inverse_distance) {
     return share * share;
 }
 
-/// Irradiance: inverse square, windowed to be 0 at the range (Karis 2013, "Real Shading in Unreal
-/// Engine 4"), so that leaving out lamps beyond it changes nothing. `thin`: lit from either side, 1.
+/// Irradiance of what faces the lamp: inverse square, windowed to be 0 at the range (Karis 2013, "Real
+/// Shading in Unreal Engine 4"), so that leaving out lamps beyond it changes nothing. `way` to the lamp.
+vec3 light_on_facing(vec4 place, vec4 power, vec3 way, float squared, float inverse) {
+    // What a lamp's own cell holds is the lamp: it shines, and is not lit by itself.
+    float off = max(abs(way.x), max(abs(way.y), abs(way.z)));
+    float outside = step(own_cell, off);
+    float reach = squared * place.w;
+    float window = max(1.0 - reach * reach, 0.0);
+    float radius = power.w > 0.0 ? power.w : small_lamp_radius * small_lamp_radius;
+    float spot = power.w > 0.0 ? 1.0 : spot_share(-power.w, way, inverse);
+    return power.xyz * (outside * spot * window * window / max(squared, radius));
+}
+
+/// Irradiance. `thin`: lit from either side, 1.
 vec3 light_irradiance_at(vec4 place, vec4 power, vec3 position, vec3 normal, float thin) {
     vec3 way = place.xyz - position;
     float squared = dot(way, way);
     float inverse = inversesqrt(max(squared, 1e-8));
     float cosine = dot(way, normal) * inverse;
-    cosine = max(cosine, -thin * cosine);
-    // What a lamp's own cell holds is the lamp: it shines, and is not lit by itself.
-    float off = max(abs(way.x), max(abs(way.y), abs(way.z)));
-    cosine *= step(own_cell, off);
-    float reach = squared * place.w;
-    float window = max(1.0 - reach * reach, 0.0);
-    float radius = power.w > 0.0 ? power.w : small_lamp_radius * small_lamp_radius;
-    float spot = power.w > 0.0 ? 1.0 : spot_share(-power.w, way, inverse);
-    return power.xyz * (max(cosine, 0.0) * spot * window * window / max(squared, radius));
+    cosine = max(max(cosine, -thin * cosine), 0.0);
+    return cosine * light_on_facing(place, power, way, squared, inverse);
 }
+
+#if LAMP_GLOSS
+/// Radiance toward `view`, reflected as the sun's is.
+vec3 light_reflected_at(vec4 place, vec4 power, vec3 position, vec3 normal, float thin, vec3 albedo,
+                        vec3 view) {
+    vec3 way = place.xyz - position;
+    float squared = dot(way, way);
+    float inverse = inversesqrt(max(squared, 1e-8));
+    vec3 n = thin * dot(way, normal) < 0.0 ? -normal : normal;
+    return light_on_facing(place, power, way, squared, inverse) *
+           reflect_direct(albedo, n, view, way * inverse);
+}
+#endif
 
 #endif

@@ -21,12 +21,21 @@ layout(r32ui) uniform readonly uimage3D light_bits;
 #if LAMP_SHADOWS
 Strongest strongest;  // of the lamps asked for this point
 #endif
+#if LAMP_GLOSS
+vec3 lamp_albedo;  // of this point
+vec3 lamp_view;    // from it to the eye
+#endif
 
+/// Irradiance; with LAMP_GLOSS what of it is reflected to the eye.
 vec3 light_of_lamp(uint lamp, vec3 position, vec3 normal, float thin) {
     ivec2 texel = table_texel(lamp);
     vec4 place = imageLoad(light_table, texel);
-    vec3 light = light_irradiance_at(place, imageLoad(light_table, texel + ivec2(1, 0)), position,
-                                     normal, thin);
+    vec4 power = imageLoad(light_table, texel + ivec2(1, 0));
+#if LAMP_GLOSS
+    vec3 light = light_reflected_at(place, power, position, normal, thin, lamp_albedo, lamp_view);
+#else
+    vec3 light = light_irradiance_at(place, power, position, normal, thin);
+#endif
 #if LAMP_SHADOWS
     keep_strongest(strongest, light, place.xyz);
 #endif
@@ -71,9 +80,13 @@ vec3 table_irradiance(vec3 position, vec3 normal, float thin) {
     return sum;
 }
 
-/// Irradiance of the lamps on a surface; `thin`: 1 if it is lit from either side.
-vec3 lamps_irradiance(vec3 player, vec3 normal, float thin) {
+/// What a surface reflects of the lamps; `thin`: 1 if it is lit from either side.
+vec3 lamps_radiance(vec3 player, vec3 normal, float thin, vec3 albedo) {
     vec3 position = to_lamp_space(player);
+#if LAMP_GLOSS
+    lamp_albedo = albedo;
+    lamp_view = -normalize(player);
+#endif
 #if LAMP_SHADOWS
     strongest = no_lamps();
 #endif
@@ -86,7 +99,11 @@ vec3 lamps_irradiance(vec3 player, vec3 normal, float thin) {
 #if LAMP_SHADOWS
     light = max(light - hidden_light(strongest, player, normal), 0.0);
 #endif
+#if LAMP_GLOSS
     return light;
+#else
+    return albedo / pi * light;
+#endif
 }
 
 #endif
