@@ -18,7 +18,7 @@ import matplotlib.pyplot as plt  # noqa: E402
 
 from chart_runs import SOURCE, rows_of, run_chart  # noqa: E402
 
-SCENES = [("h6_hall", "hall"), ("lamps", "hall"), ("lamps", "row")]
+SCENES = [("rooms", "above"), ("rooms", "door"), ("lamps", "row"), ("lamps", "hall"), ("h6_hall", "hall")]
 RAYS = [0, 1, 2, 4, 8]
 LAMPS_ALONE = ["AMBIENT_MINIMUM=0.0", "SKY_STRENGTH=0.0", "DIRECT_LIGHT=NONE"]
 COMMON = ["GI_METHOD=NONE", "SHADOW_METHOD=NONE", "LIGHT_METHOD=CLUSTERED", *LAMPS_ALONE]

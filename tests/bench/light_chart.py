@@ -32,7 +32,8 @@ LISTED = ["CLUSTERED", "TILED"]
 LAMPS = [16, 64, 256, 1024, 4096, 16384]
 COMMON = ["GI_METHOD=NONE", "SHADOW_METHOD=NONE", "DIRECT_LIGHT=NONE", "LIGHT_CAPACITY=16384", "LIGHT_LIST=2048"]
 COLUMNS, SLICES, SLICING = [8, 16, 20, 32], [1, 8, 16, 24, 32], ["LINEAR", "LOGARITHMIC"]
-LIGHTING = ["deferred4", "gbuffers_terrain", "gbuffers_water"]  # passes in which lamps shine
+LIGHTING = ("deferred4",)  # passes in which lamps shine, as their names begin
+FORWARD_LIGHTING = ("gbuffers_terrain", "deferred4")
 CULLING = ["shadowcomp2", "shadowcomp3", "shadowcomp4", "shadowcomp5"]
 TURN = 12  # frames
 
@@ -111,9 +112,15 @@ def culling(args, lamps, settings):
     return statistics.median(frames.values())
 
 
-def shading(passes, dark):
+def sum_of(passes, names):
+    """Milliseconds of the passes whose names begin so."""
+    return sum(ms for name, ms in passes.items() if name.startswith(names))
+
+
+def shading(passes, dark, method):
     """Milliseconds that lamps add to the passes of a frame; `dark`: the passes without lamps."""
-    return sum(passes.get(name, 0) - dark.get(name, 0) for name in LIGHTING)
+    names = FORWARD_LIGHTING if method == "FORWARD" else LIGHTING
+    return sum_of(passes, names) - sum_of(dark, names)
 
 
 def lamp_rows(args):
@@ -138,7 +145,7 @@ def lamp_rows(args):
                     cull = kept(args, f"cull{lamps}-{method}", lambda: culling(args, lamps, [f"LIGHT_METHOD={method}"]))
                     counts = kept(args, f"count{lamps}-{method}", lambda: count(args, world, [f"LIGHT_METHOD={method}"]))
                 if found and cull is not None and counts:
-                    yield [lamps, method, shading(found, passes["LIGHT_METHOD=NONE"]), cull, found.get("shadow", 0),
+                    yield [lamps, method, shading(found, passes["LIGHT_METHOD=NONE"], method), cull, sum_of(found, ("shadow_",)),
                            counts["lights"], counts["entries"], counts["longest"]]
 
 

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Charts what shadow maps cost beside how many pixels they get wrong, shadow volumes among them.
 
-Maps of 256 to 4096 texels with each filter and bias: processor time of a frame over that without shadows (`orris
-chart`, interleaved), and pixels on the wrong side of a ray-cast mask (`orris trace --shadow-mask`), on its edges and
-inside. Writes shadows.csv and shadows.svg into the folder. A second run of the same command goes on where the first
+Maps of 256 to 4096 texels with each filter and bias, and shadow volumes by each method: processor time of a frame over
+that without shadows (`orris chart`, interleaved), and pixels on the wrong side of a ray-cast mask (`orris trace
+--shadow-mask`), on its edges and inside. Writes shadows.csv and shadows.png into the folder. A second run of the same command goes on where the first
 one ended. Needs matplotlib (python3-matplotlib)."""
 
 import argparse
@@ -28,7 +28,7 @@ KINDS = {
     "3 x 3, hardware": ["SHADOW_METHOD=MAP_PCF", "SHADOW_COMPARE=HARDWARE"],
 }
 BIASES = {"normal offset": "SHADOW_BIAS=NORMAL_OFFSET", "published bias": "SHADOW_BIAS=PUBLISHED"}
-VOLUMES = "volumes"
+VOLUMES = {"volumes, z-pass": "VOLUME_ZPASS", "volumes, z-fail": "VOLUME_ZFAIL", "volumes, automatic": "VOLUME_AUTO"}
 
 
 def measure_errors(args, settings, mask):
@@ -51,32 +51,25 @@ def measure(args):
     def add(kind, bias, texels, settings, milliseconds):
         rows.append([kind, bias, texels, round(milliseconds, 3), *measure_errors(args, settings, mask)])
 
+    def chart(name, axes, settings, baseline):
+        return frame_times(args.orris, args.pack, args.world, args.folder / name, axes, size=args.size, camera=args.camera,
+                           rounds=args.rounds, settings=["GI_METHOD=NONE", *settings], baseline=baseline)
+
+    # Without shadows in each run: it is what costs are told over.
     for bias, bias_setting in BIASES.items():
         for compare in ("TEXEL", "HARDWARE"):
-            # Without shadows in each run: it is what costs are told over.
-            times = frame_times(args.orris, args.pack, args.world, args.folder / f"{bias.split()[0]}-{compare}",
-                                ["SHADOW_METHOD=NONE,MAP,MAP_PCF,VOLUME_AUTO", "SHADOW_RESOLUTION"], size=args.size,
-                                camera=args.camera, rounds=args.rounds,
-                                settings=["GI_METHOD=NONE", bias_setting, f"SHADOW_COMPARE={compare}"],
-                                baseline="SHADOW_METHOD=NONE,SHADOW_RESOLUTION=256",
-                                reference="SHADOW_METHOD=VOLUME_AUTO,SHADOW_RESOLUTION=256")
-
-            def over_none(method, texels):
-                own = next(ms for label, ms in times.items()
-                           if f"SHADOW_METHOD={method}" in label.split() and f"SHADOW_RESOLUTION={texels}" in label.split())
-                none = sum(ms for label, ms in times.items() if "SHADOW_METHOD=NONE" in label) / len(TEXELS)
-                return own - none
-
+            times = chart(f"{bias.split()[0]}-{compare}", ["SHADOW_METHOD=NONE,MAP,MAP_PCF", "SHADOW_RESOLUTION"],
+                          [bias_setting, f"SHADOW_COMPARE={compare}"], "SHADOW_METHOD=NONE,SHADOW_RESOLUTION=256")
+            none = sum(ms for label, ms in times.items() if "SHADOW_METHOD=NONE" in label) / len(TEXELS)
             for kind, settings in KINDS.items():
-                if ("hardware" in kind) != (compare == "HARDWARE"):
-                    continue
-                method = settings[0].split("=")[1]
-                for texels in TEXELS:
-                    add(kind, bias, texels, [*settings, bias_setting, f"SHADOW_RESOLUTION={texels}"],
-                        over_none(method, texels))
-            if not any(row[0] == VOLUMES for row in rows):
-                milliseconds = sum(over_none("VOLUME_AUTO", texels) for texels in TEXELS) / len(TEXELS)
-                add(VOLUMES, "", 0, ["SHADOW_METHOD=VOLUME_AUTO"], milliseconds)
+                for texels in TEXELS if ("hardware" in kind) == (compare == "HARDWARE") else []:
+                    asked = {settings[0], f"SHADOW_RESOLUTION={texels}"}
+                    own = next(ms for label, ms in times.items() if asked <= set(label.split()))
+                    add(kind, bias, texels, [*settings, bias_setting, f"SHADOW_RESOLUTION={texels}"], own - none)
+    times = chart("volumes", ["SHADOW_METHOD=NONE," + ",".join(VOLUMES.values())], [], "SHADOW_METHOD=NONE")
+    for kind, method in VOLUMES.items():
+        setting = f"SHADOW_METHOD={method}"
+        add(kind, "", 0, [setting], times[setting] - times["SHADOW_METHOD=NONE"])
     return rows
 
 
@@ -91,9 +84,10 @@ def draw(rows, path, title):
                 for row in line if kind == "3 x 3" and style == "-" else []:
                     axes.annotate(str(row[2]), (max(row[column], 0.5), row[3]), fontsize=7, xytext=(4, 3),
                                   textcoords="offset points")
-        for row in rows:
-            if row[0] == VOLUMES:
-                axes.plot([max(row[column], 0.5)], [row[3]], "k*", ms=13, label=VOLUMES)
+        for marker, kind in zip("^v*", VOLUMES):
+            for row in rows:
+                if row[0] == kind:
+                    axes.plot([max(row[column], 0.5)], [row[3]], "k" + marker, ms=9, label=kind)
         axes.set(xscale="log", yscale="log", xlabel=f"{name} (none: 0.5)")
         axes.grid(True, which="both", alpha=0.2)
     both[0].set_ylabel("ms of processor time over no shadows")
@@ -117,7 +111,7 @@ def main():
     rows = measure(args)
     with (args.folder / "shadows.csv").open("w", newline="") as file:
         csv.writer(file).writerows([["filter", "bias", "texels", "ms", "edge", "interior", "pixels"], *rows])
-    draw(rows, args.folder / "shadows.svg",
+    draw(rows, args.folder / "shadows.png",
          f"{args.world.name}, {args.camera}, {args.size}: maps of 256 to 4096 texels, and shadow volumes")
 
 
