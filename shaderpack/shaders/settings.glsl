@@ -51,6 +51,9 @@
 #define GRID 1
 #define DISTANCE 2
 
+#define BLOCKS 1
+#define RADIANCE 2
+
 #define REINHARD 1
 #define ACES 2
 
@@ -79,6 +82,8 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 //#define GI_GLOSSY // Polished blocks and metals mirror the voxels about them
 #define VOXEL_SIZE AUTO // [32 48 64 96 128 AUTO]
 #define RAY_WALK DISTANCE // [GRID DISTANCE]
+#define VOXEL_VIEW NONE // [NONE BLOCKS RADIANCE]
+#define VOXEL_VIEW_FROM 0.0 // [0.0 2.0 4.0 8.0 12.0 16.0 24.0]
 
 // Many lamps
 #define LIGHT_METHOD NONE // [NONE FORWARD DEFERRED TILED CLUSTERED AUTO]
@@ -182,7 +187,8 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 #define LAMP_RAYS (FACES && !LAMPS && GI_LAMPS == SAMPLED)
 #define LAMPS_FORWARD (LAMPS && LIGHT_METHOD == FORWARD)
 
-// Views of the grid.
+// Views of the volume of voxels, and of the grid of clusters.
+#define VOXELS_SHOWN (VOXEL_VIEW != NONE && GATHERED)
 #define LIGHT_DEBUG_VIEW (LIGHT_DEBUG != NONE && LIGHT_GRID)
 
 #if LIGHT_METHOD == TILED

@@ -136,4 +136,8 @@ MUTANTS = [
        "matt *= 1.0;")]),
     ("gloss taken for light from both sides", "glossy.*",
      [("include/gbuffer.glsl", "material -= float(s.gloss) * material_gloss;", "")]),
+    ("view of the volume from the eye on", "picture.view*",
+     [("include/voxel/view.glsl", "direction * VOXEL_VIEW_FROM", "direction * 0.0")]),
+    ("view shows light as blocks", "picture.view*",
+     [("include/voxel/view.glsl", "#elif VOXEL_VIEW == RADIANCE && FACES", "#elif false")]),
 ]

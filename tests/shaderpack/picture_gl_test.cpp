@@ -85,6 +85,34 @@ TEST(picture, sun_stays_out_of_a_closed_room_without_shadows) {
   }
 }
 
+// A red wall before a green one.
+TEST(picture, view_of_the_volume_shows_what_rays_meet_beyond_a_distance) {
+  const char* const world = R"({
+    "size": [9, 7, 9],
+    "blocks": [{"hollow": "white_concrete", "min": [0, 0, 0], "max": [8, 6, 8]},
+               {"box": "lime_concrete", "min": [1, 1, 0], "max": [7, 5, 0]},
+               {"box": "red_concrete", "min": [1, 1, 4], "max": [7, 5, 4]},
+               {"block": "glowstone", "at": [4, 6, 2]}],
+    "cameras": [{"name": "eye", "position": [4.5, 3.5, 7.5], "yaw": 180, "pitch": 0, "fov": 30}],
+    "environment": {"time": 18000}
+  })";
+  const auto seen = [&](const char* method, const char* view, const char* from) {
+    PackSession pack(world,
+                     {{"GI_METHOD", method}, {"VOXEL_VIEW", view}, {"VOXEL_VIEW_FROM", from}});
+    pack.renderFrames(40);
+    return pack.meanRadiance();
+  };
+  const glm::dvec3 near = seen("FACE_CACHE", "BLOCKS", "0.0");
+  EXPECT_GT(near.r, 3 * near.g);
+  const glm::dvec3 far = seen("FACE_CACHE", "BLOCKS", "4.0");
+  EXPECT_GT(far.g, 1.5 * far.r);
+  // Only behind the red wall there is light.
+  for (const char* method : {"FACE_CACHE", "FLOODFILL"}) {
+    EXPECT_LT(seen(method, "RADIANCE", "0.0").g, .01) << method;
+    EXPECT_GT(seen(method, "RADIANCE", "4.0").g, .1) << method;
+  }
+}
+
 bool mentions(const Schedule& schedule, const ShaderPack& pack, const std::string& program) {
   return std::any_of(schedule.programs.begin(), schedule.programs.end(),
                      [&](int index) { return pack.programs[index].name == program; });

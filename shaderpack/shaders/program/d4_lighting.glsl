@@ -7,6 +7,9 @@ void main() { gl_Position = ftransform(); }
 
 #else
 
+#if VOXELS_SHOWN
+#extension GL_ARB_shader_image_load_store : enable
+#endif
 #define READ_GBUFFER
 #if GATHERED
 #define READ_VOXELS
@@ -42,6 +45,9 @@ uniform sampler2D colortex3;
 
 #if LIGHT_DEBUG_VIEW
 #include "/include/lights/debug.glsl"
+#endif
+#if VOXELS_SHOWN
+#include "/include/voxel/view.glsl"
 #endif
 
 uniform sampler2D colortex0;
@@ -117,6 +123,9 @@ void main() {
     out_color = vec4(s.sky ? behind : light_surface(s, pixel), 1.0);
 #if LIGHT_DEBUG_VIEW
     out_color = vec4(light_debug(s), 1.0);
+#endif
+#if VOXELS_SHOWN
+    out_color = vec4(voxel_view(s.player), 1.0);
 #endif
 #ifdef SHADOW_VIEW
     out_color = vec4(vec3(s.sky ? 1.0 : sun_arrives(s, pixel)), 1.0);

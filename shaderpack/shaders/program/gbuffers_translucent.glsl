@@ -129,6 +129,9 @@ void main() {
 #ifdef SHADOW_VIEW
     discard;
 #endif
+#if VOXELS_SHOWN
+    discard;
+#endif
     vec4 color = texture(gtexture, uv) * vec4(tint.rgb, 1.0);
     if (color.a < alphaTestRef) discard;
     vec3 albedo = to_linear(color.rgb);
