@@ -46,7 +46,7 @@ def draw(rows, path, size):
         for row in own:
             axes.annotate(str(row[1]), (row[4], row[2]), fontsize=8, xytext=(4, 3), textcoords="offset points")
     axes.set(xlabel="error of the lamps' direct light, rms of relative errors", ylabel="ms of processor time a frame",
-             title=f"rays to so many lamps, {size}", ylim=(0, None))
+             title=f"rays to so many lamps, {size}", ylim=(0, None), xscale="log")
     axes.title.set_fontsize(10)
     axes.grid(True, alpha=0.2)
     axes.legend(fontsize=8)
