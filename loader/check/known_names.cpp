@@ -39,7 +39,7 @@ struct Numbered {
 constexpr Numbered kNumbered[] = {
     {NameKind::Sampler, "colortex", 32}, {NameKind::Sampler, "shadowcolor", 8},
     {NameKind::Sampler, "depthtex", 3},  {NameKind::Sampler, "shadowtex", 2},
-    {NameKind::Sampler, "stenciltex", 1},
+    {NameKind::Sampler, "stenciltex", 2},
     {NameKind::Image, "colorimg", 32},   {NameKind::Image, "shadowcolorimg", 8},
 };
 constexpr std::string_view kBufferAliases[] = {

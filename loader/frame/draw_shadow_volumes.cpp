@@ -51,31 +51,55 @@ int FrameRenderer::facesAtEye() const {
 }
 
 int FrameRenderer::silhouetteBuilds() const {
-  return loaded_->volumes ? loaded_->volumes->builds() : 0;
+  return (loaded_->volumes ? loaded_->volumes->builds() : 0) +
+         (loaded_->lampVolumes ? loaded_->lampVolumes->builds() : 0);
 }
 
-void FrameRenderer::drawShadowVolumes(const Step& step, const FrameState& state) {
-  std::string error;
-  gl::BindFramebuffer(GL_FRAMEBUFFER, loaded_->targets->framebuffer(step, error).id());
-  gl::Viewport(0, 0, options_.width, options_.height);
-  setVolumeState();
-  ShadowVolumes& volumes = *loaded_->volumes;
+VolumeMethod FrameRenderer::volumeMethod() const {
+  const auto method = pack_->properties.settings.find("shadowvolume.method");
+  return method == pack_->properties.settings.end() ? VolumeMethod::Auto
+                                                    : volumeMethodOf(method->second);
+}
+
+const gl::Program& FrameRenderer::useVolumeProgram(const Step& step, const FrameState& state,
+                                                   const glm::ivec3& origin) {
   DrawState draw;
-  const glm::vec3 offset(glm::dvec3(volumes.origin()) - state.cameraPosition);
+  const glm::vec3 offset(glm::dvec3(origin) - state.cameraPosition);
   draw.modelView = glm::translate(state.gbufferModelView, offset);
   draw.projection = state.gbufferProjection;
   draw.textureMatrix = glm::mat4(1);
   loadMatrices(draw.modelView, draw.projection, false);
   const GpuProgram& program = programOf(step);
   useProgram(program, step, state, draw);
-  const auto method = pack_->properties.settings.find("shadowvolume.method");
-  volumes.draw(
-      program.program,
-      glm::vec4(shadowLightDirection(state.skyAngle, pack_->directives.sunPathRotation), 0),
-      eyePyramid(state),
-      method == pack_->properties.settings.end() ? VolumeMethod::Auto
-                                                 : volumeMethodOf(method->second));
-  SamplerBinder::unbind(program);
+  return program.program;
+}
+
+void FrameRenderer::drawLampVolumes(const Step& step, const FrameState& state) {
+  LampVolumes& lamps = *loaded_->lampVolumes;
+  gl::BindFramebuffer(GL_FRAMEBUFFER, loaded_->targets->lampFramebuffer().id());
+  const gl::Program& program = useVolumeProgram(step, state, lamps.origin());
+  const glm::vec3 offset(glm::dvec3(lamps.origin()) - state.cameraPosition);
+  lamps.draw(program, {state.gbufferProjection * glm::translate(state.gbufferModelView, offset),
+                       eyePyramid(state), options_.width, options_.height, volumeMethod()});
+}
+
+void FrameRenderer::drawShadowVolumes(const Step& step, const FrameState& state) {
+  gl::Viewport(0, 0, options_.width, options_.height);
+  if (schedule_.lampShadows) {
+    const std::uint32_t none = 0;
+    gl::ClearTexImage(loaded_->targets->lampShadows().id(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT,
+                      &none);
+  }
+  setVolumeState();
+  if (loaded_->lampVolumes) drawLampVolumes(step, state);
+  if (loaded_->volumes) {
+    std::string error;
+    gl::BindFramebuffer(GL_FRAMEBUFFER, loaded_->targets->framebuffer(step, error).id());
+    const gl::Program& program = useVolumeProgram(step, state, loaded_->volumes->origin());
+    const glm::vec3 light = shadowLightDirection(state.skyAngle, pack_->directives.sunPathRotation);
+    loaded_->volumes->draw(program, glm::vec4(light, 0), eyePyramid(state), volumeMethod());
+  }
+  SamplerBinder::unbind(programOf(step));
   unsetVolumeState();
 }
 

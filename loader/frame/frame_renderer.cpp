@@ -60,6 +60,7 @@ bool FrameRenderer::setPack(std::shared_ptr<const ShaderPack> pack, const SceneD
 void FrameRenderer::updateScene(const SceneData& scene) {
   loaded_->scene->uploadMesh(scene, blockIdsOf(*pack_, scene.world.blocks), vertexStyleOf(*pack_));
   if (loaded_->volumes) loaded_->volumes->setCasters(castersOf(scene.mesh, scene.atlas));
+  if (loaded_->lampVolumes) loaded_->lampVolumes->setScene(scene);
 }
 
 bool FrameRenderer::resize(int width, int height, Diagnostics& diagnostics) {
@@ -73,7 +74,9 @@ bool FrameRenderer::resize(int width, int height, Diagnostics& diagnostics) {
   return !hasErrors(diagnostics);
 }
 
-void FrameRenderer::render(const FrameState& state) {
+void FrameRenderer::render(const FrameState& given) {
+  FrameState state = given;
+  if (loaded_->lampVolumes) state.volumeLights = loaded_->lampVolumes->choose(state.cameraPosition);
   gl::PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   gl::PixelStorei(GL_PACK_ALIGNMENT, 1);
   stepTimes_.clear();

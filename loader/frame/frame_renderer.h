@@ -13,6 +13,7 @@
 #include "frame/pack_resources.h"
 #include "frame/render_targets.h"
 #include "frame/sampler_binder.h"
+#include "frame/shadow_volumes.h"
 #include "gl/context.h"
 #include "image/image.h"
 
@@ -86,6 +87,10 @@ class FrameRenderer {
   void drawClouds(const Step& step, const GpuProgram& program, const FrameState& state,
                   DrawState& draw);
   void drawShadowVolumes(const Step& step, const FrameState& state);
+  void drawLampVolumes(const Step& step, const FrameState& state);
+  const gl::Program& useVolumeProgram(const Step& step, const FrameState& state,
+                                      const glm::ivec3& origin);
+  VolumeMethod volumeMethod() const;
   void dispatch(const Step& step, const FrameState& state);
   void present(const Step& step, const FrameState& state);
   void buildMipmaps(const Step& step);

@@ -2,13 +2,18 @@
 // One plain value, made from the world and the previous frame. Contract: uniforms.csv.
 #pragma once
 
+#include <array>
 #include <glm/glm.hpp>
 
 #include "pack/directives.h"
+#include "pack/volume_lights.h"
 #include "world/light.h"
 #include "world/world.h"
 
 namespace orris {
+
+/// Lamps that have shadow volumes: place in player space, range in blocks; 0 where there is none.
+using VolumeLights = std::array<glm::vec4, kMostVolumeLights>;
 
 /// Matrices are column-major GL matrices. "player space" has world axes and the eye at the origin.
 struct FrameState {
@@ -33,6 +38,7 @@ struct FrameState {
   float wetness = 0;
   float centerDepthSmooth = 1;
   int isEyeInWater = 0;  ///< 0 none, 1 water, 2 lava
+  VolumeLights volumeLights{};
   int emptyHandId = -1;  ///< heldItemId of an empty hand; 0 for a pack without item.properties
 };
 

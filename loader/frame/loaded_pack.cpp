@@ -77,8 +77,12 @@ FrameRenderer::Loaded::Loaded(const ShaderPack& pack, const Schedule& schedule,
   resources = std::make_unique<PackResources>(pack, schedule.width, schedule.height, diagnostics);
   if (schedule.noisetex)
     noise = makeNoiseTexture(std::clamp(pack.directives.noiseTextureResolution, 1, 4096));
-  if (schedule.stencil)
+  if (schedule.sunVolumes)
     volumes = std::make_unique<ShadowVolumes>(castersOf(sceneData.mesh, sceneData.atlas));
+  const auto lights = pack.properties.settings.find("shadowvolume.lights");
+  if (schedule.lampShadows && lights != pack.properties.settings.end())
+    lampVolumes = std::make_unique<LampVolumes>(
+        sceneData, parseVolumeLights(lights->second).value_or(VolumeLightSettings()));
   if (previous == nullptr || freshTargets) return;
   resources->clearImages(true);
 }

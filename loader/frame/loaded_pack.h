@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "frame/frame_renderer.h"
-#include "frame/shadow_volumes.h"
+#include "frame/lamp_volumes.h"
 
 namespace orris {
 
@@ -29,6 +29,7 @@ struct FrameRenderer::Loaded {
   std::shared_ptr<GpuScene> scene;
   std::unique_ptr<PackResources> resources;
   std::unique_ptr<ShadowVolumes> volumes;  ///< only where the schedule has them
+  std::unique_ptr<LampVolumes> lampVolumes;
   gl::Texture noise;
   CustomUniforms custom;
   std::unique_ptr<SamplerBinder> binder;

@@ -67,7 +67,7 @@ std::optional<BufferName> parseBufferName(std::string_view name, bool watershado
       {"colortex", Kind::Color, false, 16},         {"colorimg", Kind::Color, true, 16},
       {"shadowcolor", Kind::ShadowColor, false, 8}, {"shadowcolorimg", Kind::ShadowColor, true, 8},
       {"depthtex", Kind::Depth, false, 3},          {"shadowtex", Kind::ShadowDepth, false, 2},
-      {"stenciltex", Kind::Stencil, false, 1}};
+      {"stenciltex", Kind::Stencil, false, 2}};
   for (const Prefix& prefix : kPrefixes)
     if (const auto index = numberAfter(canonical, prefix.text); index && *index < prefix.count)
       return BufferName{prefix.kind, *index, prefix.image};

@@ -57,7 +57,8 @@ std::optional<ImageF> FrameRenderer::dump(const std::string& name) const {
   if (const auto buffer = parseBufferName(name, false)) {
     const int i = buffer->index;
     if (buffer->kind == BufferName::Kind::Depth) texture = &loaded_->targets->depth(i);
-    if (buffer->kind == BufferName::Kind::Stencil) texture = &loaded_->targets->stencil();
+    if (buffer->kind == BufferName::Kind::Stencil)
+      texture = i == 0 ? &loaded_->targets->stencil() : &loaded_->targets->lampShadows();
     if (buffer->kind == BufferName::Kind::ShadowDepth) texture = &loaded_->targets->shadowDepth(i);
     const bool shadow = buffer->kind == BufferName::Kind::ShadowColor;
     if (shadow || buffer->kind == BufferName::Kind::Color)
@@ -81,6 +82,7 @@ std::string FrameRenderer::bufferNames() const {
   for (int i = 0; i < 3; ++i)
     if (loaded_->targets->depth(i).id() != 0) names += fmt::format("depthtex{} ", i);
   if (loaded_->targets->stencil().id() != 0) names += "stenciltex0 ";
+  if (loaded_->targets->lampShadows().id() != 0) names += "stenciltex1 ";
   for (int i = 0; i < 2; ++i)
     if (loaded_->targets->shadowDepth(i).id() != 0) names += fmt::format("shadowtex{} ", i);
   for (const ImageResource& image : loaded_->resources->images()) names += image.plan.name + " ";

@@ -84,6 +84,9 @@ RenderTargets::RenderTargets(const Schedule& schedule, bool floatScreen,
   if (schedule.depthtex1) depth_[1] = makeDepth("depthtex1");
   if (schedule.depthtex2) depth_[2] = makeDepth("depthtex2");
   if (schedule.stencil) stencil_ = gl::createStencilView(depth_[0], "stenciltex0");
+  if (schedule.lampShadows)
+    lampShadows_ = gl::createTexture(2, *gl::findFormat("R8UI"), schedule.width, schedule.height, 1,
+                                     1, "stenciltex1");
   if (const int size = schedule.shadowResolution; size > 0) {
     shadowDepth_[0] = gl::createDepthTexture(size, size, levelsFor(size, size), "shadowtex0");
     if (schedule.shadowtex1)
@@ -124,6 +127,15 @@ const gl::Framebuffer& RenderTargets::screenFramebuffer() {
   std::string error;
   return framebuffers_
       .emplace("screen", gl::createFramebuffer({&screen_}, nullptr, "screen", error))
+      .first->second;
+}
+
+const gl::Framebuffer& RenderTargets::lampFramebuffer() {
+  const auto it = framebuffers_.find("lamps");
+  if (it != framebuffers_.end()) return it->second;
+  std::string error;
+  return framebuffers_
+      .emplace("lamps", gl::createFramebuffer({&lampShadows_}, &depth_[0], "lamp shadows", error))
       .first->second;
 }
 

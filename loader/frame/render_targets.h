@@ -34,12 +34,16 @@ class RenderTargets {
   const gl::Texture& depth(int index) const { return depth_[index]; }
   /// The stencil of depth(0); id 0 without shadow volumes.
   const gl::Texture& stencil() const { return stencil_; }
+  /// stenciltex1: a bit for each lamp with volumes; id 0 where none is read.
+  const gl::Texture& lampShadows() const { return lampShadows_; }
   const gl::Texture& shadowDepth(int index) const { return shadowDepth_[index]; }
   const gl::Texture& screen() const { return screen_; }
 
   /// Framebuffer of what a step writes; made once. id 0 and a message in `error` on failure.
   const gl::Framebuffer& framebuffer(const Step& step, std::string& error);
   const gl::Framebuffer& screenFramebuffer();
+  /// lampShadows() over the depth.
+  const gl::Framebuffer& lampFramebuffer();
 
   /// Every side of what holds nothing yet to its clear colour (first use, resize), and the depth.
   void clearFresh(const float fogColor[3]);
@@ -56,7 +60,7 @@ class RenderTargets {
   static Targets makeTargets(const std::vector<TargetPlan>& plans, const char* kind,
                              const Targets* previous, Diagnostics& diagnostics);
   Targets color_, shadowColor_;
-  gl::Texture depth_[3], stencil_, shadowDepth_[2], screen_;
+  gl::Texture depth_[3], stencil_, lampShadows_, shadowDepth_[2], screen_;
   std::map<std::string, gl::Framebuffer> framebuffers_;
 };
 

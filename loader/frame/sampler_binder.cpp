@@ -70,7 +70,7 @@ SamplerBinder::Choice SamplerBinder::chooseBuffer(const SamplerBinding& sampler,
     case BufferName::Kind::Stencil:
       // While geometry is drawn the stencil is attached.
       if (isGeometry(step)) break;
-      return {&targets_.stencil(), {.integer = true}};
+      return {buffer.index == 0 ? &targets_.stencil() : &targets_.lampShadows(), {.integer = true}};
     case BufferName::Kind::ShadowDepth: {
       const ShadowDepthSettings& settings = directives_.shadowtex[buffer.index];
       const bool compare = gl::isShadowSampler(sampler.type);

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "frame/celestial.h"
+#include "world/mesh_lamps.h"
 #include "world/silhouette.h"
 
 namespace orris {
@@ -21,11 +22,6 @@ struct Seen {
   double distance = 0;
   glm::dvec3 place{0};
   glm::ivec3 before{0};  ///< the cell from which it is seen
-};
-
-struct Lamp {
-  glm::dvec3 place{0};
-  int level = 0;
 };
 
 class Measuring {
@@ -74,7 +70,8 @@ class Measuring {
   double lampsReaching() {
     double count = 0;
     for (const Seen& point : seen())
-      for (const Lamp& lamp : lamps()) count += glm::distance(point.place, lamp.place) < lamp.level;
+      for (const MeshLamp& lamp : lamps())
+        count += glm::distance(point.place, lamp.place()) < lamp.level;
     return seen().empty() ? 0 : count / double(seen().size());
   }
 
@@ -112,16 +109,11 @@ class Measuring {
     return *casters_;
   }
 
-  const std::vector<Lamp>& lamps() {
+  const std::vector<MeshLamp>& lamps() {
     if (lamps_) return *lamps_;
-    lamps_.emplace();
-    std::set<std::array<int, 3>> cells;
-    forEachQuad([&](const MeshSection& section, const BlockVertex& vertex) {
-      if (vertex.midBlock.w <= 0) return;
-      const glm::vec3 middle = vertex.position + glm::vec3(vertex.midBlock) / 64.0f;
-      const glm::ivec3 cell = section.origin + glm::ivec3(glm::floor(middle));
-      if (cells.insert({cell.x, cell.y, cell.z}).second)
-        lamps_->push_back({glm::dvec3(cell) + 0.5, vertex.midBlock.w});
+    lamps_ = lampsOf(scene_.mesh);
+    std::erase_if(*lamps_, [&](const MeshLamp& lamp) {
+      return glm::distance(lamp.place(), view_.cameraPosition) > directives_.shadowDistance;
     });
     return *lamps_;
   }
@@ -173,7 +165,7 @@ class Measuring {
   const FrameState& view_;
   const PackDirectives& directives_;
   std::optional<CasterSet> casters_;
-  std::optional<std::vector<Lamp>> lamps_;
+  std::optional<std::vector<MeshLamp>> lamps_;
   std::optional<std::vector<Seen>> seen_;
 };
 

@@ -246,11 +246,12 @@ class Builder {
   void addShadowVolumes() {
     const ProgramSource* program = pack_.find("shadowvolume");
     if (program == nullptr || program->stages.empty() || !declaresShadowVolumes()) return;
-    const auto reads = [&](size_t i) {
-      return isFullscreen(pack_.programs[i].group) && uses_[i].contains("stenciltex0");
-    };
-    for (size_t i = 0; i < pack_.programs.size() && !schedule_.stencil; ++i)
-      schedule_.stencil = reads(i);
+    for (size_t i = 0; i < pack_.programs.size(); ++i) {
+      if (!isFullscreen(pack_.programs[i].group)) continue;
+      schedule_.sunVolumes |= uses_[i].contains("stenciltex0");
+      schedule_.lampShadows |= uses_[i].contains("stenciltex1");
+    }
+    schedule_.stencil = schedule_.sunVolumes || schedule_.lampShadows;
     if (!schedule_.stencil) return;
     Step& step = add(Kind::ShadowVolumes, program->name);
     step.program = indexOf(program);
@@ -336,7 +337,8 @@ bool Schedule::sameTargets(const Schedule& other) const {
   return width == other.width && height == other.height &&
          shadowResolution == other.shadowResolution && colortex == other.colortex &&
          shadowcolor == other.shadowcolor && shadowtex1 == other.shadowtex1 &&
-         depthtex1 == other.depthtex1 && depthtex2 == other.depthtex2 && stencil == other.stencil;
+         depthtex1 == other.depthtex1 && depthtex2 == other.depthtex2 && stencil == other.stencil &&
+         lampShadows == other.lampShadows;
 }
 
 Schedule buildSchedule(const ShaderPack& pack, int width, int height, const SceneContents& scene,

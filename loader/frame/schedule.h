@@ -81,6 +81,7 @@ struct Schedule {
   std::vector<TargetPlan> colortex, shadowcolor;
   bool shadowtex1 = false, depthtex1 = false, depthtex2 = false, noisetex = false;
   bool stencil = false;  ///< the depth textures have one, for shadow volumes
+  bool sunVolumes = false, lampShadows = false;  ///< stenciltex0, stenciltex1 are read
   bool centerDepth = false;
   std::vector<Step> setup;  ///< once after load and resize
   std::vector<Step> frame;

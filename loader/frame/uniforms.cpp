@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 #include <glm/gtc/type_ptr.hpp>
+#include <utility>
 #include <vector>
 
 #include "pack/expression_functions.h"
@@ -74,6 +75,16 @@ using D = const DrawState&;
       return expr;                                       \
     }                                                    \
   }
+
+template <std::size_t... kIndex>
+void addVolumeLights(std::vector<UniformRow>& rows, std::index_sequence<kIndex...>) {
+  static constexpr std::string_view kNames[] = {
+      "shadowVolumeLight0", "shadowVolumeLight1", "shadowVolumeLight2", "shadowVolumeLight3",
+      "shadowVolumeLight4", "shadowVolumeLight5", "shadowVolumeLight6", "shadowVolumeLight7"};
+  (rows.push_back({kNames[kIndex], ValueType::Vec4, false,
+                   [](S s, D) { return valueOf(s.volumeLights[kIndex]); }}),
+   ...);
+}
 
 // clang-format off
 std::vector<UniformRow> makeTable() {
@@ -239,6 +250,7 @@ std::vector<UniformRow> makeTable() {
     FRAME("vivecraftRelativeMainHandRot", Mat4, valueOf(glm::mat4(1))),
     FRAME("vivecraftRelativeOffHandRot", Mat4, valueOf(glm::mat4(1))),
   };
+  addVolumeLights(rows, std::make_index_sequence<kMostVolumeLights>());
   for (const char* name : {"vehicleInWater", "isRiding", "inSwimmingAnimation", "feetInWater",
                            "isElytraFlying", "is_child", "is_glowing", "is_in_lava", "is_in_water",
                            "is_ridden", "is_riding", "is_wet", "vivecraftIsVR"})

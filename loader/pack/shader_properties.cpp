@@ -8,6 +8,7 @@
 
 #include "pack/property_keys.h"
 #include "pack/text.h"
+#include "pack/volume_lights.h"
 
 namespace orris {
 namespace {
@@ -89,6 +90,7 @@ const std::vector<Setting>& settings() {
 
 std::vector<std::string> settingNames() {
   std::vector<std::string> names{"weather",
+                                 "shadowvolume.lights",
                                  "sliders",
                                  "screen",
                                  "screen.columns",
@@ -128,6 +130,17 @@ void readWeather(const PropertyContext& context) {
     context.out.settings["weather"] = context.entry.value;
   } else {
     context.warn("property-value", "weather expects one or two of true and false");
+  }
+}
+
+void readVolumeLights(const PropertyContext& context) {
+  if (parseVolumeLights(context.entry.value)) {
+    context.out.settings["shadowvolume.lights"] = context.entry.value;
+  } else {
+    context.warn("property-value",
+                 fmt::format("shadowvolume.lights is \"{}\", expected a number of lamps from 0 to "
+                             "{} and, if wanted, blocks of range a light level",
+                             context.entry.value, kMostVolumeLights));
   }
 }
 
@@ -172,8 +185,9 @@ void reportUnknown(const PropertyContext& context) {
 
 bool isKnownKey(std::string_view key) {
   const auto& names = settings();
-  return key == "weather" || key == "screen" || key.starts_with("screen.") ||
-         key.starts_with("profile.") || key.starts_with("auto.") || key.starts_with("warn.") ||
+  return key == "weather" || key == "shadowvolume.lights" || key == "screen" ||
+         key.starts_with("screen.") || key.starts_with("profile.") || key.starts_with("auto.") ||
+         key.starts_with("warn.") ||
          std::any_of(names.begin(), names.end(),
                      [&](auto& setting) { return setting.key == key; }) ||
          std::any_of(kReaders.begin(), kReaders.end(),
@@ -183,6 +197,7 @@ bool isKnownKey(std::string_view key) {
 void readEntry(const PropertyContext& context) {
   const std::string& key = context.entry.key;
   if (key == "weather") return readWeather(context);
+  if (key == "shadowvolume.lights") return readVolumeLights(context);
   for (const Setting& setting : settings()) {
     if (key == setting.key) return readSetting(context, setting);
   }
@@ -226,7 +241,7 @@ std::string canonicalBuffer(std::string_view name) {
 }
 
 std::vector<std::string_view> settingKeys() {
-  std::vector<std::string_view> keys{"weather"};
+  std::vector<std::string_view> keys{"weather", "shadowvolume.lights"};
   for (const Setting& setting : settings()) keys.push_back(setting.key);
   return keys;
 }

@@ -5,12 +5,13 @@
 #include <limits>
 #include <optional>
 
+#include "trace/seen_surfaces.h"
+
 namespace orris {
 namespace {
 
 /// Rays begin this far before what the pixel shows, blocks.
 constexpr double kLift = 1e-5;
-constexpr int kMaxLayers = 64;
 
 /// Is a point of the quad's plane on the quad? Rays through an edge meet both its faces.
 bool covers(const glm::dvec3 (&corners)[4], const glm::dvec3& normal, const glm::dvec3& point) {
@@ -21,137 +22,6 @@ bool covers(const glm::dvec3 (&corners)[4], const glm::dvec3& normal, const glm:
   }
   return true;
 }
-
-glm::dvec3 rayOf(const TraceCamera& camera, double x, double y) {
-  const glm::dvec4 clip = glm::dmat4(camera.projectionInverse) *
-                          glm::dvec4(2 * x / camera.width - 1, 1 - 2 * y / camera.height, 1, 1);
-  return glm::normalize(glm::dmat3(camera.modelViewInverse) * (glm::dvec3(clip) / clip.w));
-}
-
-/// What a pixel shows of opaque blocks, as the path tracer finds it.
-struct Seen {
-  const TraceQuad* quad = nullptr;    ///< nullptr: the sky
-  glm::dvec3 position{0}, normal{0};  ///< grid space; normal toward the eye
-};
-
-class Viewer {
- public:
-  Viewer(const TraceScene& scene, const TraceCamera& camera) : scene_(scene), camera_(camera) {
-    const glm::dvec4 corner = glm::dmat4(camera.projectionInverse) * glm::dvec4(0, 0, -1, 1);
-    near_ = -corner.z / corner.w;
-    clipOf_ = glm::inverse(glm::dmat4(camera.projectionInverse));
-    worldToView_ = glm::transpose(glm::dmat3(camera.modelViewInverse));
-  }
-
-  /// The first opaque surface, and those that follow so close that a frame may show them instead.
-  /// `px`, `py` in the pixel, or on its rim: (0, 0) is the picture's top left corner. `depth`: part of
-  /// the range of depth.
-  std::vector<Seen> at(double px, double py, double depth) const {
-    std::vector<Seen> found;
-    double last = std::numeric_limits<double>::infinity();
-    forEachSurface(px, py, false, [&](const Seen& next) {
-      const double distance = glm::distance(eye(), next.position);
-      if (found.empty()) last = distance + stepAt(distance, depth);
-      if (distance > last) return false;
-      found.push_back(next);
-      return depth != 0;
-    });
-    return found;
-  }
-
-  /// Of all surfaces that the ray meets, holes or not, the one that a frame of this depth shows.
-  std::optional<Seen> shownAt(double px, double py, double depth) const {
-    if (depth >= 1) return Seen();
-    std::optional<Seen> shown;
-    double least = std::numeric_limits<double>::infinity();
-    forEachSurface(px, py, true, [&](const Seen& next) {
-      const double here = depthAt(next, px, py), off = std::abs(here - depth);
-      const double unsure = kFrameDepth + std::abs(depthAt(next, px + kFramePixel, py) - here) +
-                            std::abs(depthAt(next, px, py + kFramePixel) - here);
-      if (off < least && off <= unsure) {
-        least = off;
-        shown = next;
-      }
-      return true;
-    });
-    return shown;
-  }
-
-  /// The same surface's place at another point of the picture.
-  Seen movedTo(Seen seen, double px, double py) const {
-    const glm::dvec3 direction = rayOf(camera_, px, py);
-    const double distance =
-        glm::dot(seen.position - eye(), seen.normal) / glm::dot(direction, seen.normal);
-    seen.position = eye() + direction * distance;
-    return seen;
-  }
-
-  /// What a part of the range of depth is in blocks, so far from the eye: depth is 1 - near / distance.
-  double stepAt(double distance, double depth) const { return depth * distance * distance / near_; }
-
- private:
-  glm::dvec3 eye() const { return camera_.position - glm::dvec3(scene_.origin); }
-
-  /// Depth of the surface's plane at a point of the picture, 0 to 1.
-  double depthAt(const Seen& seen, double px, double py) const {
-    const glm::dvec4 clip =
-        clipOf_ *
-        glm::dvec4(glm::dmat3(worldToView_) * (movedTo(seen, px, py).position - eye()), 1);
-    return clip.z / clip.w * 0.5 + 0.5;
-  }
-
-  /// Opaque surfaces along a ray until `visit` returns false; `whole`: cutouts without holes.
-  template <class Visit>
-  void forEachSurface(double px, double py, bool whole, const Visit& visit) const {
-    const glm::dvec3 direction = rayOf(camera_, px, py);
-    Ray ray;
-    ray.origin = glm::vec3(eye());
-    ray.direction = withoutZeros(glm::vec3(direction));
-    ray.cell = glm::ivec3(glm::floor(ray.origin));
-    PixelFootprint footprint = footprintOf(std::min(int(px), camera_.width - 1),
-                                           std::min(int(py), camera_.height - 1), ray.origin);
-    footprint.whole = whole;
-    if (!scene_.grid.contains(ray.cell) && !scene_.grid.enter(ray)) return;
-    for (int layer = 0; layer < kMaxLayers; ++layer) {
-      const RayHit hit = scene_.grid.look(ray, &footprint);
-      if (hit.quad == kNoQuad) return;
-      const TraceQuad& quad = scene_.grid.quad(hit.quad);
-      if (!quad.translucent) {
-        const Seen next = seen(quad, eye(), direction);
-        // What has no plane fills the inside of a solid.
-        if (std::isnan(glm::distance(eye(), next.position)) || !visit(next)) return;
-      }
-      ray.origin = quad.corner + quad.edgeU * hit.at.x + quad.edgeV * hit.at.y;
-      ray.cell = hit.cell;
-      ray.enteredBy = -1;
-      ray.ignore = hit.quad;
-    }
-  }
-
-  // Squares of four begin in the lower left corner of the picture.
-  PixelFootprint footprintOf(int x, int y, const glm::vec3& origin) const {
-    const int left = x & ~1, below = camera_.height - 1 - ((camera_.height - 1 - y) & ~1);
-    const auto ray = [&](int px, int py) { return glm::vec3(rayOf(camera_, px + 0.5, py + 0.5)); };
-    return {origin, {ray(left, below), ray(left + 1, below), ray(left, below - 1)}};
-  }
-
-  static Seen seen(const TraceQuad& quad, const glm::dvec3& eye, const glm::dvec3& direction) {
-    Seen result;
-    result.quad = &quad;
-    result.normal = glm::dvec3(quad.normal);
-    const double slope = glm::dot(direction, result.normal);
-    const double distance = glm::dot(glm::dvec3(quad.corner) - eye, result.normal) / slope;
-    result.position = eye + direction * distance;
-    if (slope > 0) result.normal = -result.normal;
-    return result;
-  }
-
-  const TraceScene& scene_;
-  const TraceCamera& camera_;
-  double near_;
-  glm::dmat4 clipOf_;
-  glm::dmat3 worldToView_;
-};
 
 }  // namespace
 
@@ -233,28 +103,28 @@ class LightSeen {
       : scene_(scene), camera_(camera), viewer_(scene, camera), casters_(casters), light_(light) {}
 
   bool at(double x, double y) const {
-    const std::vector<Seen> seen = viewer_.at(x, y, 0);
+    const std::vector<SeenSurface> seen = viewer_.at(x, y, 0);
     return seen.empty() || reaches(seen[0], 0);
   }
 
   /// What a frame shows at a pixel's middle when the ray meets another surface first.
-  std::optional<Seen> other(double x, double y, double depth) const {
-    std::vector<Seen> met = viewer_.at(x, y, kFrameDepth);
+  std::optional<SeenSurface> other(double x, double y, double depth) const {
+    std::vector<SeenSurface> met = viewer_.at(x, y, kFrameDepth);
     if (met.empty()) met.emplace_back();
-    const std::optional<Seen> shown = viewer_.shownAt(x, y, depth);
-    const bool same = !shown || std::any_of(met.begin(), met.end(), [&](const Seen& seen) {
+    const std::optional<SeenSurface> shown = viewer_.shownAt(x, y, depth);
+    const bool same = !shown || std::any_of(met.begin(), met.end(), [&](const SeenSurface& seen) {
       return seen.quad == shown->quad;
     });
     return same ? std::nullopt : shown;
   }
 
-  bool reached(const Seen& seen) const { return seen.quad == nullptr || reaches(seen, 0); }
+  bool reached(const SeenSurface& seen) const { return seen.quad == nullptr || reaches(seen, 0); }
 
   /// doubtful() of one surface.
-  bool doubtfulOn(const Seen& seen, double x, double y) const {
+  bool doubtfulOn(const SeenSurface& seen, double x, double y) const {
     bool lit = false, dark = false;
     for (const glm::dvec2& place : kPlaces) {
-      const Seen moved =
+      const SeenSurface moved =
           viewer_.movedTo(seen, x + place.x * kFramePixel, y + place.y * kFramePixel);
       for (const double lift : {0.0, kFrameDepth}) (reaches(moved, lift) ? lit : dark) = true;
     }
@@ -269,7 +139,7 @@ class LightSeen {
       const auto found =
           viewer_.at(x + place.x * kFramePixel, y + place.y * kFramePixel, kFrameDepth);
       lit |= found.empty();
-      for (const Seen& seen : found)
+      for (const SeenSurface& seen : found)
         for (const double lift : {0.0, kFrameDepth}) (reaches(seen, lift) ? lit : dark) = true;
       if (lit && dark) return true;
     }
@@ -280,7 +150,7 @@ class LightSeen {
   static constexpr glm::dvec2 kPlaces[] = {{0, 0}, {0.97, 0.26}, {-0.71, 0.71}, {-0.26, -0.97}};
 
   /// `lift`: of the range of depth, from the seen place to the eye.
-  bool reaches(const Seen& seen, double lift) const {
+  bool reaches(const SeenSurface& seen, double lift) const {
     const glm::dvec3 on = seen.position + glm::dvec3(scene_.origin);
     const double cosine = glm::dot(seen.normal, glm::normalize(glm::dvec3(light_) - light_.w * on));
     if ((seen.quad->thin ? std::abs(cosine) : cosine) <= kGrazing) return false;
@@ -292,7 +162,7 @@ class LightSeen {
 
   const TraceScene& scene_;
   const TraceCamera& camera_;
-  Viewer viewer_;
+  SeenSurfaces viewer_;
   const CasterRays& casters_;
   glm::dvec4 light_;
 };
@@ -315,7 +185,7 @@ ImageF shadowMask(const TraceScene& scene, const TraceCamera& camera, const Cast
       const int corners = above[x] + above[x + 1] + below[x] + below[x + 1];
       const double px = double(x) + 0.5, py = y + 0.5;
       bool changes = corners != (middle[x] ? 4 : 0) || seen.doubtful(px, py), lit = middle[x];
-      const std::optional<Seen> other =
+      const std::optional<SeenSurface> other =
           shown != nullptr ? seen.other(px, py, shown->depth.at(int(x), y)[0]) : std::nullopt;
       if (other) {
         ++shown->others;

@@ -36,11 +36,6 @@ class CasterRays {
 /// eight bits, so there rounding decides.
 constexpr double kGrazing = 0.01;
 
-/// What a frame knows of a place: where in the picture to this part of a pixel (rasterisers put corners
-/// on a grid of 1/256), and how far to this part of the range of depth (16 steps of 24 bits).
-constexpr double kFramePixel = 1.0 / 256;
-constexpr double kFrameDepth = 16.0 / (1 << 24);
-
 /// A frame of the same view. Whether a texel of a cutout is a hole two texture units may answer
 /// differently, where its alpha is close to the test's: then the frame shows another surface than the
 /// pixel's ray meets first, and light is judged there.

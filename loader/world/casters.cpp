@@ -75,4 +75,23 @@ CasterSet castersOf(const BlockMesh& mesh, const BlockAtlas& atlas) {
   return set;
 }
 
+CasterSet castersOfLamp(const CasterSet& casters, const glm::ivec3& cell, double range) {
+  constexpr float kInside = 0.01f;
+  const glm::ivec3 own = cell - casters.origin;
+  const glm::vec3 lamp = glm::vec3(own) + 0.5f;
+  CasterSet near;
+  near.origin = casters.origin;
+  for (const CasterFace& face : casters.faces) {
+    const glm::vec3 middle = (face.corners[0] + face.corners[2]) * 0.5f;
+    if (glm::ivec3(glm::floor(middle - face.normal * kInside)) == own) continue;
+    glm::vec3 low = face.corners[0], high = low;
+    for (const glm::vec3& corner : face.corners) {
+      low = glm::min(low, corner);
+      high = glm::max(high, corner);
+    }
+    if (glm::distance(glm::clamp(lamp, low, high), lamp) <= range) near.faces.push_back(face);
+  }
+  return near;
+}
+
 }  // namespace orris

@@ -33,4 +33,8 @@ struct CasterSet {
 /// The faces of `mesh` that cast, in its order.
 CasterSet castersOf(const BlockMesh& mesh, const BlockAtlas& atlas);
 
+/// Those that may keep the light of a lamp, which is in the middle of a block, from what is within its
+/// range: its own faces do not.
+CasterSet castersOfLamp(const CasterSet& casters, const glm::ivec3& cell, double range);
+
 }  // namespace orris

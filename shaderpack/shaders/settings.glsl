@@ -90,6 +90,7 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 #define LIGHT_RANGE 1.0 // [0.25 0.5 0.75 1.0 1.5]
 #define LIGHT_DISTANCE 64 // [32 48 64]
 #define LIGHT_SHADOWS 0 // [0 1 2 4 8] Lamps that a point sees or not: the strongest; others shine through walls
+#define LIGHT_VOLUMES 0 // [0 1 2 4 8] Lamps near the eye whose shadows are volumes, exact to the pixel
 //#define LIGHT_GLOSS // Lamps are reflected as the sun is (DIRECT_LIGHT), with highlights; else as by a matt surface
 #define LIGHT_CAPACITY 16384 // [256 1024 4096 16384]
 #define LIGHT_LIST 512 // [64 128 256 512 1024 2048]
@@ -138,6 +139,12 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 #define LAMP_GLOSS (LAMPS && DIRECT_LIGHT != NONE && !GLOSSY)
 #else
 #define LAMP_GLOSS 0
+#endif
+// Their bits are there once the opaque scene is: for what is lit after it.
+#if LAMPS && LIGHT_VOLUMES > 0 && LIGHT_METHOD != FORWARD && defined ORRIS_FEATURE_STENCIL_SHADOW_VOLUMES
+#define LAMP_VOLUMES 1
+#else
+#define LAMP_VOLUMES 0
 #endif
 
 // Rays of global illumination; blocks for them, or for rays to lamps.

@@ -321,6 +321,7 @@ TEST(ContractProperties, each_key_is_read) {
       const std::string value = offers                         ? "fancy"
                                 : key == "particles.ordering"  ? "mixed"
                                 : key == "shadowvolume.method" ? "auto"
+                                : key == "shadowvolume.lights" ? "4 1.5"
                                                                : "true";
       const ShaderProperties properties = parsed(key + "=" + value + "\n", diagnostics);
       EXPECT_TRUE(diagnostics.empty()) << formatDiagnostic(diagnostics[0]);

@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-#include "frame/reference_scene.h"
 #include "world/world_json.h"
 
 namespace orris::test {
@@ -27,7 +26,7 @@ std::string worldOf(const VolumeSetup& setup) {
 OptionValues optionsOf(const VolumeSetup& setup) {
   OptionValues options = setup.options;
   options["GI_METHOD"] = "NONE";
-  options["SHADOW_VIEW"] = "true";
+  options.emplace("SHADOW_VIEW", "true");
   options["SHADOW_METHOD"] = setup.method;
   options["sunPathRotation"] = setup.sunPathRotation;
   return options;
@@ -56,15 +55,26 @@ int VolumeLab::count(int x, int y) {
   return int(std::lround(session_.dump("stenciltex0").at(x, y)[0]));
 }
 
-ImageF VolumeLab::truth() const {
+ReferenceScene VolumeLab::reference() const {
   Diagnostics diagnostics;
   auto world = parseWorldJson({.text = world_, .file = "world.json"}, diagnostics);
   auto& session = const_cast<PackSession&>(session_).session();
-  const ReferenceScene scene =
-      buildReferenceScene(std::move(*world), session.renderer().pack(), session.camera(),
-                          setup_.size, setup_.size, diagnostics);
+  return buildReferenceScene(std::move(*world), session.renderer().pack(), session.camera(),
+                             setup_.size, setup_.size, diagnostics);
+}
+
+ImageF VolumeLab::truth() const {
+  const ReferenceScene scene = reference();
   return shadowMask(scene.scene, scene.camera, CasterRays(scene.casters),
                     glm::dvec4(scene.shadowLight, 0));
+}
+
+ImageF VolumeLab::truthOfLamp(const glm::ivec3& cell) const {
+  constexpr double kEverywhere = 1e6;
+  const ReferenceScene scene = reference();
+  return shadowMask(scene.scene, scene.camera,
+                    CasterRays(castersOfLamp(scene.casters, cell, kEverywhere)),
+                    glm::dvec4(glm::dvec3(cell) + 0.5, 1));
 }
 
 MaskDifference VolumeLab::difference() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../shaderpack/pack_session.h"
+#include "frame/reference_scene.h"
 #include "image/mask_compare.h"
 #include "trace/shadow_mask.h"
 
@@ -27,10 +28,13 @@ class VolumeLab {
   /// The stencil at a pixel, (0, 0) top left.
   int count(int x, int y);
   ImageF truth() const;
+  /// Of a lamp in the middle of a block.
+  ImageF truthOfLamp(const glm::ivec3& cell) const;
   MaskDifference difference();
   PackSession& session() { return session_; }
 
  private:
+  ReferenceScene reference() const;
   VolumeSetup setup_;
   std::string world_;
   PackSession session_;

@@ -1,10 +1,10 @@
 """Mistakes put into the pack's side of shadow volumes, and the tests that must find them.
 
-For kill_list.py --table; rows as in mutants.py. Those of the host are cases of the tests themselves:
-z-pass alone, no caps, a finite far plane, counts of 256.
+For kill_list.py --table; rows as in mutants.py. Those of the host are in volume_host_mutants.py.
 """
 
 SUN = "include/lighting/sun_visibility.glsl"
+LAMPS = "include/lights/lamp_volumes.glsl"
 PROGRAM = "program/shadowvolume.glsl"
 PROPERTIES = "shaders.properties"
 
@@ -19,4 +19,10 @@ MUTANTS = [
      [(SUN, ".r == 0u", ".r <= 1u")]),
     ("D2 vertices at infinity made finite", "D1.volumes*",
      [(PROGRAM, "gl_ModelViewProjectionMatrix * gl_Vertex", "gl_ModelViewProjectionMatrix * vec4(gl_Vertex.xyz, 1.0)")]),
+    ("lamps: the bit of another lamp", "LampVolumes.darken*",
+     [(LAMPS, "(lamps_hidden >> i & 1u) != 0u && max", "(lamps_hidden >> (1 - i) & 1u) != 0u && max")]),
+    ("lamps: a volume hides every lamp", "LampVolumes.darken*",
+     [(LAMPS, " && max(off.x, max(off.y, off.z)) < 0.25", "")]),
+    ("lamps: no range", "LampVolumes.are_those*",
+     [(PROPERTIES, "shadowvolume.lights = LIGHT_VOLUMES LIGHT_RANGE", "shadowvolume.lights = LIGHT_VOLUMES 0.5")]),
 ]

@@ -130,6 +130,49 @@ TEST_P(VolumePath, equals_rays_inside_of_lit_and_dark) {
   EXPECT_LT(double(others), kOtherSurfaces * double(pixels));
 }
 
+/// Sums of a picture over squares of `side` pixels.
+std::vector<double> tileSums(const ImageF& picture, int side) {
+  const int columns = (picture.width + side - 1) / side;
+  std::vector<double> sums(std::size_t(columns * ((picture.height + side - 1) / side)));
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x)
+      sums[std::size_t(y / side * columns + x / side)] += double(picture.at(x, y)[0]);
+  return sums;
+}
+
+// Of a build whose stencil counts updates instead of volumes (tile_choice.py): what choosing between
+// z-pass and z-fail by tile would save (Laine 2005), if the choice cost nothing.
+TEST_P(VolumePath, DISABLED_updates_that_a_choice_by_tile_saves) {
+  constexpr int kStep = 4, kSides[] = {8, 16, 32};
+  const std::string file = std::string(ORRIS_SOURCE_DIR "/worlds/") + GetParam().world;
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not beside this checkout";
+  const auto sessionOf = [&](const std::string& method) {
+    return PackSession::ofWorld(
+        GetParam().world, {{"GI_METHOD", "NONE"}, {"SHADOW_METHOD", method}}, kWidth, kHeight);
+  };
+  PackSession zPass = sessionOf("VOLUME_ZPASS"), zFail = sessionOf("VOLUME_ZFAIL"),
+              automatic = sessionOf("VOLUME_AUTO");
+  double sums[3] = {0, 0, 0}, best[3] = {0, 0, 0};
+  for (int frame = 0; frame < kFrames; frame += kStep) {
+    std::vector<ImageF> updates;
+    for (PackSession* pack : {&zPass, &zFail, &automatic}) {
+      pack->session().setCamera(cameraAt(GetParam(), frame / double(kFrames - 1)));
+      pack->renderFrames(1);
+      updates.push_back(pack->dump("stenciltex0"));
+      for (const float count : updates.back().pixels) sums[updates.size() - 1] += double(count);
+    }
+    for (int i = 0; i < 3; ++i) {
+      const auto pass = tileSums(updates[0], kSides[i]), fail = tileSums(updates[1], kSides[i]);
+      for (std::size_t k = 0; k < pass.size(); ++k) best[i] += std::min(pass[k], fail[k]);
+    }
+  }
+  fmt::print(
+      "{}: updates a frame: z-pass {:.0f}, z-fail {:.0f}, automatic {:.0f}; the fewer in each "
+      "tile of 8, 16, 32 pixels: {:.3f}, {:.3f}, {:.3f} of z-pass\n",
+      GetParam().name, sums[0] * kStep / kFrames, sums[1] * kStep / kFrames,
+      sums[2] * kStep / kFrames, best[0] / sums[0], best[1] / sums[0], best[2] / sums[0]);
+}
+
 INSTANTIATE_TEST_SUITE_P(Worlds, VolumePath, testing::ValuesIn(paths()),
                          [](const auto& path) { return std::string(path.param.name); });
 

@@ -29,6 +29,7 @@ uniform sampler2D colortex8;
 uniform sampler2D colortex7;
 #elif LAMPS
 #extension GL_ARB_shader_image_load_store : enable
+#define READ_LAMP_VOLUMES
 #include "/include/lights/lit_by_lamps.glsl"
 #endif
 #if GATHERED
@@ -118,6 +119,9 @@ vec3 light_surface(Surface s, ivec2 pixel) {
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     Surface s = read_surface(pixel);
+#if LAMP_VOLUMES
+    read_lamp_volumes(pixel);
+#endif
     // What the sky programs drew: stars, sun, moon.
     vec3 behind = texelFetch(colortex0, pixel, 0).rgb + sky_radiance(normalize(s.player));
     out_color = vec4(s.sky ? behind : light_surface(s, pixel), 1.0);
@@ -129,6 +133,10 @@ void main() {
 #endif
 #ifdef SHADOW_VIEW
     out_color = vec4(vec3(s.sky ? 1.0 : sun_arrives(s, pixel)), 1.0);
+#if LAMP_VOLUMES
+    for (int i = 0; i < 2 && !s.sky; ++i)
+        out_color[i + 1] = lamp_arrives(i, s.player, s.normal, s.thin);
+#endif
 #endif
 }
 

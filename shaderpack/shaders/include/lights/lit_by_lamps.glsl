@@ -7,6 +7,9 @@
 #include "/include/lights/lamp_shadows.glsl"
 #endif
 #include "/include/lights/lamp_light.glsl"
+#if LAMP_VOLUMES && defined READ_LAMP_VOLUMES
+#include "/include/lights/lamp_volumes.glsl"
+#endif
 
 layout(rgba32f) uniform readonly image2D light_table;
 layout(r32ui) uniform readonly uimage2D light_state;
@@ -35,6 +38,9 @@ vec3 light_of_lamp(uint lamp, vec3 position, vec3 normal, float thin) {
     vec3 light = light_reflected_at(place, power, position, normal, thin, lamp_albedo, lamp_view);
 #else
     vec3 light = light_irradiance_at(place, power, position, normal, thin);
+#endif
+#if LAMP_VOLUMES && defined READ_LAMP_VOLUMES
+    light *= arrives_past_volumes(place.xyz);
 #endif
 #if LAMP_SHADOWS
     keep_strongest(strongest, light, place.xyz);

@@ -1,0 +1,98 @@
+#!/usr/bin/env python3
+"""Puts each mistake of a table into a copy of a source file of the host, links the tests with it, and
+runs those that must find it.
+
+Prints a line for each; fails when a mistake stays unfound, or when the tests fail without it. Needs a
+build by Ninja, from whose files it takes how to compile and to link."""
+
+import argparse
+import json
+import pathlib
+import shlex
+import subprocess
+import sys
+import tempfile
+
+import kill_list
+
+
+def ninja(build, *words):
+    return subprocess.run(["ninja", "-C", build, *words], text=True, check=True,
+                          stdout=subprocess.PIPE).stdout
+
+
+def compile_commands(build):
+    """By source file."""
+    return {entry["file"]: entry for entry in json.loads(ninja(build, "-t", "compdb"))
+            if entry["output"].endswith(".o")}
+
+
+def run(command, folder):
+    return subprocess.run(command, cwd=folder, text=True, stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, check=False)
+
+
+def build_tests(build, program, source, changed, target):
+    """Compiles `changed` as if it were `source` and links `program` with it. '' or what went wrong."""
+    entry = compile_commands(build)[str(source)]
+    made = changed.with_suffix(".o")
+    words = [str(changed) if word == entry["file"] else word.replace(entry["output"], str(made))
+             for word in shlex.split(entry["command"])]
+    done = run(words, build)
+    if done.returncode != 0:
+        return done.stdout
+    # The archive's member of the same names is then not wanted. Only the link itself: what follows
+    # asks the tests for their names.
+    link = ninja(build, "-t", "commands", "-s", program).strip().split("&&")[1]
+    done = run(["sh", "-c", link.replace(f"-o {program}", f"{made} -o {target}")], build)
+    return done.stdout if done.returncode != 0 else ""
+
+
+def try_mutant(args, mutant):
+    """(killed, what happened)"""
+    _, filters, file, before, after = mutant
+    source = args.source / file
+    text = source.read_text()
+    if text.count(before) != 1:
+        return False, f"{file}: found {text.count(before)} times: {before!r}"
+    with tempfile.TemporaryDirectory() as folder:
+        changed = pathlib.Path(folder) / source.name
+        changed.write_text(text.replace(before, after))
+        problem = build_tests(args.build, args.program, source, changed,
+                              pathlib.Path(folder) / "tests")
+        if problem:
+            return False, "does not build:\n" + problem
+        code, output = kill_list.run_tests(pathlib.Path(folder) / "tests", filters,
+                                           args.source / "shaderpack")
+    failed = kill_list.failed_tests(output)
+    return code == 1, ", ".join(failed) if failed else f"no test failed ({code})"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("build", help="folder of the build")
+    parser.add_argument("program", help="the tests, a target of the build")
+    parser.add_argument("source", type=pathlib.Path, help="folder of the sources")
+    parser.add_argument("--table", type=pathlib.Path, required=True)
+    parser.add_argument("--only", default="", help="mutants whose name contains this")
+    args = parser.parse_args()
+    args.source = args.source.resolve()
+    chosen = [row for row in kill_list.read_table(args.table) if args.only in row[0]]
+
+    filters = ":".join(dict.fromkeys(row[1] for row in chosen))
+    code, output = kill_list.run_tests(pathlib.Path(args.build) / args.program, filters,
+                                       args.source / "shaderpack")
+    if code != 0:
+        print(output, "the tests fail without a mutant", sep="\n")
+        return 1
+    survivors = 0
+    for mutant in chosen:
+        killed, what = try_mutant(args, mutant)
+        survivors += not killed
+        print(f"{'killed  ' if killed else 'SURVIVED'} {mutant[0]}: {what}", flush=True)
+    print(f"{len(chosen) - survivors} of {len(chosen)} mutants killed")
+    return 1 if survivors else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
