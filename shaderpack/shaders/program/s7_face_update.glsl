@@ -57,7 +57,7 @@ vec4 updated(uint entry, vec3 light) {
     f.cell = packed_cell(entry);
     f.face = packed_face(entry);
     f.from.normal = face_normal(f.face);
-    f.sky = packed_level(entry);
+    f.sky = entry_level(entry);
     vec4 old = light_of(f.cell, f.face);
 
     uvec3 place = uvec3(face_texel(f.cell, f.face));

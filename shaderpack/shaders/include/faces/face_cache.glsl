@@ -69,7 +69,7 @@ ivec3 packed_cell(uint entry) {
 
 int packed_face(uint entry) { return int(entry >> 21 & 7u); }
 
-float packed_level(uint entry) { return float(entry >> 24) / 15.0; }
+float entry_level(uint entry) { return float(entry >> 24) / 15.0; }
 
 ivec2 face_slot(uint index) {
     return ivec2(int(index) % list_width, int(index) / list_width);

@@ -65,7 +65,7 @@ float promise(Receiver r, uint entry) {
     float far = sqrt(squared);
     float here = max(0.0, dot(way, r.normal) + 0.75);
     float there = face == face_ball ? 0.25 * far : max(0.0, 0.75 - dot(way, normal));
-    float level = packed_level(entry);
+    float level = entry_level(entry);
     return level * level * here * there / (squared * squared + 0.1);
 }
 
