@@ -215,7 +215,8 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 #define LIGHT_ROWS 12
 #endif
 
-// Does something outlast the frame that is made of the voxels?
+// Does something outlast the frame that is made of the voxels? Then rays see the shapes of stairs, too;
+// else these are full blocks.
 #define NOTICE_CHANGES (FACES || FLOOD_IMAGE || DISTANCES)
 
 // Side of the shadow targets: the voxels need 1024 texels in a row.

@@ -7,6 +7,7 @@ const int block_leaves = 11;
 const int block_open = 12;         // thin shapes: drawn, but light passes
 const int block_slab_bottom = 13;
 const int block_slab_top = 14;
+const int block_stairs = 15;       // and what else fills some of the eighths of its cell
 const int block_water = 20;
 const int block_translucent = 21;  // stained glass, ice, slime
 const int block_polished = 30;     // full blocks with a smooth coat

@@ -8,7 +8,7 @@ void main() { gl_Position = ftransform(); }
 
 #else
 
-#if FACES || DISTANCES || FLOOD_IMAGE
+#if NOTICE_CHANGES
 #extension GL_ARB_shader_image_load_store : enable
 #endif
 

@@ -39,7 +39,7 @@ void main() {
 
 #else
 
-#if LAMPS || FLOOD_IMAGE || (FACES && DISTANCES)
+#if LAMPS || FLOOD_IMAGE || FACES
 #extension GL_ARB_shader_image_load_store : enable
 #endif
 #if VOXELS

@@ -52,6 +52,8 @@ float trusted_updates(float updates) {
     return last - before > face_calm_frames ? 0.0 : min(updates, face_edited_updates);
 }
 
+uint octants_at(ivec3 cell) { return octants_of(voxel_at(cell).code, cell); }
+
 vec4 updated(uint entry, vec3 light) {
     Face f;
     f.cell = packed_cell(entry);
@@ -63,8 +65,8 @@ vec4 updated(uint entry, vec3 light) {
     uvec3 place = uvec3(face_texel(f.cell, f.face));
     // Independent numbers: along a sequence, what a face looks up would follow how it came about.
     seed_random(ivec2(place.x + 1024u * place.y, place.z), frameCounter);
-    f.from.origin =
-        point_of_face(f.cell, voxel_at(f.cell).code, f.from.normal, next_random().xy);
+    f.from.origin = point_of_faces(f.cell, octants_at(f.cell), octants_at(f.cell + ivec3(f.from.normal)),
+                                   f.from.normal, next_random().xy);
     vec3 sampled = hemisphere_sample(f, next_random().xy, light) + lamp_sample(f.from);
 
     float updates = trusted_updates(old.a);

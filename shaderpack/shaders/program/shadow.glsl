@@ -26,6 +26,9 @@ out float vertex_id;
 out float vertex_emission;
 out vec3 vertex_normal;
 out float vertex_sky;  // level 0..15
+#if NOTICE_CHANGES
+out vec3 vertex_offset;  // from the middle of the block
+#endif
 
 void main() {
     vec4 view = gl_ModelViewMatrix * gl_Vertex;
@@ -38,6 +41,9 @@ void main() {
     vertex_emission = block_emission(int(floor(mc_Entity.x + 0.5)), at_midBlock.w);
     vertex_normal = mat3(shadowModelViewInverse) * (gl_NormalMatrix * gl_Normal);
     vertex_sky = (gl_TextureMatrix[1] * gl_MultiTexCoord1).y * 16.0 - 0.5;
+#if NOTICE_CHANGES
+    vertex_offset = -at_midBlock.xyz / 64.0;
+#endif
 }
 
 #elif defined GEOMETRY_STAGE
@@ -53,6 +59,9 @@ in float vertex_id[];
 in float vertex_emission[];
 in vec3 vertex_normal[];
 in float vertex_sky[];
+#if NOTICE_CHANGES
+in vec3 vertex_offset[];
+#endif
 
 out vec2 uv;
 flat out vec4 voxel;  // a 0: part of the shadow map
@@ -89,6 +98,8 @@ void emit_lamp() {
 #if NOTICE_CHANGES
 #extension GL_ARB_shader_image_load_store : enable
 #include "/include/voxel/checksum.glsl"
+#define MAKES_OCTANTS
+#include "/include/voxel/octants.glsl"
 #endif
 #if FACES
 #include "/include/faces/face_list.glsl"
@@ -125,6 +136,9 @@ vec4 block_voxel(int id, float emission, vec3 normal) {
     if (id == block_water || id == block_translucent) return encode_voxel(color, voxel_translucent);
     if (id == block_slab_bottom) return encode_voxel(color, voxel_slab_bottom);
     if (id == block_slab_top) return encode_voxel(color, voxel_slab_top);
+#if NOTICE_CHANGES
+    if (id == block_stairs) return encode_voxel(color, voxel_stairs);
+#endif
     return encode_voxel(color, voxel_solid);
 }
 
@@ -138,6 +152,11 @@ void emit_voxel() {
     int face = face_of(vertex_normal[0]);
     add_to_brick(cell, face, code, vertex_mid_uv[0]);
     if (code == voxel_water_surface) note_lake();
+    if (code == voxel_stairs) {
+        vec3 low = min(vertex_offset[0], min(vertex_offset[1], vertex_offset[2]));
+        vec3 high = max(vertex_offset[0], max(vertex_offset[1], vertex_offset[2]));
+        add_octants(cell, octants_behind(low, high, round(vertex_normal[0])));
+    }
 #endif
 #if FACES
     list_face(cell, face, code, int(clamp(vertex_sky[0], 0.0, 15.0) + 0.5));

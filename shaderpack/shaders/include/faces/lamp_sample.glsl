@@ -20,14 +20,33 @@ struct Receiver {
     vec3 normal;
 };
 
-/// Point of the face at `at` (0..1), a little off it. Slabs fill half of the height.
-vec3 point_of_face(ivec3 cell, int code, vec3 normal, vec2 at) {
+/// Point of a side of a cell at `at` (0..1), a little off it.
+vec3 point_of_side(ivec3 cell, vec3 normal, vec2 at) {
     vec3 axis = abs(normal);
     vec3 unit = axis.x > 0.5 ? vec3(0.5, at) : axis.y > 0.5 ? vec3(at.x, 0.5, at.y) : vec3(at, 0.5);
-    unit += 0.5 * normal;
-    if (code == voxel_slab_bottom) unit.y *= 0.5;
-    if (code == voxel_slab_top) unit.y = 0.5 + 0.5 * unit.y;
-    return vec3(cell) + unit + normal * face_offset;
+    return vec3(cell) + unit + normal * (0.5 + face_offset);
+}
+
+bool has_octant(uint octants, vec3 within) {
+    return (octants >> uint(dot(floor(within * 2.0), vec3(1.0, 2.0, 4.0))) & 1u) == 1u;
+}
+
+/// Point of the faces of a block that look this way, a little off them: of those on the side of its cell and
+/// of those in the middle of it. `before`: the octants of the cell on that side, which hide some.
+vec3 point_of_faces(ivec3 cell, uint octants, uint before, vec3 normal, vec2 at) {
+    vec3 point = point_of_side(cell, normal, at);
+    // A quarter of the side without a face passes its points on to another quarter.
+    for (int i = 0; i < 4; ++i) {
+        vec2 quarter = fract(at + 0.5 * vec2(i & 1, i >> 1));
+        vec3 side = point_of_side(ivec3(0), normal, quarter);
+        vec3 outer = side - 0.25 * normal;
+        bool on_side = has_octant(octants, outer);
+        bool hidden = has_octant(before, outer - 0.5 * normal);
+        bool in_middle = !on_side && has_octant(octants, outer - 0.5 * normal);
+        if ((on_side && !hidden) || in_middle)
+            return vec3(cell) + side - (on_side ? 0.0 : 0.5) * normal;
+    }
+    return point;
 }
 
 uint listed_lamps() { return min(imageLoad(face_tally, tally_lamps).r, lamp_capacity); }
@@ -98,7 +117,7 @@ LampSample sample_ball(Receiver r, ivec3 cell, vec3 radiance, vec2 u) {
 
 LampSample sample_cube(Receiver r, ivec3 cell, int face, vec3 radiance, vec2 u) {
     vec3 normal = face_normal(face);
-    vec3 way = point_of_face(cell, voxel_solid, normal, u) - r.origin;
+    vec3 way = point_of_side(cell, normal, u) - r.origin;
     float far = length(way);
     vec3 direction = way / far;
     float cosine = max(0.0, -dot(direction, normal));

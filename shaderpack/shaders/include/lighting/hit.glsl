@@ -23,8 +23,9 @@ float way_out(vec3 origin, vec3 direction) {
     return min(ways.x, min(ways.y, ways.z));
 }
 
-/// The first block of a ray from a face. The face shares its cell with the water above it, or with a
-/// small lamp that stands on it; the lamp's own faces lie in its ball, and see none.
+/// The first block of a ray from a face. The face shares its cell with the water above it, with a slab, with
+/// the rest of the stairs that it belongs to, or with a small lamp that stands on it; the lamp's own faces lie
+/// in its ball, and see none.
 Hit trace_from_face(vec3 origin, vec3 direction) {
     ivec3 cell = ivec3(floor(origin));
     Voxel own = voxel_at(cell);
@@ -34,6 +35,14 @@ Hit trace_from_face(vec3 origin, vec3 direction) {
     const float ball = small_lamp_radius * small_lamp_radius;
     if (own.code >= voxel_small_lamp && along > 0.0 && off < ball && dot(to_center, to_center) > ball)
         return Hit(true, cell, origin, -direction, own, vec3(1.0));
+    Walk walk = begin_walk(origin, direction);
+    vec3 within = floor((origin - vec3(cell)) * 2.0);
+    uint octants = octants_of(own.code, cell);
+    // What is thinner than half a block has its face inside of what stands for it.
+    octants = (octants >> uint(dot(within, vec3(1.0, 2.0, 4.0))) & 1u) == 1u ? 0u : octants;
+    Meeting met = meet_octants(walk, octants, vec2(-1.0, way_out(origin, direction)));
+    if (met.found)
+        return Hit(true, cell, origin + direction * met.way, -met.axis * walk.stride, own, vec3(1.0));
     Hit hit = trace(origin, direction);
     if (is_filter_voxel(own.code)) {
         vec2 ways = vec2(0.0, way_out(origin, direction));

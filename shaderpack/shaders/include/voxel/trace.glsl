@@ -3,6 +3,7 @@
 #if !defined INCLUDED_VOXEL_TRACE
 #define INCLUDED_VOXEL_TRACE
 
+#include "/include/voxel/octants.glsl"
 #include "/include/voxel/voxel.glsl"
 #if DISTANCES
 #include "/include/voxel/distance.glsl"
@@ -16,15 +17,6 @@ struct Hit {
     Voxel voxel;
     vec3 transmittance;  // of the translucent cells on the way
 };
-
-/// Does the part of the ray in this cell, heights low to high within it, touch the block?
-bool touches(int code, float low, float high, float miss_squared) {
-    if (code == voxel_air || is_filter_voxel(code)) return false;
-    if (code == voxel_slab_bottom) return low < 0.5;
-    if (code == voxel_slab_top) return high > 0.5;
-    if (code >= voxel_small_lamp) return miss_squared < small_lamp_radius * small_lamp_radius;
-    return true;
-}
 
 /// Where a ray is on its way through the cells. Floats, as they are compared and rounded faster.
 struct Walk {
@@ -95,32 +87,55 @@ vec2 below_surface(vec2 ways, float height, float slope) {
     return slope > 0.0 ? vec2(ways.x, min(ways.y, crossing)) : vec2(max(ways.x, crossing), ways.y);
 }
 
-/// Does what is in the ray's cell stop it?
-bool meets(Walk walk, int code) {
-    vec2 heights = walk.origin.y + walk.direction.y * ways_through(walk) - walk.cell.y;
+/// Where a ray meets a block in its cell.
+struct Meeting {
+    bool found;
+    float way;
+    vec3 axis;  // of a plane through the middle of the cell, if it is met there; else 0
+};
+
+/// The first of these octants that the ray comes into: where it enters the cell, or by one of the planes
+/// through its middle. `ways` of meet: to where it enters, negative if it begins here, and leaves.
+Meeting meet_octants(Walk walk, uint octants, vec2 ways) {
+    vec4 at = vec4((walk.cell + 0.5 - walk.origin) * walk.inverse, ways.x);
+    uvec4 x = uvec4(equal(lessThanEqual(at.xxxx, at), bvec4(walk.stride.x > 0.0)));
+    uvec4 y = uvec4(equal(lessThanEqual(at.yyyy, at), bvec4(walk.stride.y > 0.0)));
+    uvec4 z = uvec4(equal(lessThanEqual(at.zzzz, at), bvec4(walk.stride.z > 0.0)));
+    uvec4 filled = uvec4(octants) >> (x + 2u * y + 4u * z) & 1u;
+    const float never = 1e9;
+    at += never * vec4(equal(filled, uvec4(0u)));
+    at += never * vec4(lessThan(at, vec4(max(ways.x, 0.0))));
+    float way = min(min(at.x, at.y), min(at.z, at.w));
+    bool x_first = way == at.x;
+    bool y_first = !x_first && way == at.y;
+    vec3 axis = vec3(x_first, y_first, !x_first && !y_first);
+    // A corner of the cell has no way through it, but stops as well.
+    return Meeting(way <= max(ways.x, ways.y), way, way < at.w ? axis : vec3(0.0));
+}
+
+/// What of the cell's block stops the ray?
+Meeting meet(Walk walk, int code) {
+    vec2 ways = ways_through(walk);
+    Meeting met = meet_octants(walk, octants_of(code, cell_of(walk)), ways);
     vec3 to_center = walk.cell + 0.5 - walk.origin;
     float along = dot(to_center, walk.direction);
     float miss_squared = dot(to_center, to_center) - along * along;
-    return touches(code, min(heights.x, heights.y), max(heights.x, heights.y), miss_squared);
+    met.found = met.found || (code >= voxel_small_lamp &&
+                              miss_squared < small_lamp_radius * small_lamp_radius);
+    return met;
 }
 
-/// Where the ray came into its cell, and what it finds there.
-void describe(inout Hit hit, Walk walk, vec4 texel) {
+/// Where the ray came into its cell, or met a block in it, and what it finds there.
+void describe(inout Hit hit, Walk walk, Meeting met, vec4 texel) {
     vec3 came = ways_out(walk, 0.0);
     bool x = came.x > came.y && came.x > came.z;
     bool y = !x && came.y > came.z;
+    bool inside = met.found && met.axis != vec3(0.0);
     hit.cell = cell_of(walk);
     hit.voxel = decode_voxel(texel);
-    hit.position = walk.origin + walk.direction * max(came.x, max(came.y, came.z));
-    hit.normal = -vec3(x, y, !x && !y) * walk.stride;
-    // A slab entered beside its block is hit on its flat face.
-    float height = hit.position.y - walk.cell.y;
-    bool above = hit.voxel.code == voxel_slab_bottom && height > 0.5;
-    bool below = hit.voxel.code == voxel_slab_top && height < 0.5;
-    if (above || below) {
-        hit.normal = vec3(0.0, above ? 1.0 : -1.0, 0.0);
-        hit.position += walk.direction * ((0.5 - height) * walk.inverse.y);
-    }
+    hit.position =
+        walk.origin + walk.direction * (inside ? met.way : max(came.x, max(came.y, came.z)));
+    hit.normal = -(inside ? met.axis : vec3(x, y, !x && !y)) * walk.stride;
 }
 
 /// First block from `origin` (volume space) on. The first cell is not tested: rays start on a face,
@@ -129,12 +144,14 @@ Hit trace(vec3 origin, vec3 direction) {
     Walk walk = begin_walk(origin, direction);
     Hit hit;
     hit.transmittance = vec3(1.0);
+    Meeting met = Meeting(false, 0.0, vec3(0.0));
     walk_on(walk);
     // What a full block stops has no turn here, and branches save nothing on some drivers.
     for (int i = 0; i < 3 * VOLUME && walk.reach != stopped && in_volume(cell_of(walk)); ++i) {
         vec4 texel = texel_of(cell_of(walk));
         int code = int(texel.a * 255.0 + 0.5);
-        if (meets(walk, code)) break;
+        met = meet(walk, code);
+        if (met.found) break;
         if (is_filter_voxel(code)) {
             vec2 ways = ways_through(walk);
             if (code == voxel_water_surface)
@@ -145,7 +162,7 @@ Hit trace(vec3 origin, vec3 direction) {
     }
     hit.found = in_volume(cell_of(walk));
     vec4 texel = hit.found ? texel_of(cell_of(walk)) : vec4(0.0);
-    describe(hit, walk, texel);
+    describe(hit, walk, met, texel);
     return hit;
 }
 

@@ -9,6 +9,7 @@ const int voxel_slab_bottom = 2;
 const int voxel_slab_top = 3;
 const int voxel_translucent = 4;
 const int voxel_water_surface = 5;  // translucent up to water_height
+const int voxel_stairs = 6;  // fills a part of its cell: include/voxel/octants.glsl
 const int voxel_lamp = 16;        // + light level 1..15, fills the cell
 const int voxel_small_lamp = 32;  // + light level 1..15, a ball in the cell
 
@@ -41,7 +42,9 @@ bool is_filter_voxel(int code) {
 bool is_lamp_voxel(int code) { return code >= voxel_lamp; }
 
 /// Light of the propagation does not pass; slabs leave half of their cell open.
-bool is_opaque_voxel(int code) { return code == voxel_solid || is_lamp_voxel(code); }
+bool is_opaque_voxel(int code) {
+    return code == voxel_solid || code == voxel_stairs || is_lamp_voxel(code);
+}
 
 /// Radiance of a lamp, as a block that fills its cell.
 vec3 lamp_radiance(Voxel v) {

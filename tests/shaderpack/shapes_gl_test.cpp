@@ -1,0 +1,95 @@
+// Rays and the face cache on blocks that fill a part of their cell: stairs, slabs, doors.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "face_field.h"
+
+namespace orris::test {
+namespace {
+
+constexpr int kVolume = 32;
+constexpr double kLamp = 16;  // radiance of glowstone, red: EMISSION_STRENGTH
+
+OptionValues options() {
+  return {{"GI_METHOD", "FACE_CACHE"},
+          {"VOXEL_SIZE", std::to_string(kVolume)},
+          {"FACE_SHARE", "1"},
+          {"FACE_GAIN", "1.0"}};
+}
+
+/// 49 holes in a dark block with this block in them, under a lamp each: next to it or a block above.
+std::string cells(const std::string& block, int lamp) {
+  std::string world = R"({"size": [15, 5, 15],
+      "cameras": [{"name": "eye", "position": [7.5, 2.5, 7.5]}], "environment": {"time": 18000},
+      "blocks": [{"box": "black_concrete", "min": [0, 0, 0], "max": [14, 4, 14]})";
+  for (int i = 0; i < 49; ++i)
+    world += fmt::format(R"(, {{"block": "air", "at": [{1}, 2, {2}]}},
+        {{"block": "{0}", "at": [{1}, 1, {2}]}}, {{"block": "glowstone", "at": [{1}, {3}, {2}]}})",
+                         block, 1 + i % 7 * 2, 1 + i / 7 * 2, lamp);
+  return world + "]}";
+}
+
+double meanOfCells(const FaceField& field, int y, Face face) {
+  double sum = 0;
+  for (int i = 0; i < 49; ++i) sum += field.red({1 + i % 7 * 2, y, 1 + i / 7 * 2}, face) / 49;
+  return sum;
+}
+
+/// Form factors in closed form: of equal rectangles x by y right opposite at distance 1, and of two of
+/// length 1 at a right angle that share it, of width w and h, from the one of width w.
+double oppositeRectangles(double x, double y) {
+  const double xx = 1 + x * x, yy = 1 + y * y;
+  return 2 / (std::numbers::pi * x * y) *
+         (std::log(std::sqrt(xx * yy / (xx + yy - 1))) +
+          x * std::sqrt(yy) * std::atan(x / std::sqrt(yy)) +
+          y * std::sqrt(xx) * std::atan(y / std::sqrt(xx)) - x * std::atan(x) - y * std::atan(y));
+}
+
+double cornerRectangles(double w, double h) {
+  const double ww = w * w, hh = h * h, all = 1 + ww + hh, diagonal = std::sqrt(ww + hh);
+  const double logarithms = std::log((1 + ww) * (1 + hh) / all) +
+                            ww * std::log(ww * all / ((1 + ww) * (ww + hh))) +
+                            hh * std::log(hh * all / ((1 + hh) * (ww + hh)));
+  return 1 / (std::numbers::pi * w) *
+         (w * std::atan(1 / w) + h * std::atan(1 / h) - diagonal * std::atan(1 / diagonal) +
+          logarithms / 4);
+}
+
+// The upper half of the stairs takes the lamp's other half from the tread; and of the faces towards the
+// step, those on the side of the cell are behind the wall.
+TEST(shapes, tread_and_riser_see_half_of_the_lamp_over_them) {
+  PackSession pack(cells("nether_brick_stairs[facing=north]", 2), options());
+  pack.renderFrames(140);
+  const FaceField field = faceField(pack, kVolume);
+  EXPECT_NEAR(meanOfCells(field, 1, kUp) / (kLamp * oppositeRectangles(2, 1)), 1, .04);
+  EXPECT_NEAR(meanOfCells(field, 1, kSouth) / (kLamp * cornerRectangles(.5, .5)), 1, .04);
+}
+
+TEST(shapes, slab_shades_the_floor_of_its_cell) {
+  PackSession pack(cells("stone_slab[type=top]", 3), options());
+  pack.renderFrames(20);
+  const FaceField field = faceField(pack, kVolume);
+  EXPECT_EQ(meanOfCells(field, 0, kUp), 0);
+  EXPECT_GT(field.updates({7, 0, 7}, kUp), 10);
+}
+
+TEST(shapes, shut_doors_let_nothing_through) {
+  PackSession pack(R"({"size": [13, 6, 7],
+      "cameras": [{"name": "eye", "position": [9.5, 2.5, 3.5]}], "environment": {"time": 18000},
+      "blocks": [{"hollow": "white_concrete", "min": [0, 0, 0], "max": [12, 5, 6]},
+                 {"box": "white_concrete", "min": [6, 0, 0], "max": [6, 5, 6]},
+                 {"block": "oak_door[half=lower,facing=east]", "at": [6, 1, 3]},
+                 {"block": "oak_door[half=upper,facing=east]", "at": [6, 2, 3]},
+                 {"block": "glowstone", "at": [3, 5, 3]}]})",
+                   options());
+  pack.renderFrames(40);
+  const FaceField field = faceField(pack, kVolume);
+  EXPECT_GT(field.meanRed({1, 0, 1}, {5, 0, 5}, kUp), .1);
+  EXPECT_EQ(field.meanRed({7, 0, 1}, {11, 0, 5}, kUp), 0);
+}
+
+}  // namespace
+}  // namespace orris::test
