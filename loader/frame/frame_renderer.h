@@ -71,6 +71,9 @@ class FrameRenderer {
   /// Any buffer by name (colortexN, shadowcolorN, depthtexN, shadowtexN, a custom image), as it
   /// stands after the last frame, top row first; a 3-D image as its slices from top to bottom.
   std::optional<ImageF> dump(const std::string& name) const;
+  /// A custom image of whole numbers, all bits of them, bottom row first, slice after slice; empty
+  /// where there is none.
+  std::vector<std::uint32_t> dumpWords(const std::string& image) const;
   /// What dump() takes, separated by blanks.
   std::string bufferNames() const;
   unsigned screenFramebuffer();

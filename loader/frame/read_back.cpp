@@ -74,6 +74,13 @@ std::optional<ImageF> FrameRenderer::dump(const std::string& name) const {
   return flipped(pixels, texture->width, texture->height * texture->depth, channels);
 }
 
+std::vector<std::uint32_t> FrameRenderer::dumpWords(const std::string& image) const {
+  const ImageResource* resource = loaded_->resources->image(image);
+  int channels = 0;
+  return resource == nullptr ? std::vector<std::uint32_t>()
+                             : gl::readWords(resource->texture, channels);
+}
+
 std::string FrameRenderer::bufferNames() const {
   std::string names;
   for (const TargetPlan& plan : schedule_.colortex) names += fmt::format("colortex{} ", plan.index);

@@ -126,4 +126,16 @@ std::vector<float> readPixels(const Texture& texture, int& channels) {
   }
 }
 
+std::vector<std::uint32_t> readWords(const Texture& texture, int& channels) {
+  const Transfer transfer = transferOf(texture);
+  const bool isSigned = transfer.formatClass == FormatClass::Int;
+  if (!isSigned && transfer.formatClass != FormatClass::Uint) return {};
+  channels = transfer.channels;
+  std::vector<std::uint32_t> words(size_t(texture.width) * size_t(texture.height) *
+                                   size_t(texture.depth) * size_t(channels));
+  GetTextureImage(texture.id(), 0, transfer.format, isSigned ? GL_INT : GL_UNSIGNED_INT,
+                  GLsizei(words.size() * sizeof(std::uint32_t)), words.data());
+  return words;
+}
+
 }  // namespace orris::gl

@@ -1,6 +1,7 @@
 // Framebuffers over textures, and reading pixels back.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -24,5 +25,8 @@ Framebuffer createFramebuffer(const std::vector<const Texture*>& colors, const T
 /// Reads level 0, all channels as float (integers converted exactly up to 2^24), bottom row first
 /// as GL has it; 3-D textures slice after slice; depth as one channel.
 std::vector<float> readPixels(const Texture& texture, int& channels);
+
+/// The same of a texture of whole numbers, all bits of them; of any other empty.
+std::vector<std::uint32_t> readWords(const Texture& texture, int& channels);
 
 }  // namespace orris::gl

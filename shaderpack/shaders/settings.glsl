@@ -183,8 +183,10 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 #define FLOOD_IMAGE (AIR_LIGHT && IMAGES && FLOODFILL_STORAGE == IMAGE_3D)
 #if FLOODFILL_RULE == CONSERVING
 #define FLOODFILL_FORMAT rgba32f
+#define FLOODFILL_IMAGE image3D
 #else
-#define FLOODFILL_FORMAT rgba16f
+#define FLOODFILL_FORMAT rg32ui
+#define FLOODFILL_IMAGE uimage3D
 #endif
 
 // Is a field of distances to the next block kept for the rays?

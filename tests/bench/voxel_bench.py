@@ -50,7 +50,7 @@ def measure(args, cases, size, count, without, folder):
 
 
 def step_cases(args, folder):
-    bricks = "(all || is_active(brick))"
+    bricks = "(all || restless.light || restless.blocks)"
     forced = [copy_of(args.pack, folder / name, [(LIST, bricks, text)])
               for name, text in (("all", "true"), ("some", "brick % 20 == 0"), ("none", "false"))]
     common = ["GI_METHOD=FLOODFILL", f"VOXEL_SIZE={args.volume}", "FLOODFILL_INTERVAL=1"]

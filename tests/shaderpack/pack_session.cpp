@@ -64,7 +64,7 @@ std::array<float, 4> CellField::at(glm::ivec3 cell) const {
   return channels;
 }
 
-CellField CellField::ofSlices(const ImageF& slices, AtlasLayout layout,
+CellField CellField::ofSlices(const ImageF& slices, AtlasLayout layout, int height,
                               const std::function<glm::ivec3(glm::ivec3)>& texelOf) {
   const int n = layout.volume, rows = (n + layout.columns - 1) / layout.columns;
   ImageF atlas(n * layout.columns, n * rows, slices.channels);
@@ -73,16 +73,10 @@ CellField CellField::ofSlices(const ImageF& slices, AtlasLayout layout,
       for (int x = 0; x < n; ++x) {
         const glm::ivec3 texel = texelOf({x, y, z});
         std::copy_n(
-            slices.at(texel.x, slices.height - 1 - (texel.z * n + texel.y)), slices.channels,
+            slices.at(texel.x, slices.height - 1 - (texel.z * height + texel.y)), slices.channels,
             atlas.at(y % layout.columns * n + x, atlas.height - 1 - (y / layout.columns * n + z)));
       }
   return {std::move(atlas), layout};
-}
-
-CellField CellField::mapped(const std::function<float(float)>& change) const {
-  CellField result = *this;
-  for (float& value : result.atlas_.pixels) value = change(value);
-  return result;
 }
 
 int CellField::countLit() const {
@@ -153,23 +147,51 @@ void PackSession::renderFrames(int count) {
   for (const std::string& error : sharedContext().takeErrors()) ADD_FAILURE() << error;
 }
 
+namespace {
+
+/// Sizes of the image flood_light (include/voxel/flood_image.glsl).
+struct FloodImage {
+  int width, height, slices;
+  explicit FloodImage(int volume) : width(volume + 8), height(volume + 4), slices(2 * volume) {}
+};
+
+/// Light from the codes of I^gamma.
+ImageF decodedLight(const std::vector<std::uint32_t>& words, const FloodImage& size, float gamma) {
+  ImageF light(size.width, size.height * size.slices, 3);
+  for (int row = 0; row < light.height; ++row)
+    for (int x = 0; x < size.width; ++x) {
+      const std::uint32_t* texel = &words.at((size_t(row) * size.width + x) * 2);
+      const std::uint32_t codes[] = {texel[0] & 0xFFFF, texel[0] >> 16, texel[1] & 0xFFFF};
+      for (int i = 0; i < 3; ++i) {
+        const float power =
+            std::ldexp(1 + (codes[i] & 511) / 512.0f, static_cast<int>(codes[i] >> 9) - 64);
+        light.at(x, light.height - 1 - row)[i] =
+            codes[i] == 0 ? 0 : 65504 * std::pow(std::ldexp(power, -63), 1 / gamma);
+      }
+    }
+  return light;
+}
+
+}  // namespace
+
 CellField PackSession::light(AtlasLayout layout) {
-  const auto slices = session_->renderer().dump("flood_light");
+  std::optional<ImageF> slices = session_->renderer().dump("flood_light");
   if (!slices) return {dump("colortex4"), layout};
   const auto option = [&](const char* name, const char* otherwise) {
     const auto it = options_.find(name);
     return it == options_.end() ? std::string(otherwise) : it->second;
   };
   const int n = layout.volume;
+  const FloodImage size(n);
+  if (option("FLOODFILL_RULE", "PUBLISHED") != "CONSERVING")
+    slices = decodedLight(session_->renderer().dumpWords("flood_light"), size,
+                          std::stof(option("FLOODFILL_GAMMA", "2.2")));
   const glm::ivec3 origin = glm::ivec3(glm::floor(session_->camera().position)) - n / 2;
   const int step = (frames_ - 1) / std::stoi(option("FLOODFILL_INTERVAL", "3")) + 1;
-  const CellField stored = CellField::ofSlices(*slices, layout, [&](glm::ivec3 cell) {
+  return CellField::ofSlices(*slices, layout, size.height, [&](glm::ivec3 cell) {
     const glm::ivec3 place = ((origin + cell) % n + n) % n;
     return place + glm::ivec3(0, 0, step % 2 * n);
   });
-  if (option("FLOODFILL_RULE", "PUBLISHED") == "CONSERVING") return stored;
-  const float root = 2 / std::stof(option("FLOODFILL_GAMMA", "2.2"));
-  return stored.mapped([&](float value) { return 65504 * std::pow(value / 60000, root); });
 }
 
 ImageF PackSession::dump(const std::string& buffer) {

@@ -34,11 +34,9 @@ struct AtlasLayout {
 class CellField {
  public:
   CellField(ImageF atlas, AtlasLayout layout) : atlas_(std::move(atlas)), layout_(layout) {}
-  /// Of a 3-D image as the renderer dumps it. `texelOf`: where a cell is in it.
-  static CellField ofSlices(const ImageF& slices, AtlasLayout layout,
+  /// Of a 3-D image as the renderer dumps it, of slices so high. `texelOf`: where a cell is in it.
+  static CellField ofSlices(const ImageF& slices, AtlasLayout layout, int height,
                             const std::function<glm::ivec3(glm::ivec3)>& texelOf);
-  /// All channels changed.
-  CellField mapped(const std::function<float(float)>& change) const;
   /// The four channels of a cell, 0..volume-1 on each axis.
   std::array<float, 4> at(glm::ivec3 cell) const;
   float red(glm::ivec3 cell) const { return at(cell)[0]; }

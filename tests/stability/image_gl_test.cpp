@@ -85,27 +85,44 @@ TEST(image, falls_off_as_theory_predicts) {
   }
 }
 
+/// Light of a lamp after 70 steps of `options`, one cell beside it holding `value` before the tenth.
+CellField lightAfter(const char* value, const OptionValues& options) {
+  const auto poke = [&](PackTexts& files) {
+    edit(
+        files["/program/p2_floodfill_step.glsl"], "    uint listed = ",
+        fmt::format("    if (frameCounter == 10) imageStore(flood_light, flood_texel(ivec3(18, 16, "
+                    "16), step_stamp() - 1u), {});\n    uint listed = ",
+                    value));
+  };
+  LabSetup setup = {.blocks = kLampBlock, .options = options};
+  if (value != nullptr) setup.change = poke;
+  Lab lab = labOf(setup, "IMAGE_3D");
+  lab.step(70);
+  return lab.light();
+}
+
 TEST(image, bad_value_is_gone_after_a_step) {
+  const OptionValues conserving = {{"FLOODFILL_RULE", "CONSERVING"}};
+  const CellField clean = lightAfter(nullptr, conserving);
   for (const char* value :
-       {"uintBitsToFloat(0x7fc00000u)", "uintBitsToFloat(0x7f800000u)", "-1.0"}) {
-    const auto poke = [&](PackTexts& files) {
-      edit(files["/program/p2_floodfill_step.glsl"], "    uint listed = ",
-           fmt::format(
-               "    if (frameCounter == 10) imageStore(flood_light, flood_texel(ivec3(18, 16, "
-               "16), step_stamp() - 1u), vec4({}));\n    uint listed = ",
-               value));
-    };
-    Lab clean = labOf({.blocks = kLampBlock}, "IMAGE_3D");
-    Lab poked = labOf({.blocks = kLampBlock, .change = poke}, "IMAGE_3D");
-    for (Lab* one : {&clean, &poked}) one->step(70);
-    EXPECT_EQ(countDifferent(clean.light(), poked.light(), 1e-2, 3e-4), 0) << value;
-  }
+       {"vec4(uintBitsToFloat(0x7fc00000u))", "vec4(uintBitsToFloat(0x7f800000u))", "vec4(-1.0)"})
+    EXPECT_EQ(countDifferent(clean, lightAfter(value, conserving), 1e-2, 3e-4), 0) << value;
+}
+
+// Codes have no bad values. Summing light itself doubles it in open air with every step.
+TEST(image, growth_ends_at_the_largest_light) {
+  Lab lab = labOf({.blocks = kLampBlock,
+                   .options = {{"FLOODFILL_GAMMA", "1.0"}},
+                   .constants = {{"EMISSION_STRENGTH", "4000.0"}}},
+                  "IMAGE_3D");
+  lab.step(20);
+  const CellField light = lab.light();
+  EXPECT_EQ(light.brightest(), 65504);
+  EXPECT_GT(light.countLit(), 10000);
 }
 
 /// Bricks that the last frame's step reckoned.
-int activeBricks(Lab& lab) {
-  return static_cast<int>(*lab.pack().dump("flood_list").at(0, 0));  // row 1 lies above row 0
-}
+int activeBricks(Lab& lab) { return static_cast<int>(*lab.pack().dump("flood_list").at(0, 2)); }
 
 TEST(image, rests_when_settled_and_wakes_for_edits) {
   const LabSetup setup = {
@@ -124,6 +141,57 @@ TEST(image, rests_when_settled_and_wakes_for_edits) {
   EXPECT_EQ(activeBricks(image), 0);
   atlas.step(250);
   EXPECT_EQ(countDifferent(atlas.light(), image.light(), 1e-2, 3e-4), 0);
+}
+
+/// A shaft one block wide with a lamp in its ground, and what else is in it.
+std::string shaft(const std::string& inside) {
+  return R"({"box": "stone", "min": [12, 0, 12], "max": [20, 20, 20]},
+            {"block": "sea_lantern", "at": [16, 2, 16]},
+            {"box": ")" +
+         inside + R"(", "min": [16, 3, 16], "max": [16, 20, 16]})";
+}
+
+/// Both storages through `events` at frame 30 and 70, each time until the light has followed.
+void expectTheAtlasAfterEvents(const LabSetup& setup) {
+  Lab atlas = labOf(setup, "ATLAS_2D"), image = labOf(setup, "IMAGE_3D");
+  for (const int frames : {65, 40}) {
+    for (Lab* one : {&atlas, &image}) one->step(frames);
+    EXPECT_GT(atlas.light().countLit(), 5);
+    EXPECT_EQ(countDifferent(atlas.light(), image.light(), 1e-2, 3e-4), 0) << frames;
+  }
+}
+
+// Cells keep their place, so that beyond each end of the volume lies what is at the other.
+TEST(image, light_ends_where_the_volume_ends) {
+  const LabSetup setup = {.blocks = R"({"block": "glowstone", "at": [[0, 0, 0], [31, 31, 31]]})"};
+  Lab atlas = labOf(setup, "ATLAS_2D"), image = labOf(setup, "IMAGE_3D");
+  for (Lab* one : {&atlas, &image}) one->step(12);
+  EXPECT_EQ(countDifferent(atlas.light(), image.light(), 1e-2, 3e-4), 0);
+}
+
+// The cell above the slab is in another brick of 8^3, in which no block changed.
+TEST(image, slab_closes_the_cell_of_the_brick_above) {
+  expectTheAtlasAfterEvents(
+      {.blocks = shaft("air"),
+       .events = R"({"frame": 30, "set": {"at": [16, 7, 16], "block": "stone_slab[type=top]"}},
+                    {"frame": 70, "set": {"at": [16, 7, 16], "block": "air"}})"});
+}
+
+/// Events that fill a basin of 3 x 3 blocks at a frame.
+std::string filled(int frame, const char* block) {
+  std::string events;
+  for (int i = 0; i < 9 * 14; ++i)
+    events += fmt::format(R"({}{{"frame": {}, "set": {{"at": [{}, {}, {}], "block": "{}"}}}})",
+                          i == 0 ? "" : ",", frame, 15 + i % 3, 7 + i / 9, 15 + i / 3 % 3, block);
+  return events;
+}
+
+// Water is known by its surface, so that no face tells what becomes of the middle below.
+TEST(image, drained_lake_leaves_no_tint) {
+  expectTheAtlasAfterEvents({.blocks = R"({"box": "stone", "min": [12, 0, 12], "max": [20, 20, 20]},
+                                          {"block": "sea_lantern", "at": [16, 6, 16]},
+                                          {"box": "water", "min": [15, 7, 15], "max": [17, 20, 17]})",
+                             .events = filled(30, "air") + "," + filled(70, "water")});
 }
 
 TEST(image, light_at_rest_is_the_same_bits_in_every_frame) {

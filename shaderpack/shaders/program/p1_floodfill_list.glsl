@@ -1,15 +1,12 @@
-// Makes the floodfill's image ready for this frame: empties cells that came into the volume, puts
-// lamps and walls where blocks changed, and lists the bricks that the step has to reckon.
+// Lists for this frame the bricks whose cells p1_floodfill_cells has to make ready, and those that the step has
+// to reckon.
 #include "/settings.glsl"
 
 layout(local_size_x = 64) in;
 const ivec3 workGroups = ivec3(8, 1, 1);
 
-#define READ_VOXELS
-#include "/include/voxel/voxel.glsl"
 #include "/include/voxel/active_bricks.glsl"
 
-layout(FLOODFILL_FORMAT) uniform writeonly image3D flood_light;
 layout(r32ui) uniform uimage2D flood_list;
 layout(r32ui) uniform readonly uimage2D flood_memory;
 layout(r32ui) uniform readonly uimage2D voxel_memory;
@@ -22,38 +19,43 @@ bool light_changed(int brick) {
     return imageLoad(flood_memory, ivec2(brick, 0)).r + 1u == step_stamp();
 }
 
-bool restless(ivec3 place) {
-    int brick = brick_index(wrap(place, bricks));
-    return edited_since_step(brick) || light_changed(brick);
-}
+/// What asks for a step of a brick, in it or beside it, and for its cells to be made ready.
+struct Restless {
+    bool light;
+    bool blocks;
+    bool own_blocks;  // or those above or below, of which cells know something, too
+};
 
-/// Is the brick, or one beside it, restless? Those at the edge of the volume count as neighbours.
-bool is_active(int brick) {
+/// Those at the edge of the volume count as neighbours.
+Restless restless_about(int brick) {
     ivec3 place = brick_place(brick);
-    bool near = restless(place);
-    for (int axis = 0; axis < 3; ++axis) {
-        ivec3 offset = ivec3(axis == 0, axis == 1, axis == 2);
-        near = near || restless(place + offset) || restless(place - offset);
+    Restless found = Restless(false, false, false);
+    for (int i = 0; i < 7; ++i) {
+        int axis = i >> 1;  // 3: the brick itself
+        ivec3 offset = ivec3(axis == 0, axis == 1, axis == 2) * (1 - 2 * (i & 1));
+        int there = brick_index(wrap(place + offset, bricks));
+        bool edited = edited_since_step(there);
+        found.light = found.light || light_changed(there);
+        found.blocks = found.blocks || edited;
+        found.own_blocks = found.own_blocks || (edited && (axis & 1) == 1);
     }
-    return near;
+    return found;
 }
 
-void store_both(ivec3 place, vec3 light) {
-    for (uint side = 0u; side < 2u; ++side)
-        imageStore(flood_light, flood_texel(place, side), vec4(light, 1.0));
+/// Did one of the brick's cells come into the volume with this frame? On each axis these lie from one place
+/// on, as many as the volume moved.
+bool has_entered(int brick) {
+    ivec3 lowest = brick_place(brick) * brick_size;
+    ivec3 scroll = volume_scroll();
+    ivec3 first = volume_origin() + ivec3(greaterThan(scroll, ivec3(0))) * (VOLUME - scroll);
+    ivec3 begin = wrap(first - lowest, VOLUME) - brick_size;
+    ivec3 end = wrap(lowest - first, VOLUME) - abs(scroll);
+    return any(lessThan(min(begin, end) * abs(sign(scroll)), ivec3(0)));
 }
 
-/// Light of cells that no step reckons: none where the volume was not before, a lamp's, none in walls.
-void prepare_cells(int brick, bool edited, bool scrolled) {
-    int cells = edited || scrolled ? 512 : 0;
-    for (int i = 0; i < cells; ++i) {
-        ivec3 place = brick_place(brick) * brick_size + (ivec3(i, i >> 3, i >> 6) & 7);
-        ivec3 cell = stored_at(place);
-        Voxel v = voxel_at(cell);
-        bool fixed_light = edited && is_opaque_voxel(v.code);
-        vec3 light = fixed_light && is_lamp_voxel(v.code) ? to_stored(lamp_radiance(v)) : vec3(0.0);
-        if (fixed_light || entered(cell)) store_both(place, light);
-    }
+void add_to_list(int brick, ivec2 length, int row) {
+    uint slot = imageAtomicAdd(flood_list, length, 1u);
+    imageStore(flood_list, ivec2(int(slot), row), uvec4(uint(brick)));
 }
 
 void main() {
@@ -63,10 +65,9 @@ void main() {
     int count = step_now || scrolled ? brick_count : 0;
     int stride = int(gl_NumWorkGroups.x * gl_WorkGroupSize.x);
     for (int brick = int(gl_GlobalInvocationID.x); brick < count; brick += stride) {
-        prepare_cells(brick, step_now && edited_since_step(brick), scrolled);
-        if (step_now && (all || is_active(brick))) {
-            uint slot = imageAtomicAdd(flood_list, flood_list_length, 1u);
-            imageStore(flood_list, ivec2(int(slot), 0), uvec4(uint(brick)));
-        }
+        Restless restless = restless_about(brick);
+        if ((step_now && restless.own_blocks) || (scrolled && has_entered(brick)))
+            add_to_list(brick, ready_list_length, ready_list);
+        if (step_now && (all || restless.light || restless.blocks)) add_to_list(brick, step_list_length, step_list);
     }
 }

@@ -2,7 +2,8 @@
 // changed, those whose light the step before changed, and their neighbours. Of all others the step
 // would give what is there.
 //
-//   flood_list    r32ui, empty when a frame begins: row 0 the bricks, row 1 their number
+//   flood_list    r32ui, empty when a frame begins: row 0 the bricks, row 2 those whose cells are made ready
+//                 for it, row 1 their numbers; row 3, by brick: were cells stepped that have yet to be tinted?
 //   flood_state   r32ui, empty when a frame begins, to be told: how many of them, of how many
 //   flood_memory  r32ui, kept: when a brick's light last changed (step_stamp)
 #if !defined INCLUDED_VOXEL_ACTIVE_BRICKS
@@ -11,7 +12,11 @@
 #include "/include/voxel/changes.glsl"
 #include "/include/voxel/flood_image.glsl"
 
-const ivec2 flood_list_length = ivec2(0, 1);
+const int step_list = 0;
+const int ready_list = 2;
+const int filter_flags = 3;
+const ivec2 step_list_length = ivec2(0, 1);
+const ivec2 ready_list_length = ivec2(1, 1);
 
 bool step_in_frame() { return frameCounter % FLOODFILL_INTERVAL == 0; }
 

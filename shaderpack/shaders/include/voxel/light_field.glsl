@@ -9,16 +9,16 @@
 #if FLOOD_IMAGE
 #include "/include/voxel/flood_image.glsl"
 #if defined STEPS_LIGHT
-layout(FLOODFILL_FORMAT) uniform image3D flood_light;
+layout(FLOODFILL_FORMAT) uniform FLOODFILL_IMAGE flood_light;
 const uint steps_back = 1u;  // what this frame's step reads
 #else
-layout(FLOODFILL_FORMAT) uniform readonly image3D flood_light;
+layout(FLOODFILL_FORMAT) uniform readonly FLOODFILL_IMAGE flood_light;
 const uint steps_back = 0u;
 #endif
 
 vec3 stored_light(ivec3 cell) {
     ivec3 texel = flood_texel(store_cell(cell), step_stamp() - steps_back);
-    return from_stored(sound(imageLoad(flood_light, texel).rgb));
+    return light_of(imageLoad(flood_light, texel));
 }
 #else
 uniform sampler2D colortex4;

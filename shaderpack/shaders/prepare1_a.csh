@@ -1,0 +1,2 @@
+#version 430 compatibility
+#include "/program/p1_floodfill_cells.glsl"
