@@ -228,7 +228,7 @@ MUTANTS = [
     ("image: no largest light", "image.growth*", [(POWERS, "min(step_gain * sum, vec3(power_max))", "step_gain * sum")]),
     ("image: sides differ at rest", "image.light_at_rest*", [(POWERS, "same ? own :", "false ? own :")]),
     ("image: codes are cut off", "image.*", [(IMAGE, "bits_of_code_0 - 0x2000u", "bits_of_code_0")]),
-    ("image: a lake that drains leaves its tint", "image.drained*",
+    ("image: a lake that drains leaves its tint", "image.change_in*",
      [("program/s0_voxel_changes.glsl", "lake_seen).r, 2)", "lake_seen).r, 0)")]),
     ("rays: leaps one cell too long", "rays.*", [(DISTANCE, "uint open = ~0u;", "uint open = ~0u;\n        count(planes, open);")]),
     ("rays: blocks are not seen along y", "rays.*",
