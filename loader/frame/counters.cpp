@@ -41,7 +41,7 @@ Diagnostics counterWarnings(const FrameRenderer& renderer) {
     const long long count = found->second[std::size_t(warning.texel)];
     if (count == 0) continue;
     diagnostics.push_back({.severity = Severity::Warning,
-                           .id = "counter",
+                           .id = "pack-counter",
                            .at = warning.at,
                            .message = fmt::format("{} {}", count, warning.text)});
   }

@@ -13,7 +13,7 @@ namespace orris {
 /// By image (isCounter()), after the last frame.
 std::map<std::string, std::vector<long long>> readCounters(const FrameRenderer& renderer);
 
-/// A warning `counter` for each `warn.*` line of the pack whose number is not 0.
+/// A warning `pack-counter` for each `warn.*` line of the pack whose number is not 0.
 Diagnostics counterWarnings(const FrameRenderer& renderer);
 
 }  // namespace orris
