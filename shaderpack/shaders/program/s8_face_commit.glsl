@@ -5,7 +5,7 @@
 #include "/include/faces/face_cache.glsl"
 
 layout(local_size_x = 64) in;
-const ivec3 workGroups = ivec3(64, 1, 1);
+const ivec3 workGroups = ivec3(16, 1, 1);
 
 layout(rgba16f) uniform writeonly image3D face_light;
 layout(rgba16f) uniform readonly image2D face_fresh;

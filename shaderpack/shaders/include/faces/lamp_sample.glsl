@@ -9,7 +9,7 @@
 #include "/include/lighting/hit.glsl"
 #include "/include/math/random.glsl"
 
-// Lamps looked at for each that gets a ray.
+// Lamps looked at for each that gets a ray; all if there are no more.
 const int lamp_candidates = 16;
 // Off a face, in blocks. Points of faces are exact, so this can be less than ray_offset.
 const float face_offset = 0.001;
@@ -144,9 +144,11 @@ vec3 lamp_sample(Receiver r) {
     uint chosen = 0u;
     float sum = 0.0;
     float weight = 0.0;
-    for (int i = 0; i < lamp_candidates; ++i) {
+    int candidates = min(lamp_candidates, int(lamps));
+    float stride = float(lamps) / float(candidates);
+    for (int i = 0; i < candidates; ++i) {
         vec2 u = next_random().xy;
-        uint index = uint((float(i) + u.x) * (float(lamps) / float(lamp_candidates)));
+        uint index = uint((float(i) + u.x) * stride);
         uint entry = imageLoad(face_list, lamp_slot(min(index, lamps - 1u))).r;
         float own = promise(r, entry);
         sum += own;
@@ -159,8 +161,7 @@ vec3 lamp_sample(Receiver r) {
     LampSample lamp = sample_lamp(r, chosen, lamps);
     Hit hit = trace_from_face(r.origin, lamp.direction);
     bool seen = hit.found && hit.cell == lamp.cell;
-    float times = sum * float(lamps) / (weight * float(lamp_candidates));
-    return seen ? hit.transmittance * lamp.light * times : vec3(0.0);
+    return seen ? hit.transmittance * lamp.light * (sum * stride / weight) : vec3(0.0);
 }
 
 #endif
