@@ -90,6 +90,8 @@ def wrong(args, world, size, folder):
 def measure(args, folder):
     rows = []
     for axis, place, world, size in CASES:
+        if size in args.without:
+            continue
         path = folder / "world"
         path.mkdir(exist_ok=True)
         (path / "world.json").write_text(json.dumps(world))
@@ -113,6 +115,7 @@ def draw(rows, path):
             plots[1][column].plot(places, [100 * (row[7] + row[8]) / row[9] for row in mine],
                                   mark + "-")
         plots[0][column].grid(alpha=0.3)
+        plots[0][column].tick_params(axis="x", labelbottom=False)
         plots[1][column].grid(alpha=0.3)
         plots[1][column].set_yscale("symlog", linthresh=0.1)
         plots[1][column].set_xlabel(name)
@@ -129,6 +132,7 @@ def main():
     parser.add_argument("pack")
     parser.add_argument("out", help="picture, .png or .svg; the table gets the same name")
     parser.add_argument("--rounds", type=int, default=8)
+    parser.add_argument("--without", nargs="*", default=[], help="sizes of pictures to leave out")
     args = parser.parse_args()
     out = pathlib.Path(args.out)
     with tempfile.TemporaryDirectory() as folder:
