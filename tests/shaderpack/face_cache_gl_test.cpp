@@ -194,6 +194,17 @@ TEST(face_cache, closed_wall_lets_nothing_through) {
   EXPECT_GT(field.updates({9, 0, 3}, kUp), 10);
 }
 
+// The picture of the dark one of two rooms: black, while the one beside it is lit.
+TEST(face_cache, picture_of_a_dark_room_behind_a_wall_is_black) {
+  const OptionValues plain = options({{"AMBIENT_MINIMUM", "0.0"}, {"VOXEL_SIZE", "64"}});
+  PackSession pack = PackSession::ofWorld("h5_two_rooms", plain, 32, 18);
+  pack.renderFrames(40);
+  EXPECT_GT(pack.meanRadiance().r, .05) << "the lit room";
+  pack.look({25.5, 5, 11.5}, {16, 5, 3});
+  pack.renderFrames(40);
+  EXPECT_EQ(pack.meanRadiance(), glm::dvec3(0));
+}
+
 // Two rooms with a wall between them, and a lamp in one.
 TEST(face_cache, opened_wall_lights_the_dark_room) {
   const char* const world = R"({
