@@ -85,6 +85,8 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 #define VOXEL_VIEW NONE // [NONE BLOCKS RADIANCE]
 #define VOXEL_VIEW_FROM 0.0 // [0.0 2.0 4.0 8.0 12.0 16.0 24.0]
 
+//#define GI_COUNTERS // Count voxels written and rays sent
+
 // Many lamps
 #define LIGHT_METHOD NONE // [NONE FORWARD DEFERRED TILED CLUSTERED AUTO]
 #define LIGHT_RANGE 1.0 // [0.25 0.5 0.75 1.0 1.5]
@@ -220,6 +222,13 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 // Does something outlast the frame that is made of the voxels? Then rays see the shapes of stairs, too;
 // else these are full blocks.
 #define NOTICE_CHANGES (FACES || FLOOD_IMAGE || DISTANCES)
+
+// Are voxels and rays counted? By programs that have images anyway.
+#ifdef GI_COUNTERS
+#define COUNTED NOTICE_CHANGES
+#else
+#define COUNTED 0
+#endif
 
 // Side of the shadow targets: the voxels need 1024 texels in a row.
 #if VOXELS && SHADOW_RESOLUTION < 1024

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "frame/counters.h"
 #include "pack_session.h"
 
 namespace orris::test {
@@ -145,6 +146,20 @@ TEST(cost, bounces_need_no_floodfill) {
   const Schedule& schedule = pack.session().renderer().schedule();
   EXPECT_TRUE(schedule.target(false, 3));
   EXPECT_FALSE(schedule.target(false, 4));
+}
+
+// A block on its own has six faces; each pixel sends a ray, and what it hits none.
+TEST(cost, voxels_and_rays_are_counted_when_asked_for) {
+  constexpr const char* kBlock = R"({
+    "size": [4, 4, 4], "blocks": [{"block": "stone", "at": [1, 1, 1]}],
+    "cameras": [{"name": "eye", "position": [1.5, 1.5, 2.1], "yaw": 180, "fov": 30}]})";
+  OptionValues options = {{"GI_METHOD", "BOUNCE_1"}, {"GI_COUNTERS", "true"}};
+  PackSession counted(kBlock, options, 8, 8);
+  counted.renderFrames(2);
+  const auto counts = readCounters(counted.session().renderer());
+  EXPECT_EQ(counts.at("gi_state"), (std::vector<long long>{6, 64}));
+  options.erase("GI_COUNTERS");
+  EXPECT_TRUE(readCounters(PackSession(kBlock, options).session().renderer()).empty());
 }
 
 int volumeOf(const std::string& world) {

@@ -98,6 +98,7 @@ void emit_lamp() {
 #if NOTICE_CHANGES
 #extension GL_ARB_shader_image_load_store : enable
 #include "/include/voxel/checksum.glsl"
+#include "/include/voxel/count.glsl"
 #define MAKES_OCTANTS
 #include "/include/voxel/octants.glsl"
 #endif
@@ -148,6 +149,7 @@ void emit_voxel() {
     voxel = block_voxel(int(floor(vertex_id[0] + 0.5)), vertex_emission[0], vertex_normal[0]);
     if (voxel.a == 0.0) return;
 #if NOTICE_CHANGES
+    count_voxel();
     int code = int(voxel.a * 255.0 + 0.5);
     int face = face_of(vertex_normal[0]);
     add_to_brick(cell, face, code, vertex_mid_uv[0]);

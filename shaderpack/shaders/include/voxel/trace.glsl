@@ -3,6 +3,7 @@
 #if !defined INCLUDED_VOXEL_TRACE
 #define INCLUDED_VOXEL_TRACE
 
+#include "/include/voxel/count.glsl"
 #include "/include/voxel/octants.glsl"
 #include "/include/voxel/voxel.glsl"
 #if DISTANCES
@@ -141,6 +142,7 @@ void describe(inout Hit hit, Walk walk, Meeting met, vec4 texel) {
 /// First block from `origin` (volume space) on. The first cell is not tested: rays start on a face,
 /// and there the cell holds either nothing or the partial block that the face belongs to.
 Hit trace(vec3 origin, vec3 direction) {
+    count_ray();
     Walk walk = begin_walk(origin, direction);
     Hit hit;
     hit.transmittance = vec3(1.0);
