@@ -22,16 +22,16 @@ set logscale xy
 set format x '10^{{%T}}'
 set xlabel 'lit cells'
 set ylabel 'milliseconds of processor time'
-set key top left
+set key bottom right
 set grid
 set terminal {terminal}
 set output '{out}'
 step(x) = {first} * x / {cells}
 plot step(x) title 'linear in the first' lc 'gray' dt 2, \\
   '{csv}' skip 1 using 2:3 with linespoints title 'a step', \\
-  '' skip 1 using 2:5 with linespoints title 'rays, BOUNCE_1', \\
-  '' skip 1 using 2:6 with linespoints title 'rays and step, FLOODFILL', \\
-  '' skip 1 using 2:7 with linespoints title 'rays and faces, FACE_CACHE'
+  '' skip 1 using 2:5 with linespoints title 'rays, BOUNCE_1' noenhanced, \\
+  '' skip 1 using 2:6 with linespoints title 'rays and step, FLOODFILL' noenhanced, \\
+  '' skip 1 using 2:7 with linespoints title 'rays and faces, FACE_CACHE' noenhanced
 """
 
 
