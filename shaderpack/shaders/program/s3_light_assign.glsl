@@ -47,21 +47,22 @@ vec2 box_slopes(float across, float radius, vec2 between) {
                 high / (high < 0.0 ? between.y : between.x));
 }
 
-/// First and last tile of an axis.
+/// First and last tile of an axis; last before first for none.
 ivec2 tile_range(Sphere s, int axis, float radius, vec2 between) {
     float across = s.center[axis];
     vec2 outer = tangents(across, s.center.z, s.radius);
     vec2 box = box_slopes(across, radius, between);
     vec2 slopes = vec2(max(outer.x, box.x), min(outer.y, box.y));
     slopes += vec2(-pad, pad) * (1.0 + abs(slopes));
+    float edge = 1.0 / tile_scale()[axis];
+    if (slopes.x > edge || slopes.y < -edge) return ivec2(0, -1);
     return ivec2(tile_of(slopes.x, axis), tile_of(slopes.y, axis));
 }
 
 /// Distance along an axis from the centre to the part of a tile that lies between two distances.
 float gap(Sphere s, int tile, int axis, vec2 between) {
-    int last = (axis == 0 ? grid_columns : grid_rows) - 1;
-    float start = tile == 0 ? -unbounded : tile_start(tile, axis);
-    float end = tile == last ? unbounded : tile_start(tile + 1, axis);
+    float start = tile_start(tile, axis);
+    float end = tile_start(tile + 1, axis);
     float low = start * (start < 0.0 ? between.y : between.x);
     float high = end * (end < 0.0 ? between.x : between.y);
     return max(max(low - s.center[axis], s.center[axis] - high), 0.0);

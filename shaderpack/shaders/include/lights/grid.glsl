@@ -56,8 +56,8 @@ int slice_of(float distance_along) {
 /// Half the screen in units of distance: at distance 1 it ends at +-1 / scale.
 vec2 tile_scale() { return vec2(gbufferProjection[0][0], gbufferProjection[1][1]); }
 
-/// The column (axis 0) or row (axis 1) of a slope, x or y over distance; ends at the screen's edges
-/// reach to infinity.
+/// The column (axis 0) or row (axis 1) of a slope, x or y over distance; the nearest of those beside
+/// the screen.
 int tile_of(float slope, int axis) {
     int count = axis == 0 ? grid_columns : grid_rows;
     float place = (slope * tile_scale()[axis] * 0.5 + 0.5) * float(count);
@@ -70,12 +70,15 @@ float tile_start(int tile, int axis) {
     return (float(tile) / float(count) * 2.0 - 1.0) / tile_scale()[axis];
 }
 
+// What is beside the screen, as a hand that is drawn by another projection, has no cluster.
+const ivec2 no_cluster = ivec2(-1, 0);
+
 /// x: tile, y: slice.
 ivec2 cluster_of(vec3 view) {
     float distance_along = max(-view.z, 1e-4);
-    int column = tile_of(view.x / distance_along, 0);
-    int row = tile_of(view.y / distance_along, 1);
-    return ivec2(row * grid_columns + column, slice_of(distance_along));
+    vec2 slope = view.xy / distance_along;
+    if (any(greaterThan(abs(slope * tile_scale()), vec2(1.0)))) return no_cluster;
+    return ivec2(tile_of(slope.y, 1) * grid_columns + tile_of(slope.x, 0), slice_of(distance_along));
 }
 
 #endif

@@ -51,22 +51,23 @@ vec3 light_of_lamp(uint lamp, vec3 position, vec3 normal, float thin) {
 uint lamp_count() { return imageLoad(light_state, ivec2(state_lamps, 0)).r; }
 
 #if LIGHT_GRID
-/// Lamps to ask at the cluster; without lists all.
+bool has_list(ivec2 cluster) { return has_lists(lamp_count()) && cluster != no_cluster; }
+
+/// Lamps to ask at the cluster; without a list all.
 uint cluster_length(ivec2 cluster) {
-    uint lamps = lamp_count();
-    return has_lists(lamps) ? imageLoad(light_bits, ivec3(length_word, cluster)).r : lamps;
+    return has_list(cluster) ? imageLoad(light_bits, ivec3(length_word, cluster)).r : lamp_count();
 }
 
 uint cluster_count(ivec2 cluster) { return packed_lamps(cluster_length(cluster)); }
 
 vec3 cluster_irradiance(ivec2 cluster, vec3 position, vec3 normal, float thin) {
     vec3 sum = vec3(0.0);
-    bool lists = has_lists(lamp_count());
+    bool listed = has_list(cluster);
     uint length = cluster_length(cluster);
     uint count = packed_lamps(length);
-    int listed = int(lists ? min(count, list_capacity) : count);
-    for (int i = 0; i < listed; ++i) {
-        uint lamp = lists ? imageLoad(light_list, ivec3(i, cluster)).r : uint(i);
+    int end_of_list = int(listed ? min(count, list_capacity) : count);
+    for (int i = 0; i < end_of_list; ++i) {
+        uint lamp = listed ? imageLoad(light_list, ivec3(i, cluster)).r : uint(i);
         sum += light_of_lamp(lamp, position, normal, thin);
     }
     // Those beyond, in the table's order still.
