@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """What a frame costs in a settled scene beside one in which a block comes or goes every frame.
 
-Prints one line of JSON: medians in milliseconds and their ratio, of the programs that keep the volume (prepare*,
+Prints one line of JSON: medians in milliseconds of processor time and their ratio, of the programs that keep the volume (prepare*,
 shadowcomp*), of all global illumination (with deferred* less the last), and of whole frames. Frames 80 to 99 of
 WORLD are the settled ones; then, at AT, a lamp comes and goes."""
 
@@ -45,7 +45,7 @@ def main():
                         "--frames", str(CHANGING.stop), "--timings", folder / "times.csv", "--quiet", "--set",
                         *args.set], check=True)
         for row in csv.DictReader((folder / "times.csv").open()):
-            frames[int(row["frame"])][row["step"]] += float(row["milliseconds"])
+            frames[int(row["frame"])][row["step"]] += float(row["processor_milliseconds"])
     result = {}
     for part, belongs in PARTS.items():
         settled, changing = (statistics.median(sum(ms for step, ms in frames[frame].items() if belongs(step))
