@@ -14,6 +14,7 @@ namespace {
 void measure(const std::string& world, int before, int frames, int step,
              const OptionValues& options) {
   PackSession pack = PackSession::ofWorld(world, options, 8, 8);
+  if (testing::UnitTest::GetInstance()->ad_hoc_test_result().Failed()) std::exit(1);
   const BlockWorld& blocks = pack.session().scene().world.blocks;
   FaceBoiling boiling(blocks.origin(), blocks.size());
   const auto volume = options.find("VOXEL_SIZE");
