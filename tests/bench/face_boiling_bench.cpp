@@ -17,11 +17,11 @@ void measure(const std::string& world, int before, int frames, int step,
   if (testing::UnitTest::GetInstance()->ad_hoc_test_result().Failed()) std::exit(1);
   const BlockWorld& blocks = pack.session().scene().world.blocks;
   FaceBoiling boiling(blocks.origin(), blocks.size());
-  const auto volume = options.find("VOXEL_SIZE");
+  const int volume = std::stoi(options.at("VOXEL_SIZE"));
   pack.renderFrames(before);
   for (int i = 0; i < frames; ++i) {
     pack.renderFrames(step);
-    boiling.add(faceField(pack, volume == options.end() ? 64 : std::stoi(volume->second)));
+    boiling.add(faceField(pack, volume));
   }
   fmt::print("{}: over the mean of the cache {:.4f}, of each face {:.4f}, {} lit faces\n", world,
              boiling.overMean(), boiling.ofFaces(), boiling.faces());
@@ -33,7 +33,7 @@ void measure(const std::string& world, int before, int frames, int step,
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);  // of the checks in the session
   if (argc < 5) return fmt::print("WORLD FRAMES_BEFORE FRAMES STEP [OPTION=VALUE...]\n"), 2;
-  orris::OptionValues options{{"GI_METHOD", "FACE_CACHE"}};
+  orris::OptionValues options{{"GI_METHOD", "FACE_CACHE"}, {"VOXEL_SIZE", "64"}};
   for (int i = 5; i < argc; ++i) {
     const std::string text = argv[i];
     const std::size_t equals = text.find('=');
