@@ -80,7 +80,7 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 #define GI_SAMPLES 1 // [1 2 4]
 #define GI_LAMPS HIT // [HIT SAMPLED]
 //#define GI_GLOSSY // Polished blocks and metals mirror the voxels about them
-#define VOXEL_SIZE AUTO // [32 48 64 96 128 AUTO]
+#define VOXEL_SIZE AUTO // [32 48 64 96 128 256 AUTO]
 #define RAY_WALK DISTANCE // [GRID DISTANCE]
 #define VOXEL_VIEW NONE // [NONE BLOCKS RADIANCE]
 #define VOXEL_VIEW_FROM 0.0 // [0.0 2.0 4.0 8.0 12.0 16.0 24.0]
@@ -237,12 +237,24 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 #define SHADOW_TARGET SHADOW_RESOLUTION
 #endif
 
-// Volumes of 96 and 128 need a shadow target of 2048; with a smaller one they fall back to 64, which is
-// also AUTO where the host does not choose.
-#if VOXEL_SIZE == AUTO || (VOXEL_SIZE >= 96 && SHADOW_RESOLUTION < 2048)
-#define VOLUME 64
-#else
+// Volumes of 96 and 128 need a shadow target of 2048, 256 (128 high) one of 4096; with a smaller one they
+// fall back, in the end to 64, which is also AUTO where the host does not choose. The face cache has at
+// most 128. shaders.properties says the same.
+#if VOXEL_SIZE == 256 && SHADOW_RESOLUTION >= 4096 && !FACES
+#define VOLUME 256
+#elif VOXEL_SIZE >= 128 && SHADOW_RESOLUTION >= 2048
+#define VOLUME 128
+#elif VOXEL_SIZE == 96 && SHADOW_RESOLUTION >= 2048
+#define VOLUME 96
+#elif VOXEL_SIZE == 32 || VOXEL_SIZE == 48
 #define VOLUME VOXEL_SIZE
+#else
+#define VOLUME 64
+#endif
+#if VOLUME == 256
+#define VOLUME_HEIGHT 128
+#else
+#define VOLUME_HEIGHT VOLUME
 #endif
 
 // Tiles of the atlas (include/voxel/volume.glsl); size.buffer in shaders.properties repeats the
@@ -256,7 +268,7 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 #elif VOLUME == 96
 #define ATLAS_COLUMNS 20
 #define ATLAS_ROWS 5
-#elif VOLUME == 128
+#elif VOLUME >= 128
 #define ATLAS_COLUMNS 16
 #define ATLAS_ROWS 8
 #else

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """How the cost of the floodfill grows with the lit volume: closed rooms with pillars and lamps that fill volumes of
-VOXEL_SIZE^3, all of whose bricks are made to step. Writes OUT.csv and draws OUT.svg and OUT.png by gnuplot.
+VOXEL_SIZE^3, the last of 256 x 128 x 256, all of whose bricks are made to step. Writes OUT.csv and draws OUT.svg and OUT.png by gnuplot.
 
 Processor time by pass (`orris render --timings`), the least of the frames: what else runs only adds."""
 
@@ -13,7 +13,9 @@ import tempfile
 
 from voxel_bench import LIST, copy_of, room_world
 
-SIZES = [32, 48, 64, 96, 128]
+SIZES = [32, 48, 64, 96, 128, 256]
+HIGHEST = 128
+FACES_MOST = 128  # side of the largest volume of the face cache
 STEP = ("prepare",)
 LIGHT = ("deferred", "prepare", "shadowcomp")  # and not deferred4, which lights by it
 METHODS = ["BOUNCE_1", "FLOODFILL", "FACE_CACHE"]
@@ -40,7 +42,8 @@ def render(args, pack, world, size, method, folder):
     table = folder / "times.csv"
     done = subprocess.run([args.orris, "render", pack, world, "-o", folder / "picture.png", "--size", args.size,
                            "--frames", str(args.frames), "--json", "--timings", table, "--set", f"VOXEL_SIZE={size}",
-                           f"GI_METHOD={method}", "SHADOW_RESOLUTION=2048", "FLOODFILL_INTERVAL=1"],
+                           f"GI_METHOD={method}", f"SHADOW_RESOLUTION={2048 if size <= 128 else 4096}",
+                           "SHADOW_DISTANCE=128.0", "FLOODFILL_INTERVAL=1"],
                           check=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
     frames = {}
     with table.open() as file:
@@ -59,12 +62,16 @@ def least(frames, names):
 def rows(args, folder):
     forced = copy_of(args.pack, folder / "all", [(LIST, "(all || restless.light || restless.blocks)", "true")])
     for size in SIZES:
-        world = room_world(folder / f"room{size}", size)
-        cells = (size - 6) ** 3
+        height = min(size, HIGHEST)
+        world = room_world(folder / f"room{size}", size, height)
+        cells = (size - 6) ** 2 * (height - 6)
         step, listed = render(args, forced, world, size, "FLOODFILL", folder)
         row = {"size": size, "lit cells": cells, "step ms": round(least(step, STEP), 3),
                "bricks": listed["flood_state"][0]}
         for method in METHODS:
+            if method == "FACE_CACHE" and size > FACES_MOST:
+                row[method] = ""
+                continue
             pack = forced if method == "FLOODFILL" else args.pack
             frames = step if method == "FLOODFILL" else render(args, pack, world, size, method, folder)[0]
             row[method] = round(least(frames, LIGHT), 3)

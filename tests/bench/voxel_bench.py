@@ -51,18 +51,19 @@ def measure(args, cases, size, count, without, folder):
     return {name: round((value - least[without]) / count * 1e9, 1) for name, value in least.items()}
 
 
-def room_world(folder, size):
-    """A closed room that fills a volume of size^3, with a pillar and a lamp every 16 blocks; the eye is in its middle."""
-    last = size - 5
+def room_world(folder, size, height=None):
+    """A closed room that fills a volume of size x height x size, with a pillar and a lamp every 16 blocks; the eye is in its
+    middle. As high as wide by default."""
+    last, top = size - 5, (height or size) - 5
     places = [i for i in range(8, last - 5, 16) if abs(i - size // 2) > 2]
-    pillars = [{"box": "red_concrete", "min": [x, 1, z], "max": [x + 1, last * 2 // 3, z + 1]} for x in places for z in places]
-    lamps = {"block": "sea_lantern", "at": [[x + 4, last, z + 4] for x in places for z in places]}
+    pillars = [{"box": "red_concrete", "min": [x, 1, z], "max": [x + 1, top * 2 // 3, z + 1]} for x in places for z in places]
+    lamps = {"block": "sea_lantern", "at": [[x + 4, top, z + 4] for x in places for z in places]}
     folder.mkdir()
-    middle = size / 2 - 1.5
+    middle, level = size / 2 - 1.5, (height or size) / 2 - 1.5
     (folder / "world.json").write_text(json.dumps({
-        "size": [size - 4] * 3,
-        "blocks": [{"hollow": "white_concrete", "min": [0, 0, 0], "max": [last] * 3}, *pillars, lamps],
-        "cameras": [{"name": "middle", "position": [middle] * 3, "yaw": 150, "pitch": 10, "fov": 90}],
+        "size": [last + 1, top + 1, last + 1],
+        "blocks": [{"hollow": "white_concrete", "min": [0, 0, 0], "max": [last, top, last]}, *pillars, lamps],
+        "cameras": [{"name": "middle", "position": [middle, level, middle], "yaw": 150, "pitch": 10, "fov": 90}],
         "environment": {"time": 18000}}))
     return folder
 

@@ -105,6 +105,19 @@ TEST(pack, face_cache_has_images_of_the_size_of_its_volume) {
   }
 }
 
+TEST(pack, largest_volume_is_not_for_the_face_cache) {
+  const auto sizeOf = [](const char* method, const char* image) {
+    const auto pack = loadReferencePack(
+        {.values = {{"GI_METHOD", method}, {"VOXEL_SIZE", "256"}, {"SHADOW_RESOLUTION", "4096"}}});
+    for (const CustomImage& candidate : pack->properties.images)
+      if (candidate.name == image) return candidate.size;
+    return std::array<float, 3>{};
+  };
+  EXPECT_THAT(sizeOf("FLOODFILL", "voxel_distance"), ElementsAre(32, 128, 256));
+  EXPECT_THAT(sizeOf("FACE_CACHE", "voxel_distance"), ElementsAre(16, 128, 128));
+  EXPECT_THAT(sizeOf("FACE_CACHE", "face_light"), ElementsAre(768, 128, 128));
+}
+
 TEST(pack, lamps_have_what_their_method_needs) {
   const auto images = [](const ShaderPack& pack) {
     std::set<std::string> names;

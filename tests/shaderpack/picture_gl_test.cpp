@@ -114,6 +114,36 @@ TEST(picture, view_of_the_volume_shows_what_rays_meet_beyond_a_distance) {
   }
 }
 
+// A volume of 256 x 128 x 256: a red wall 110 blocks to the east, a green one 70 blocks above.
+TEST(picture, largest_volume_is_wider_than_high) {
+  const char* const world = R"({
+    "size": [224, 104, 8],
+    "blocks": [{"box": "red_concrete", "min": [220, 0, 0], "max": [220, 60, 7]},
+               {"box": "lime_concrete", "min": [100, 101, 0], "max": [120, 101, 7]}],
+    "cameras": [{"name": "eye", "position": [110, 30, 4], "yaw": 0, "pitch": 0}],
+    "environment": {"time": 18000}
+  })";
+  const auto seen = [&](const char* volume, const char* walk, glm::dvec3 at) {
+    PackSession pack(world, {{"GI_METHOD", "BOUNCE_1"},
+                             {"VOXEL_VIEW", "BLOCKS"},
+                             {"VOXEL_SIZE", volume},
+                             {"RAY_WALK", walk},
+                             {"SHADOW_RESOLUTION", "4096"},
+                             {"SHADOW_DISTANCE", "128.0"}});
+    pack.look({110, 30, 4}, at);
+    pack.renderFrames(2);
+    return pack.meanRadiance();
+  };
+  const glm::dvec3 east(220, 30, 4), up(110.1, 101, 4);
+  for (const char* walk : {"GRID", "DISTANCE"}) {
+    const glm::dvec3 wall = seen("256", walk, east);
+    EXPECT_GT(wall.r, .05) << walk;
+    EXPECT_GT(wall.r, 3 * wall.g) << walk;
+    EXPECT_EQ(seen("256", walk, up), glm::dvec3(0)) << walk;
+  }
+  EXPECT_EQ(seen("128", "DISTANCE", east), glm::dvec3(0));
+}
+
 bool mentions(const Schedule& schedule, const ShaderPack& pack, const std::string& program) {
   return std::any_of(schedule.programs.begin(), schedule.programs.end(),
                      [&](int index) { return pack.programs[index].name == program; });

@@ -29,7 +29,7 @@ SOLID = "if (is_opaque_voxel(v.code)) return vec3(0.0);"
 NEIGHBOURS = "        sum += to_power(light);\n"
 LIMIT = "light = clamp(light, 0.0, light_max);"
 SCROLL = "cameraPositionInt - previousCameraPositionInt"
-INSIDE = "return all(greaterThanEqual(cell, ivec3(0))) && all(lessThan(cell, ivec3(VOLUME)));"
+INSIDE = "return all(greaterThanEqual(cell, ivec3(0))) && all(lessThan(cell, volume_size));"
 
 
 def power(to, back):
@@ -223,7 +223,7 @@ MUTANTS = [
     ("image: gain without the power", "image.falls*",
      [(POWERS, "pow(FLOODFILL_ALPHA / 6.0, FLOODFILL_GAMMA)", "FLOODFILL_ALPHA / 6.0")]),
     ("image: no bounds", "image.light_ends*", [(POWERS, "cell.x > 0, cell.x < VOLUME - 1", "true, true")]),
-    ("image: no bounds up and down", "image.light_ends*", [(POWERS, "height < VOLUME - 1 && ", "")]),
+    ("image: no bounds up and down", "image.light_ends*", [(POWERS, "height < VOLUME_HEIGHT - 1 && ", "")]),
     ("image: bad values stay", "image.bad*", [(IMAGE, NO_VALUE, "true, true, true")]),
     ("image: no largest light", "image.growth*", [(POWERS, "min(step_gain * sum, vec3(power_max))", "step_gain * sum")]),
     ("image: sides differ at rest", "image.light_at_rest*", [(POWERS, "same ? own :", "false ? own :")]),

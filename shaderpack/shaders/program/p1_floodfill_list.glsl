@@ -47,9 +47,9 @@ Restless restless_about(int brick) {
 bool has_entered(int brick) {
     ivec3 lowest = brick_place(brick) * brick_size;
     ivec3 scroll = volume_scroll();
-    ivec3 first = volume_origin() + ivec3(greaterThan(scroll, ivec3(0))) * (VOLUME - scroll);
-    ivec3 begin = wrap(first - lowest, VOLUME) - brick_size;
-    ivec3 end = wrap(lowest - first, VOLUME) - abs(scroll);
+    ivec3 first = volume_origin() + ivec3(greaterThan(scroll, ivec3(0))) * (volume_size - scroll);
+    ivec3 begin = wrap(first - lowest, volume_size) - brick_size;
+    ivec3 end = wrap(lowest - first, volume_size) - abs(scroll);
     return any(lessThan(min(begin, end) * abs(sign(scroll)), ivec3(0)));
 }
 

@@ -27,7 +27,7 @@ void fill_column(ivec2 column, int height) {
 
 void main() {
     // No cells where no water is: a loop of none costs nothing, a branch may.
-    int height = imageLoad(voxel_memory, lake_seen).r == change_stamp() ? VOLUME : 0;
+    int height = imageLoad(voxel_memory, lake_seen).r == change_stamp() ? VOLUME_HEIGHT : 0;
     int stride = int(gl_NumWorkGroups.x * gl_WorkGroupSize.x);
     for (int i = int(gl_GlobalInvocationID.x); i < VOLUME * VOLUME; i += stride)
         fill_column(ivec2(i % VOLUME, i / VOLUME), height);

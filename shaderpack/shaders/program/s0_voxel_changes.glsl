@@ -12,9 +12,9 @@ layout(r32ui) uniform uimage2D voxel_memory;
 /// Water is known by its surface, and what is below it has no face: with a lake, now or a frame ago, a change
 /// is one of the whole column of bricks.
 void note_change(ivec3 place) {
-    int height = changed_within(imageLoad(voxel_memory, lake_seen).r, 2) ? bricks : 1;
+    int height = changed_within(imageLoad(voxel_memory, lake_seen).r, 2) ? bricks.y : 1;
     for (int i = 0; i < height; ++i) {
-        ivec3 there = ivec3(place.x, (place.y + i) % bricks, place.z);
+        ivec3 there = ivec3(place.x, (place.y + i) % bricks.y, place.z);
         imageStore(voxel_memory, ivec2(brick_index(there), 1), uvec4(change_stamp()));
     }
     imageStore(voxel_memory, change_of_any, uvec4(change_stamp()));

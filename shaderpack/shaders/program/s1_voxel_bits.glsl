@@ -12,10 +12,10 @@ const ivec3 workGroups = ivec3(16, 1, 1);
 layout(r32ui) uniform writeonly uimage3D voxel_bits;
 
 void main() {
-    int words = distances_are_old() ? words_of_row * VOLUME * VOLUME : 0;
+    int words = distances_are_old() ? words_of_row * VOLUME_HEIGHT * VOLUME : 0;
     int stride = int(gl_NumWorkGroups.x * gl_WorkGroupSize.x);
     for (int i = int(gl_GlobalInvocationID.x); i < words; i += stride) {
-        ivec3 word = ivec3(i % words_of_row, i / words_of_row % VOLUME, i / (words_of_row * VOLUME));
+        ivec3 word = ivec3(i % words_of_row, i / words_of_row % VOLUME_HEIGHT, i / (words_of_row * VOLUME_HEIGHT));
         ivec3 first = word * ivec3(32, 1, 1);
         ivec2 texel = atlas_texel(first);
         int cells = min(32, VOLUME - first.x);

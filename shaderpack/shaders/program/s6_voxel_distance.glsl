@@ -21,7 +21,7 @@ struct Bits {
 
 /// Rows beyond the edge repeat the one at the edge, which is nearer.
 void add_row(inout Bits bits, ivec3 word) {
-    word.yz = clamp(word.yz, 0, VOLUME - 1);
+    word.yz = clamp(word.yz, ivec2(0), volume_size.yz - 1);
     bits.here |= imageLoad(voxel_bits, word).r;
     if (word.x > 0) bits.before |= imageLoad(voxel_bits, word - ivec3(1, 0, 0)).r;
     if (word.x < words_of_row - 1) bits.after |= imageLoad(voxel_bits, word + ivec3(1, 0, 0)).r;
@@ -72,10 +72,10 @@ void store_distances(ivec3 word, uvec4 planes) {
 }
 
 void main() {
-    int words = distances_are_old() ? words_of_row * VOLUME * VOLUME : 0;
+    int words = distances_are_old() ? words_of_row * VOLUME_HEIGHT * VOLUME : 0;
     int stride = int(gl_NumWorkGroups.x * gl_WorkGroupSize.x);
     for (int i = int(gl_GlobalInvocationID.x); i < words; i += stride) {
-        ivec3 word = ivec3(i % words_of_row, i / words_of_row % VOLUME, i / (words_of_row * VOLUME));
+        ivec3 word = ivec3(i % words_of_row, i / words_of_row % VOLUME_HEIGHT, i / (words_of_row * VOLUME_HEIGHT));
         Bits bits = Bits(0u, 0u, 0u);
         uvec4 planes = uvec4(0u);
         uint open = ~0u;

@@ -41,7 +41,7 @@ void empty_entered_cells(uint first, uint stride) {
 
 /// World brick that has this place in a volume. It is whole if all of its cells are inside.
 ivec3 brick_at(ivec3 place, ivec3 origin, out bool whole) {
-    ivec3 lowest = divide_down(origin, brick_size);
+    ivec3 lowest = divide_down(origin, ivec3(brick_size));
     ivec3 brick = lowest + wrap(place - lowest, bricks);
     whole = all(greaterThanEqual(brick * brick_size, origin));
     return brick;

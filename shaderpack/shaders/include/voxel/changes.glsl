@@ -12,16 +12,16 @@
 #include "/include/voxel/volume.glsl"
 
 const int brick_size = 8;
-const int bricks = VOLUME / brick_size;  // along an axis
-const int brick_count = bricks * bricks * bricks;
+const ivec3 bricks = volume_size / brick_size;  // along each axis
+const int brick_count = bricks.x * bricks.y * bricks.z;
 const ivec2 change_of_any = ivec2(0, 2);
 const ivec2 lake_seen = ivec2(1, 2);
 
 /// Of a place among the bricks, in which cells are stored.
-int brick_index(ivec3 place) { return (place.z * bricks + place.y) * bricks + place.x; }
+int brick_index(ivec3 place) { return (place.z * bricks.y + place.y) * bricks.x + place.x; }
 
 ivec3 brick_place(int brick) {
-    return ivec3(brick % bricks, brick / bricks % bricks, brick / (bricks * bricks));
+    return ivec3(brick % bricks.x, brick / bricks.x % bricks.y, brick / (bricks.x * bricks.y));
 }
 
 uint change_stamp() { return uint(frameCounter) + 1u; }

@@ -6,14 +6,21 @@
 
 #include "/include/voxel/voxel.glsl"
 
+// Texels in a row of voxel_sums, which begins with one for each brick; shaders.properties repeats it.
+#if VOLUME == 256
+const int sums_width = 16384;
+#else
+const int sums_width = 4096;
+#endif
+
 const uint all_octants = 255u;
 const uint lower_octants = 0x33u;
 const uint upper_octants = 0xCCu;
 
 /// shaders.properties repeats how many rows there are.
 ivec2 octants_texel(ivec3 cell) {
-    int texel = (cell.x >> 2) + VOLUME / 4 * (cell.y + VOLUME * cell.z);
-    return ivec2(texel & 4095, 1 + (texel >> 12));
+    int texel = (cell.x >> 2) + VOLUME / 4 * (cell.y + VOLUME_HEIGHT * cell.z);
+    return ivec2(texel & (sums_width - 1), 1 + texel / sums_width);
 }
 
 int octants_shift(ivec3 cell) { return (cell.x & 3) * 8; }

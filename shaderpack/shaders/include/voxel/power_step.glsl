@@ -18,8 +18,8 @@ struct Ring {
 };
 
 Ring ring_about(ivec3 lowest, ivec3 cell, int side) {
-    ivec3 low = wrap(lowest - 1, VOLUME);
-    ivec3 high = wrap(lowest + 1, VOLUME);
+    ivec3 low = wrap(lowest - 1, volume_size);
+    ivec3 high = wrap(lowest + 1, volume_size);
     bvec4 inside = bvec4(cell.x > 0, cell.x < VOLUME - 1, cell.z > 0, cell.z < VOLUME - 1);
     return Ring(ivec4(low.x, high.x, low.z + side, high.z + side), uvec4(inside) * ~0u);
 }
@@ -49,17 +49,17 @@ bool step_column(ivec3 lowest, uint stamp, out uint filters) {
     filters = 0u;
     bool changed = false;
 
-    vec3 below = power_of(word_at(ivec3(texel.x, wrap(lowest - 1, VOLUME).y, texel.z)));
+    vec3 below = power_of(word_at(ivec3(texel.x, wrap(lowest - 1, volume_size).y, texel.z)));
     uvec2 own = word_at(texel);
     vec3 own_power = power_of(own);
     int height = cell.y;
     for (int y = 0; y < brick_size; ++y) {
-        int over = y < brick_size - 1 ? texel.y + 1 : wrap(lowest + brick_size, VOLUME).y;
+        int over = y < brick_size - 1 ? texel.y + 1 : wrap(lowest + brick_size, volume_size).y;
         uvec2 above = word_at(ivec3(texel.x, over, texel.z));
         vec3 above_power = power_of(above);
         vec3 sum = ring_power(ring, texel);
         sum += height > 0 && (own.y & trait_closed_down) == 0u ? below : vec3(0.0);
-        sum += height < VOLUME - 1 && (own.y & trait_closed_up) == 0u ? above_power : vec3(0.0);
+        sum += height < VOLUME_HEIGHT - 1 && (own.y & trait_closed_up) == 0u ? above_power : vec3(0.0);
 
         vec3 power = min(step_gain * sum, vec3(power_max));
         bool filters_light = (own.y & trait_filter) != 0u;
@@ -73,7 +73,7 @@ bool step_column(ivec3 lowest, uint stamp, out uint filters) {
         own = above;
         own_power = above_power;
         texel.y++;
-        height = height == VOLUME - 1 ? 0 : height + 1;
+        height = height == VOLUME_HEIGHT - 1 ? 0 : height + 1;
     }
     return changed;
 }
