@@ -175,6 +175,13 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 #else
 #define FACES 0
 #endif
+// Is less drawn of a picture at rest? Where edits of blocks make themselves known.
+#ifdef TEMPORAL_ACCUMULATION
+#define RESTS FACES
+#else
+#define RESTS 0
+#endif
+
 // Rays that mirrors send look into the cache of faces.
 #ifdef GI_GLOSSY
 #define GLOSSY FACES

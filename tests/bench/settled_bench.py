@@ -2,7 +2,7 @@
 """What a frame costs in a settled scene beside one in which a block comes or goes every frame.
 
 Prints one line of JSON: medians in milliseconds of processor time and their ratio, of the programs that keep the volume (prepare*,
-shadowcomp*), of all global illumination (with deferred* less the last), and of whole frames. Frames 80 to 99 of
+shadowcomp*), of all global illumination (with deferred* less the last), and of whole frames. Frames 260 to 279 of
 WORLD are the settled ones; then, at AT, a lamp comes and goes."""
 
 import argparse
@@ -14,7 +14,7 @@ import statistics
 import subprocess
 import tempfile
 
-SETTLED, CHANGING = range(80, 100), range(101, 140)
+SETTLED, CHANGING = range(260, 280), range(281, 320)
 VOLUME = ("prepare", "shadowcomp")
 PARTS = {"volume": lambda step: step.startswith(VOLUME),
          "gi": lambda step: step.startswith((*VOLUME, "deferred")) and step != "deferred4",

@@ -14,6 +14,7 @@ LAMPS = "include/faces/lamp_sample.glsl"
 HIT = "include/lighting/hit.glsl"
 TRANSLUCENT = "program/gbuffers_translucent.glsl"
 LAKES = "program/s0_lakes.glsl"
+REST = "include/lighting/rest.glsl"
 LIGHTING = "program/d4_lighting.glsl"
 
 MUTANTS = [
@@ -173,4 +174,10 @@ MUTANTS = [
        "block.12 = oak_door ")]),
     ("largest volume as high as wide", "picture.largest*",
      [(VOLUME, "ivec3(VOLUME, VOLUME_HEIGHT, VOLUME)", "ivec3(VOLUME)")]),
+    ("rest draws all", "rest.a_frame*", [(REST, "(corner.y + 1.0) / 4.0 + band / 2.0 - 1.0", "corner.y")]),
+    ("rest draws one band only", "rest.a_frame*", [(REST, "float(frameCounter & 3)", "0.0")]),
+    ("rest outlasts an edit", "rest.ends_with*", [(REST, "max(edited, moved)", "moved")]),
+    ("rest outlasts motion", "rest.ends_as*", [(REST, "max(edited, moved)", "edited")]),
+    ("smoothed light is cleared at rest", "rest.a_frame*",
+     [("include/buffers.glsl", "const bool colortex6Clear = false;", "const bool colortex6Clear = true;")]),
 ]

@@ -17,7 +17,7 @@
 // colortex5    RGBA16F   window  keep   deferred                      deferred (next frame), filter
 //   the plane that colortex3 belongs to (include/plane.glsl)
 // colortex6    RGBA16F   window  0      deferred1, 2, 3               deferred2, 3, 4
-//   colortex3 smoothed
+//   colortex3 smoothed; kept where the picture rests (include/lighting/rest.glsl)
 // shadowcolor0 RGBA8     shadow  0      shadow                        prepare, deferred, translucent
 //   voxels in the bottom rows (include/voxel/voxel.glsl), unused above them
 // shadowtex0   depth     shadow  1      shadow                        shadowcomp7, deferred, deferred4, translucent
@@ -62,6 +62,12 @@ const int colortex6Format = RGBA16F;
 const bool colortex5Clear = false;
 const int shadowcolor0Format = RGBA8;
 const vec4 shadowcolor0ClearColor = vec4(0.0, 0.0, 0.0, 0.0);
+*/
+#endif
+
+#if RESTS
+/*
+const bool colortex6Clear = false;
 */
 #endif
 

@@ -4,7 +4,9 @@
 
 #if defined VERTEX_STAGE
 
-void main() { gl_Position = ftransform(); }
+#include "/include/lighting/rest.glsl"
+
+void main() { gl_Position = drawn_corner(ftransform()); }
 
 #else
 
@@ -18,6 +20,7 @@ void main() { gl_Position = ftransform(); }
 #include "/include/plane.glsl"
 #include "/include/math/random.glsl"
 #include "/include/lighting/hit.glsl"
+#include "/include/lighting/rest.glsl"
 #if AIR_LIGHT
 #include "/include/voxel/light_field.glsl"
 #endif
@@ -161,12 +164,6 @@ vec3 mirrored(Surface s, vec3 light) {
 #endif
 
 #ifdef TEMPORAL_ACCUMULATION
-
-bool camera_is_still() {
-    return cameraPosition == previousCameraPosition &&
-           gbufferModelView == gbufferPreviousModelView &&
-           gbufferProjection == gbufferPreviousProjection;
-}
 
 /// What earlier frames found for this surface: rgb, and how many of them; 0 where it was not seen.
 vec4 history(Surface s) {

@@ -4,7 +4,9 @@
 
 #if defined VERTEX_STAGE
 
-void main() { gl_Position = ftransform(); }
+#include "/include/lighting/rest.glsl"
+
+void main() { gl_Position = drawn_corner(ftransform()); }
 
 #else
 

@@ -1,8 +1,9 @@
 // Puts the new light of the listed faces in its place, empties the cells that came into the volume,
-// and notes whether the blocks have changed.
+// and notes whether the blocks have changed, or the eye moved.
 #include "/settings.glsl"
 
 #include "/include/faces/face_cache.glsl"
+#include "/include/lighting/rest.glsl"
 
 layout(local_size_x = 64) in;
 const ivec3 workGroups = ivec3(16, 1, 1);
@@ -68,7 +69,13 @@ void compare_bricks(uint first, uint stride) {
     }
 }
 
+void note_motion() {
+    if (gl_GlobalInvocationID.x == 0u && !camera_is_still())
+        imageStore(face_memory, memory_moved, uvec4(uint(frameCounter)));
+}
+
 void main() {
+    note_motion();
     uint stride = gl_NumWorkGroups.x * gl_WorkGroupSize.x;
     commit_faces(gl_GlobalInvocationID.x, stride);
     empty_entered_cells(gl_GlobalInvocationID.x, stride);

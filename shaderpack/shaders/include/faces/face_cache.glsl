@@ -37,9 +37,10 @@ const uint lamp_capacity = uint(list_width * lamp_rows);
 // Row 1 of face_tally.
 const ivec2 tally_faces = ivec2(0, 1);
 const ivec2 tally_lamps = ivec2(1, 1);
-// Row 1 of face_memory: frames of the last edit and of the one before.
+// Row 1 of face_memory: frames of the last edit, of the one before, and of the eye's last motion.
 const ivec2 memory_last = ivec2(0, 1);
 const ivec2 memory_before = ivec2(1, 1);
+const ivec2 memory_moved = ivec2(2, 1);
 
 /// Do the faces still adapt to an edit? `last`: its frame, of face_memory.
 bool light_changes(uint last) {

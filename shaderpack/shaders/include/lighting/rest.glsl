@@ -1,0 +1,40 @@
+// The picture at rest: where eye and blocks have stayed for so long that all means are full, one more sample
+// makes none better, so a frame draws a quarter of it, bands in turn. The rest of a target that is not cleared
+// is the frame before. What changes without an edit of blocks (time of day, weather, what moves about) then
+// takes four frames where it took one. Bands, since drivers leave out what is not drawn, not single pixels.
+#if !defined INCLUDED_LIGHTING_REST
+#define INCLUDED_LIGHTING_REST
+
+#include "/include/uniforms.glsl"
+
+bool camera_is_still() {
+    return cameraPosition == previousCameraPosition &&
+           gbufferModelView == gbufferPreviousModelView &&
+           gbufferProjection == gbufferPreviousProjection;
+}
+
+#if RESTS && defined VERTEX_STAGE
+#include "/include/faces/face_cache.glsl"
+
+uniform usampler2D face_memory_texture;
+
+// Means forget what they held before in so many frames, all but a twentieth.
+const int still_frames = 3 * TEMPORAL_FRAMES;
+
+bool picture_rests() {
+    int edited = int(texelFetch(face_memory_texture, memory_last, 0).r) + face_hurry_frames;
+    int moved = int(texelFetch(face_memory_texture, memory_moved, 0).r);
+    return frameCounter - max(edited, moved) >= still_frames;
+}
+
+/// A corner of the rectangle that covers the picture to one of what has to be drawn of it.
+vec4 drawn_corner(vec4 corner) {
+    float band = float(frameCounter & 3);
+    if (picture_rests()) corner.y = (corner.y + 1.0) / 4.0 + band / 2.0 - 1.0;
+    return corner;
+}
+#else
+vec4 drawn_corner(vec4 corner) { return corner; }
+#endif
+
+#endif

@@ -1,0 +1,77 @@
+// Of a picture at rest a quarter is drawn; of one that changes all.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "pack_session.h"
+
+namespace orris::test {
+namespace {
+
+constexpr int kSide = 32;
+
+// Until means of ten frames are full: 48 frames after the first blocks, and thrice ten.
+constexpr int kRestsFrom = 80;
+
+PackSession restingRoom(const std::string& events = "") {
+  const std::string world = R"({
+    "size": [9, 7, 9],
+    "blocks": [{"hollow": "white_concrete", "min": [0, 0, 0], "max": [8, 6, 8]},
+               {"block": "glowstone", "at": [4, 6, 4]}],
+    "cameras": [{"name": "eye", "position": [4.5, 3.5, 6.5], "yaw": 180, "pitch": 10}],
+    "environment": {"time": 18000},
+    "events": [)" + events + "]}";
+  return PackSession(world, {{"GI_METHOD", "FACE_CACHE"}, {"TEMPORAL_FRAMES", "10"}}, kSide, kSide);
+}
+
+/// Rows of a buffer that the next frame changes.
+std::set<int> changedRows(PackSession& pack, const std::string& buffer) {
+  const ImageF before = pack.dump(buffer);
+  pack.renderFrames(1);
+  const ImageF after = pack.dump(buffer);
+  std::set<int> rows;
+  const auto width = std::size_t(before.width) * std::size_t(before.channels);
+  for (std::size_t i = 0; i < before.pixels.size(); ++i)
+    if (before.pixels[i] != after.pixels[i]) rows.insert(int(i / width));
+  return rows;
+}
+
+TEST(rest, a_frame_draws_a_quarter_of_what_is_settled) {
+  for (const char* buffer : {"colortex3", "colortex6"}) {
+    PackSession pack = restingRoom();
+    pack.renderFrames(40);
+    EXPECT_EQ(changedRows(pack, buffer).size(), kSide) << "while the cache fills";
+    pack.renderFrames(kRestsFrom - 41);
+    std::set<int> all;
+    for (int i = 0; i < 4; ++i) {
+      const std::set<int> rows = changedRows(pack, buffer);
+      EXPECT_EQ(rows.size(), kSide / 4) << buffer;
+      EXPECT_EQ(*rows.rbegin() - *rows.begin(), kSide / 4 - 1) << "a band";
+      all.insert(rows.begin(), rows.end());
+    }
+    EXPECT_EQ(all.size(), kSide) << "in turn";
+  }
+}
+
+TEST(rest, ends_with_the_frame_of_an_edit) {
+  PackSession pack =
+      restingRoom(R"({"frame": 100, "set": {"at": [1, 1, 7], "block": "glowstone"}})");
+  pack.renderFrames(99);
+  EXPECT_EQ(changedRows(pack, "colortex3").size(), kSide / 4);
+  EXPECT_EQ(changedRows(pack, "colortex3").size(), kSide);
+  EXPECT_EQ(changedRows(pack, "colortex3").size(), kSide);
+}
+
+TEST(rest, ends_as_the_eye_moves) {
+  PackSession pack = restingRoom();
+  pack.renderFrames(kRestsFrom);
+  EXPECT_EQ(changedRows(pack, "colortex3").size(), kSide / 4);
+  pack.look({4.5, 3.5, 6}, {4, 2, 0});
+  EXPECT_EQ(changedRows(pack, "colortex3").size(), kSide);
+  pack.renderFrames(28);
+  EXPECT_EQ(changedRows(pack, "colortex3").size(), kSide);
+  EXPECT_EQ(changedRows(pack, "colortex3").size(), kSide / 4);
+}
+
+}  // namespace
+}  // namespace orris::test
