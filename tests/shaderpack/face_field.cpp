@@ -10,7 +10,7 @@ int wrap(int a, int size) { return (a % size + size) % size; }
 }  // namespace
 
 std::array<float, 4> FaceField::at(glm::ivec3 block, Face face) const {
-  const int x = wrap(block.x, volume_) * 6 + face;
+  const int x = wrap(block.x, volume_) * kFaces + face;
   const int y = wrap(block.z, volume_) * volume_ + wrap(block.y, volume_);
   const float* texel = light_.at(x, light_.height - 1 - y);  // images have their top row first
   return {texel[0], texel[1], texel[2], texel[3]};

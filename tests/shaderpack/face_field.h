@@ -8,8 +8,8 @@
 
 namespace orris::test {
 
-/// Faces of a block as the cache numbers them (include/faces/face_cache.glsl).
-enum Face { kWest, kEast, kDown, kUp, kNorth, kSouth };
+/// Places of a cell's faces in the cache (include/faces/face_cache.glsl); the last three lie in its middle.
+enum Face { kWest, kEast, kDown, kUp, kNorth, kSouth, kInnerX, kInnerY, kInnerZ, kFaces };
 
 class FaceField {
  public:

@@ -64,8 +64,45 @@ TEST(shapes, tread_and_riser_see_half_of_the_lamp_over_them) {
   PackSession pack(cells("nether_brick_stairs[facing=north]", 2), options());
   pack.renderFrames(140);
   const FaceField field = faceField(pack, kVolume);
-  EXPECT_NEAR(meanOfCells(field, 1, kUp) / (kLamp * oppositeRectangles(2, 1)), 1, .04);
-  EXPECT_NEAR(meanOfCells(field, 1, kSouth) / (kLamp * cornerRectangles(.5, .5)), 1, .04);
+  EXPECT_NEAR(meanOfCells(field, 1, kInnerY) / (kLamp * oppositeRectangles(2, 1)), 1, .04);
+  EXPECT_NEAR(meanOfCells(field, 1, kInnerZ) / (kLamp * cornerRectangles(.5, .5)), 1, .04);
+}
+
+// Either half of a square sees as much of an equal one opposite.
+TEST(shapes, step_and_tread_of_a_stair_have_their_own_light) {
+  PackSession pack(cells("nether_brick_stairs[facing=north]", 3), options());
+  pack.renderFrames(140);
+  const FaceField field = faceField(pack, kVolume);
+  EXPECT_NEAR(meanOfCells(field, 1, kUp) / (kLamp * oppositeRectangles(1, 1)), 1, .04);
+  EXPECT_LT(meanOfCells(field, 1, kInnerY), .6 * meanOfCells(field, 1, kUp));
+}
+
+TEST(shapes, wall_beside_a_slab_has_the_light_of_its_open_half) {
+  PackSession pack(cells("nether_brick_slab[type=bottom]", 2), options());
+  pack.renderFrames(140);
+  const FaceField field = faceField(pack, kVolume);
+  double sum = 0;
+  for (int i = 0; i < 49; ++i) sum += field.red({i % 7 * 2, 1, 1 + i / 7 * 2}, kEast) / 49;
+  EXPECT_NEAR(sum / (kLamp * cornerRectangles(.5, 1)), 1, .04);
+}
+
+/// Light on a ceiling that hardly anything but this floor lights.
+double ceilingOver(const std::string& floor) {
+  PackSession pack(fmt::format(R"({{"size": [9, 5, 9],
+      "cameras": [{{"name": "eye", "position": [4.5, 2.5, 4.5]}}], "environment": {{"time": 18000}},
+      "blocks": [{{"hollow": "black_concrete", "min": [0, 0, 0], "max": [8, 4, 8]}},
+                 {{"box": "{}", "min": [1, 1, 1], "max": [7, 1, 7]}},
+                 {{"block": "glowstone", "at": [4, 4, 4]}}]}})",
+                               floor),
+                   options());
+  pack.renderFrames(40);
+  return faceField(pack, kVolume).meanRed({1, 4, 1}, {7, 4, 7}, kDown);
+}
+
+TEST(shapes, rays_find_the_light_on_the_top_of_slabs) {
+  const double slabs = ceilingOver("smooth_quartz_slab[type=bottom]");
+  EXPECT_GT(slabs, .5 * ceilingOver("smooth_quartz"));
+  EXPECT_GT(slabs, 5 * ceilingOver("black_concrete"));
 }
 
 TEST(shapes, slab_shades_the_floor_of_its_cell) {

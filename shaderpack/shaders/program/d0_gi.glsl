@@ -139,7 +139,7 @@ vec3 gather(Surface s, vec3 light) {
                     FLOODFILL_STRENGTH;
 #elif FACES
         radiance += throughput *
-                    trusted(imageLoad(face_light, face_texel(hit.cell, face_of(normal)))).rgb;
+                    trusted(imageLoad(face_light, face_texel(hit.cell, face_of_hit(hit)))).rgb;
 #endif
     }
     return radiance;
@@ -158,7 +158,7 @@ vec3 mirrored(Surface s, vec3 light) {
     weight *= hit.transmittance;
     if (!hit.found) return weight * sky_beyond(direction, s.light.y);
     if (is_lamp_voxel(hit.voxel.code)) return weight * lamp_light(hit.voxel);
-    vec3 cached = trusted(imageLoad(face_light, face_texel(hit.cell, face_of(hit.normal)))).rgb;
+    vec3 cached = trusted(imageLoad(face_light, face_texel(hit.cell, face_of_hit(hit)))).rgb;
     return weight * hit.voxel.color * (sun_at(hit, light, s.light.y) + cached);
 }
 #endif

@@ -91,7 +91,7 @@ vec3 indirect_radiance(vec3 n) {
     vec3 lightmap = ambient_radiance(levels, n);
 #if FACES && !LAMPS
     vec3 middle = to_volume(block);
-    vec4 cached = cached_light(ivec3(floor(middle)), n);
+    vec4 cached = cached_light(ivec3(floor(middle)), face_of(n));
     float share = cached.a > 0.0 ? inside_volume(middle) : 0.0;
     return mix(lightmap, cached.rgb + AMBIENT_MINIMUM, share);
 #else
@@ -103,10 +103,10 @@ vec3 indirect_radiance(vec3 n) {
 /// The light on what the water mirrors. Of a face beside a surface of water most lies below it: what is
 /// above sees half of what the block's top sees.
 vec3 light_beside(Hit hit) {
-    vec3 own = cached_light(hit.cell, hit.normal).rgb;
+    vec3 own = cached_light(hit.cell, face_of_hit(hit)).rgb;
     bool beside = voxel_at(hit.cell + ivec3(hit.normal)).code == voxel_water_surface;
     if (!beside || hit.position.y - float(hit.cell.y) < water_height) return own;
-    return 0.5 * (own + cached_light(hit.cell, vec3(0.0, 1.0, 0.0)).rgb);
+    return 0.5 * (own + cached_light(hit.cell, face_of(vec3(0.0, 1.0, 0.0))).rgb);
 }
 #endif
 

@@ -39,7 +39,7 @@ vec3 hemisphere_sample(Face f, vec2 u, vec3 light) {
         radiance = met_lamp(hit, f.from, direction);
     } else {
         radiance = hit.voxel.color * (sun_at(hit, light, f.sky) +
-                                      light_of(hit.cell, face_of(hit.normal)).rgb);
+                                      light_of(hit.cell, face_of_hit(hit)).rgb);
     }
     return hit.transmittance * radiance;
 }
@@ -64,9 +64,9 @@ vec4 updated(uint entry, vec3 light) {
 
     uvec3 place = uvec3(face_texel(f.cell, f.face));
     // Independent numbers: along a sequence, what a face looks up would follow how it came about.
-    seed_random(ivec2(place.x + 1024u * place.y, place.z), frameCounter);
-    f.from.origin = point_of_faces(f.cell, octants_at(f.cell), octants_at(f.cell + ivec3(f.from.normal)),
-                                   f.from.normal, next_random().xy);
+    seed_random(ivec2(place.x + 2048u * place.y, place.z), frameCounter);
+    f.from.origin = point_of_face(f.cell, octants_at(f.cell), octants_at(f.cell + ivec3(f.from.normal)),
+                                   f.face, next_random().xy);
     vec3 sampled = hemisphere_sample(f, next_random().xy, light) + lamp_sample(f.from);
 
     float updates = trusted_updates(old.a);

@@ -25,6 +25,12 @@ void commit_faces(uint first, uint stride) {
     }
 }
 
+/// Does the texel of the face belong to one of the list? Inner faces share theirs with those that look back.
+bool is_listed(uint listed, int face) {
+    return (listed >> uint(face) & 1u) == 1u ||
+           (face >= face_inner && (listed >> uint(face ^ 1) & 1u) == 1u);
+}
+
 /// Faces that are covered now may be uncovered later, and must not show the light of the place that
 /// had their texel before.
 void empty_entered_cells(uint first, uint stride) {
@@ -34,8 +40,8 @@ void empty_entered_cells(uint first, uint stride) {
                            i / uint(VOLUME * VOLUME));
         if (!entered(cell)) continue;
         uint listed = imageLoad(face_seen, cell).r;
-        for (int face = 0; face < 6; ++face)
-            if ((listed >> uint(face) & 1u) == 0u)
+        for (int face = 0; face < face_inner + 6; ++face)
+            if (face != face_ball && face != 7 && !is_listed(listed, face))
                 imageStore(face_light, face_texel(cell, face), vec4(0.0));
     }
 }

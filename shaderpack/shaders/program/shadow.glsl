@@ -161,7 +161,9 @@ void emit_voxel() {
     }
 #endif
 #if FACES
-    list_face(cell, face, code, int(clamp(vertex_sky[0], 0.0, 15.0) + 0.5));
+    // What is thinner than half a block counts as half of it.
+    bool inner = has_octants(code) && dot(vertex_offset[0], vertex_normal[0]) < 0.375;
+    list_face(cell, inner ? face + face_inner : face, code, int(clamp(vertex_sky[0], 0.0, 15.0) + 0.5));
 #endif
 
     // The faces of a block share one texel; depth lets the top face win whatever the order.

@@ -1,7 +1,9 @@
 // Radiance cached for each exposed face of a block: B, the mean incoming radiance over the face from
 // everything but the direct sun, so that a ray that ends there sees albedo * (sun + B).
 //
-//   face_light   rgba16f, 6 faces a cell at (6 x + face, y, z): rgb B, a number of updates.
+//   face_light   rgba16f, 9 places a cell at (9 x + place, y, z): rgb B, a number of updates. Places 0..5
+//                are the faces on the sides of the cell, 6..8 those in the middle of it, by axis: treads of
+//                stairs, tops of slabs. A shape with octants looks one way along an axis there.
 //                Cells keep their place when the camera moves (store_cell), so nothing is copied.
 //   face_list    r32ui, the faces to update in this frame, then the faces of lamps; see pack_face
 //   face_fresh   rgba16f, what becomes of the faces of the list: all updates read the old light,
@@ -12,13 +14,14 @@
 //   face_seen    r32ui, empty when a frame begins: which faces of a cell are in the list
 //
 // The shadow pass makes the lists from the quads that it draws: what the mesh hides is not exposed.
-// faces: 0..5 = -x +x -y +y -z +z.
+// faces: 0..5 = -x +x -y +y -z +z on the side of the cell; + face_inner: in the middle of it.
 #if !defined INCLUDED_FACES_FACE_CACHE
 #define INCLUDED_FACES_FACE_CACHE
 
 #include "/include/voxel/changes.glsl"
 
 const int face_ball = 6;  // a small lamp, which has no faces
+const int face_places = 9;
 
 // After an edit all faces are updated for so many frames, and what they hold counts for nothing, or
 // for no more than a few updates where edits follow each other sooner than face_calm_frames. The
@@ -48,29 +51,31 @@ bool light_changes(uint last) {
     return since >= 0 && since <= face_hurry_frames;
 }
 
+int place_of_face(int face) { return face < face_inner ? face : 6 + ((face - face_inner) >> 1); }
+
 ivec3 face_texel(ivec3 cell, int face) {
     ivec3 place = store_cell(cell);
-    return ivec3(place.x * 6 + face, place.yz);
+    return ivec3(place.x * face_places + place_of_face(face), place.yz);
 }
 
 vec3 face_normal(int face) {
-    int axis = face >> 1;
+    int axis = (face & 7) >> 1;
     return vec3(axis == 0, axis == 1, axis == 2) * ((face & 1) == 1 ? 1.0 : -1.0);
 }
 
 /// An entry of the lists; `level`, 0..15: of the sky's light at the face, or of a lamp's own.
 uint pack_face(ivec3 cell, int face, int level) {
     uvec3 c = uvec3(cell);
-    return c.x | c.y << 7 | c.z << 14 | uint(face) << 21 | uint(level) << 24;
+    return c.x | c.y << 7 | c.z << 14 | uint(face) << 21 | uint(level) << 25;
 }
 
 ivec3 packed_cell(uint entry) {
     return ivec3(uvec3(entry, entry >> 7, entry >> 14) & 127u);
 }
 
-int packed_face(uint entry) { return int(entry >> 21 & 7u); }
+int packed_face(uint entry) { return int(entry >> 21 & 15u); }
 
-float entry_level(uint entry) { return float(entry >> 24) / 15.0; }
+float entry_level(uint entry) { return float(entry >> 25) / 15.0; }
 
 ivec2 face_slot(uint index) {
     return ivec2(int(index) % list_width, int(index) / list_width);

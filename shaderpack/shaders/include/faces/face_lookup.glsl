@@ -7,9 +7,9 @@
 uniform sampler3D face_light_texture;
 
 /// B of a block's face; a: on how many updates it rests, 0 where there is none.
-vec4 cached_light(ivec3 cell, vec3 normal) {
+vec4 cached_light(ivec3 cell, int face) {
     if (!in_volume(cell)) return vec4(0.0);
-    return trusted(texelFetch(face_light_texture, face_texel(cell, face_of(normal)), 0));
+    return trusted(texelFetch(face_light_texture, face_texel(cell, face), 0));
 }
 
 #endif

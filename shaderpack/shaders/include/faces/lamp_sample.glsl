@@ -31,10 +31,12 @@ bool has_octant(uint octants, vec3 within) {
     return (octants >> uint(dot(floor(within * 2.0), vec3(1.0, 2.0, 4.0))) & 1u) == 1u;
 }
 
-/// Point of the faces of a block that look this way, a little off them: of those on the side of its cell and
-/// of those in the middle of it. `before`: the octants of the cell on that side, which hide some.
-vec3 point_of_faces(ivec3 cell, uint octants, uint before, vec3 normal, vec2 at) {
-    vec3 point = point_of_side(cell, normal, at);
+/// Point of a face of a block, a little off it. `before`: the octants of the cell on that side, which hide
+/// parts of a face on the side.
+vec3 point_of_face(ivec3 cell, uint octants, uint before, int face, vec2 at) {
+    vec3 normal = face_normal(face);
+    bool inner = face >= face_inner;
+    float inward = inner ? 0.5 : 0.0;
     // A quarter of the side without a face passes its points on to another quarter.
     for (int i = 0; i < 4; ++i) {
         vec2 quarter = fract(at + 0.5 * vec2(i & 1, i >> 1));
@@ -43,10 +45,9 @@ vec3 point_of_faces(ivec3 cell, uint octants, uint before, vec3 normal, vec2 at)
         bool on_side = has_octant(octants, outer);
         bool hidden = has_octant(before, outer - 0.5 * normal);
         bool in_middle = !on_side && has_octant(octants, outer - 0.5 * normal);
-        if ((on_side && !hidden) || in_middle)
-            return vec3(cell) + side - (on_side ? 0.0 : 0.5) * normal;
+        if (inner ? in_middle : on_side && !hidden) return vec3(cell) + side - inward * normal;
     }
-    return point;
+    return point_of_side(cell, normal, at) - inward * normal;
 }
 
 uint listed_lamps() { return min(imageLoad(face_tally, tally_lamps).r, lamp_capacity); }

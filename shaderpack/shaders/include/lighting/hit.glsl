@@ -34,7 +34,7 @@ Hit trace_from_face(vec3 origin, vec3 direction) {
     float off = dot(to_center, to_center) - along * along;
     const float ball = small_lamp_radius * small_lamp_radius;
     if (own.code >= voxel_small_lamp && along > 0.0 && off < ball && dot(to_center, to_center) > ball)
-        return Hit(true, cell, origin, -direction, own, vec3(1.0));
+        return Hit(true, cell, origin, -direction, own, vec3(1.0), false);
     Walk walk = begin_walk(origin, direction);
     vec3 within = floor((origin - vec3(cell)) * 2.0);
     uint octants = octants_of(own.code, cell);
@@ -42,7 +42,7 @@ Hit trace_from_face(vec3 origin, vec3 direction) {
     octants = (octants >> uint(dot(within, vec3(1.0, 2.0, 4.0))) & 1u) == 1u ? 0u : octants;
     Meeting met = meet_octants(walk, octants, vec2(-1.0, way_out(origin, direction)));
     if (met.found)
-        return Hit(true, cell, origin + direction * met.way, -met.axis * walk.stride, own, vec3(1.0));
+        return Hit(true, cell, origin + direction * met.way, -met.axis * walk.stride, own, vec3(1.0), true);
     Hit hit = trace(origin, direction);
     if (is_filter_voxel(own.code)) {
         vec2 ways = vec2(0.0, way_out(origin, direction));

@@ -25,6 +25,11 @@ ivec2 octants_texel(ivec3 cell) {
 
 int octants_shift(ivec3 cell) { return (cell.x & 3) * 8; }
 
+/// Does the block fill a part of its cell only?
+bool has_octants(int code) {
+    return code == voxel_stairs || code == voxel_slab_bottom || code == voxel_slab_top;
+}
+
 #if defined MAKES_OCTANTS
 /// The octants behind a quad that reaches from `low` to `high`, as seen from the middle of its block.
 uint octants_behind(vec3 low, vec3 high, vec3 normal) {

@@ -17,6 +17,7 @@ struct Hit {
     vec3 normal;
     Voxel voxel;
     vec3 transmittance;  // of the translucent cells on the way
+    bool inner;          // on a plane through the middle of its cell
 };
 
 /// Where a ray is on its way through the cells. Floats, as they are compared and rounded faster.
@@ -28,6 +29,8 @@ struct Walk {
     vec3 cell;
     int reach;    // 0: something is here, or the ray has left the volume; stopped: what is here stops it
 };
+
+int face_of_hit(Hit hit) { return face_of(hit.normal) + (hit.inner ? face_inner : 0); }
 
 const int stopped = 15;
 
@@ -136,6 +139,7 @@ void describe(inout Hit hit, Walk walk, Meeting met, vec4 texel) {
     hit.voxel = decode_voxel(texel);
     hit.position =
         walk.origin + walk.direction * (inside ? met.way : max(came.x, max(came.y, came.z)));
+    hit.inner = inside;
     hit.normal = -(inside ? met.axis : vec3(x, y, !x && !y)) * walk.stride;
 }
 

@@ -26,7 +26,7 @@ vec3 voxel_view(vec3 player) {
 #if VOXEL_VIEW == RADIANCE && AIR_LIGHT
     vec3 shown = light_solid_aware(hit.position, hit.normal);
 #elif VOXEL_VIEW == RADIANCE && FACES
-    vec3 shown = cached_light(hit.cell, hit.normal).rgb;
+    vec3 shown = cached_light(hit.cell, face_of_hit(hit)).rgb;
 #else
     vec3 shown = hit.voxel.color * (0.6 + 0.1 * dot(hit.normal, vec3(1.0, 3.0, 2.0)));
 #endif

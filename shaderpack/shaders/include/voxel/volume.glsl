@@ -72,6 +72,9 @@ ivec3 store_cell(ivec3 cell) { return wrap(volume_origin() + cell, volume_size);
 /// Inverse of store_cell.
 ivec3 stored_at(ivec3 place) { return wrap(place - volume_origin(), volume_size); }
 
+// Added to the number of a face that lies in the middle of its cell.
+const int face_inner = 8;
+
 /// Of an axis-parallel normal: 0..5 = -x +x -y +y -z +z.
 int face_of(vec3 normal) {
     vec3 size = abs(normal);
