@@ -100,7 +100,7 @@ TEST(pack, face_cache_has_images_of_the_size_of_its_volume) {
     const auto sizes = images({{"GI_METHOD", "FACE_CACHE"},
                                {"SHADOW_RESOLUTION", "2048"},
                                {"VOXEL_SIZE", std::to_string(static_cast<int>(volume))}});
-    EXPECT_THAT(sizes.at("face_light"), ElementsAre(6 * volume, volume, volume));
+    EXPECT_THAT(sizes.at("face_light"), ElementsAre(9 * volume, volume, volume));
     EXPECT_THAT(sizes.at("face_seen"), ElementsAre(volume, volume, volume));
   }
 }
@@ -115,7 +115,7 @@ TEST(pack, largest_volume_is_not_for_the_face_cache) {
   };
   EXPECT_THAT(sizeOf("FLOODFILL", "voxel_distance"), ElementsAre(32, 128, 256));
   EXPECT_THAT(sizeOf("FACE_CACHE", "voxel_distance"), ElementsAre(16, 128, 128));
-  EXPECT_THAT(sizeOf("FACE_CACHE", "face_light"), ElementsAre(768, 128, 128));
+  EXPECT_THAT(sizeOf("FACE_CACHE", "face_light"), ElementsAre(1152, 128, 128));
 }
 
 TEST(pack, lamps_have_what_their_method_needs) {
