@@ -113,6 +113,35 @@ TEST(shapes, slab_shades_the_floor_of_its_cell) {
   EXPECT_GT(field.updates({7, 0, 7}, kUp), 10);
 }
 
+// The floor below a lamp, with more and more between them.
+TEST(shapes, posts_and_arms_shade_the_floor) {
+  const auto floor = [](const std::string& block) {
+    PackSession pack(cells(block, 2), options());
+    pack.renderFrames(60);
+    return meanOfCells(faceField(pack, kVolume), 0, kUp);
+  };
+  const double open = floor("air");
+  EXPECT_NEAR(open / (kLamp * oppositeRectangles(1, 1)), 1, .04);
+  const double post = floor("oak_fence"), rails = floor("oak_fence[east=true,west=true]"),
+               wall = floor("stone_brick_wall"),
+               cross = floor("stone_brick_wall[north=low,south=low,east=low,west=low]");
+  EXPECT_LT(post, .95 * open);
+  EXPECT_LT(rails, .95 * post);
+  EXPECT_LT(wall, .9 * post);
+  EXPECT_LT(cross, .7 * wall);
+}
+
+// A strip half a block wide from the lamp's edge inwards, so less than half of the corner of a whole one.
+TEST(shapes, posts_are_lit_on_their_own_sides) {
+  PackSession pack(cells("stone_brick_wall", 2), options());
+  pack.renderFrames(60);
+  const FaceField field = faceField(pack, kVolume);
+  const double side = meanOfCells(field, 1, kEast);
+  EXPECT_GT(side, .4 * kLamp * cornerRectangles(1, 1));
+  EXPECT_LT(side, .6 * kLamp * cornerRectangles(1, 1));
+  EXPECT_NEAR(meanOfCells(field, 1, kSouth) / side, 1, .1);
+}
+
 TEST(shapes, shut_doors_let_nothing_through) {
   PackSession pack(R"({"size": [13, 6, 7],
       "cameras": [{"name": "eye", "position": [9.5, 2.5, 3.5]}], "environment": {"time": 18000},

@@ -38,7 +38,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Expected{"minecraft:red_stained_glass", 4}, Expected{"minecraft:water", 5},
                     Expected{"minecraft:glass", 0}, Expected{"minecraft:glowstone", 16 + 15},
                     Expected{"minecraft:torch", 32 + 14}, Expected{"minecraft:soul_torch", 32 + 10},
-                    Expected{"minecraft:dandelion", 0}, Expected{"minecraft:oak_fence", 0}));
+                    Expected{"minecraft:dandelion", 0}, Expected{"minecraft:oak_fence_gate", 0},
+                    Expected{"minecraft:oak_fence", 7}, Expected{"minecraft:stone_brick_wall", 8}));
 
 TEST(volume, red_concrete_becomes_a_red_voxel) {
   PackSession pack(R"({

@@ -54,6 +54,12 @@ float trusted_updates(float updates) {
 
 uint octants_at(ivec3 cell) { return octants_of(voxel_at(cell).code, cell); }
 
+vec3 point_of(ivec3 cell, int face, vec2 at) {
+    int code = voxel_at(cell).code;
+    if (is_post(code)) return point_of_post(cell, code, face, at);
+    return point_of_face(cell, octants_of(code, cell), octants_at(cell + ivec3(face_normal(face))), face, at);
+}
+
 vec4 updated(uint entry, vec3 light) {
     Face f;
     f.cell = packed_cell(entry);
@@ -65,8 +71,7 @@ vec4 updated(uint entry, vec3 light) {
     uvec3 place = uvec3(face_texel(f.cell, f.face));
     // Independent numbers: along a sequence, what a face looks up would follow how it came about.
     seed_random(ivec2(place.x + 2048u * place.y, place.z), frameCounter);
-    f.from.origin = point_of_face(f.cell, octants_at(f.cell), octants_at(f.cell + ivec3(f.from.normal)),
-                                   f.face, next_random().xy);
+    f.from.origin = point_of(f.cell, f.face, next_random().xy);
     vec3 sampled = hemisphere_sample(f, next_random().xy, light) + lamp_sample(f.from);
 
     float updates = trusted_updates(old.a);

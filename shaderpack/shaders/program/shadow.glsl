@@ -139,6 +139,10 @@ vec4 block_voxel(int id, float emission, vec3 normal) {
     if (id == block_slab_top) return encode_voxel(color, voxel_slab_top);
 #if NOTICE_CHANGES
     if (id == block_stairs) return encode_voxel(color, voxel_stairs);
+    if (id == block_fence) return encode_voxel(color, voxel_fence);
+    if (id == block_wall) return encode_voxel(color, voxel_wall);
+#else
+    if (id == block_fence || id == block_wall) return vec4(0.0);
 #endif
     return encode_voxel(color, voxel_solid);
 }
@@ -154,10 +158,11 @@ void emit_voxel() {
     int face = face_of(vertex_normal[0]);
     add_to_brick(cell, face, code, vertex_mid_uv[0]);
     if (code == voxel_water_surface) note_lake();
-    if (code == voxel_stairs) {
+    if (code == voxel_stairs || is_post(code)) {
         vec3 low = min(vertex_offset[0], min(vertex_offset[1], vertex_offset[2]));
         vec3 high = max(vertex_offset[0], max(vertex_offset[1], vertex_offset[2]));
-        add_octants(cell, octants_behind(low, high, round(vertex_normal[0])));
+        add_octants(cell, is_post(code) ? part_of_quad(code, low, high)
+                                        : octants_behind(low, high, round(vertex_normal[0])));
     }
 #endif
 #if FACES

@@ -50,6 +50,13 @@ vec3 point_of_face(ivec3 cell, uint octants, uint before, int face, vec2 at) {
     return point_of_side(cell, normal, at) - inward * normal;
 }
 
+/// Point of the post of a fence or wall.
+vec3 point_of_post(ivec3 cell, int code, int face, vec2 at) {
+    vec3 from_middle = point_of_side(ivec3(0), face_normal(face), at) - 0.5;
+    float width = 2.0 * post_radius(code);
+    return vec3(cell) + 0.5 + from_middle * vec3(width, 1.0, width);
+}
+
 uint listed_lamps() { return min(imageLoad(face_tally, tally_lamps).r, lamp_capacity); }
 
 /// The share that rays to lamps count of light from a direction in which they have this density, were

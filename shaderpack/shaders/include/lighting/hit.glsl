@@ -41,8 +41,12 @@ Hit trace_from_face(vec3 origin, vec3 direction) {
     // What is thinner than half a block has its face inside of what stands for it.
     octants = (octants >> uint(dot(within, vec3(1.0, 2.0, 4.0))) & 1u) == 1u ? 0u : octants;
     Meeting met = meet_octants(walk, octants, vec2(-1.0, way_out(origin, direction)));
+#if NOTICE_CHANGES
+    if (is_post(own.code)) met = meet_post(walk, own.code);
+#endif
     if (met.found)
-        return Hit(true, cell, origin + direction * met.way, -met.axis * walk.stride, own, vec3(1.0), true);
+        return Hit(true, cell, origin + direction * met.way, -met.axis * walk.stride, own, vec3(1.0),
+                   !is_post(own.code));
     Hit hit = trace(origin, direction);
     if (is_filter_voxel(own.code)) {
         vec2 ways = vec2(0.0, way_out(origin, direction));

@@ -4,6 +4,7 @@
 #if !defined INCLUDED_VOXEL_OCTANTS
 #define INCLUDED_VOXEL_OCTANTS
 
+#include "/include/voxel/posts.glsl"
 #include "/include/voxel/voxel.glsl"
 
 // Texels in a row of voxel_sums, which begins with one for each brick; shaders.properties repeats it.
@@ -50,14 +51,22 @@ void add_octants(ivec3 cell, uint octants) {
 layout(r32ui) uniform readonly uimage2D voxel_sums;
 #endif
 
+/// The byte that stairs, fences and walls have.
+uint kept_shape(ivec3 cell) {
+#if NOTICE_CHANGES
+    return imageLoad(voxel_sums, octants_texel(cell)).r >> uint(octants_shift(cell)) & all_octants;
+#else
+    return 0u;
+#endif
+}
+
 /// Of what stops light; none of what lets it pass, of balls of lamps, and outside of the volume.
 uint octants_of(int code, ivec3 cell) {
     uint octants = is_opaque_voxel(code) && code < voxel_small_lamp ? all_octants : 0u;
     octants = code == voxel_slab_bottom ? lower_octants : octants;
     octants = code == voxel_slab_top ? upper_octants : octants;
 #if NOTICE_CHANGES
-    uint kept = imageLoad(voxel_sums, octants_texel(cell)).r >> uint(octants_shift(cell)) & all_octants;
-    octants = code == voxel_stairs ? kept : octants;
+    octants = code == voxel_stairs ? kept_shape(cell) : octants;
 #endif
     return octants;
 }

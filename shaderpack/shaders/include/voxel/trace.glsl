@@ -117,6 +117,27 @@ Meeting meet_octants(Walk walk, uint octants, vec2 ways) {
     return Meeting(way <= max(ways.x, ways.y), way, way < at.w ? axis : vec3(0.0));
 }
 
+/// The first box of a fence or wall that the ray comes into from outside.
+Meeting meet_post(Walk walk, int code) {
+    Meeting met = Meeting(false, 1e9, vec3(0.0));
+    uint parts = post_boxes(code) > 0 ? kept_shape(cell_of(walk)) : 0u;
+    vec3 from = walk.origin - walk.cell - 0.5;
+    for (int i = 0; i < post_boxes(code); ++i) {
+        Box box = post_box(code, i);
+        vec3 a = (box.low - from) * walk.inverse;
+        vec3 b = (box.high - from) * walk.inverse;
+        vec3 near = min(a, b);
+        vec3 far = max(a, b);
+        float way = max(near.x, max(near.y, near.z));
+        bool hit = has_part(parts, i) && way > 0.0 && way <= min(far.x, min(far.y, far.z));
+        if (!hit || way >= met.way) continue;
+        bool x = way == near.x;
+        bool y = !x && way == near.y;
+        met = Meeting(true, way, vec3(x, y, !x && !y));
+    }
+    return met;
+}
+
 /// What of the cell's block stops the ray?
 Meeting meet(Walk walk, int code) {
     vec2 ways = ways_through(walk);
@@ -126,6 +147,10 @@ Meeting meet(Walk walk, int code) {
     float miss_squared = dot(to_center, to_center) - along * along;
     met.found = met.found || (code >= voxel_small_lamp &&
                               miss_squared < small_lamp_radius * small_lamp_radius);
+#if NOTICE_CHANGES
+    Meeting post = meet_post(walk, code);
+    if (post.found) return post;
+#endif
     return met;
 }
 
@@ -139,7 +164,7 @@ void describe(inout Hit hit, Walk walk, Meeting met, vec4 texel) {
     hit.voxel = decode_voxel(texel);
     hit.position =
         walk.origin + walk.direction * (inside ? met.way : max(came.x, max(came.y, came.z)));
-    hit.inner = inside;
+    hit.inner = inside && !is_post(hit.voxel.code);
     hit.normal = -(inside ? met.axis : vec3(x, y, !x && !y)) * walk.stride;
 }
 

@@ -10,6 +10,8 @@ const int voxel_slab_top = 3;
 const int voxel_translucent = 4;
 const int voxel_water_surface = 5;  // translucent up to water_height
 const int voxel_stairs = 6;  // fills a part of its cell: include/voxel/octants.glsl
+const int voxel_fence = 7;   // posts with arms: include/voxel/posts.glsl
+const int voxel_wall = 8;
 const int voxel_lamp = 16;        // + light level 1..15, fills the cell
 const int voxel_small_lamp = 32;  // + light level 1..15, a ball in the cell
 
