@@ -145,7 +145,7 @@ MUTANTS = [
     ("view shows light as blocks", "picture.view*",
      [("include/voxel/view.glsl", "#elif VOXEL_VIEW == RADIANCE && FACES", "#elif false")]),
     ("stairs are full blocks", "shapes.tread*",
-     [("include/voxel/octants.glsl", "octants = code == voxel_stairs ? kept : octants;",
+     [("include/voxel/octants.glsl", "octants = code == voxel_stairs ? kept_shape(cell) : octants;",
        ";")]),
     ("octants before the quad", "shapes.tread*",
      [("include/voxel/octants.glsl", "bvec3 lower = lessThan(low - 0.25 * normal, vec3(-on_plane));",
