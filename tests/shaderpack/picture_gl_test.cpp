@@ -199,6 +199,12 @@ int volumeOf(const std::string& world) {
   return 0;
 }
 
+TEST(cost, no_volume_is_chosen_without_voxels) {
+  PackSession pack =
+      PackSession::ofWorld("cornell", {{"GI_METHOD", "NONE"}, {"VOXEL_SIZE", "AUTO"}}, 8, 8);
+  EXPECT_EQ(pack.session().autoChoices().text(), "");
+}
+
 // Twice the side of what is drawn, and four cells at each end that fade.
 TEST(cost, volume_of_voxels_is_as_large_as_the_world_needs) {
   const auto floor = [](int side, int eye) {
