@@ -9,7 +9,7 @@
 namespace orris {
 namespace {
 
-constexpr int kWidth = 64, kHeight = 36;
+constexpr int kDrawnWidth = 64, kDrawnHeight = 36;
 
 World smallWorld(const std::string& dimension) {
   World world;
@@ -34,7 +34,7 @@ void drawOneFrame(gl::Context& context, const std::shared_ptr<const FileSource>&
   SessionRequest request;
   request.openPack = [&files](Diagnostics&) { return files; };
   request.load = load;
-  request.renderer = {.width = kWidth, .height = kHeight};
+  request.renderer = {.width = kDrawnWidth, .height = kDrawnHeight};
   request.camera = world.cameras.front();
   const auto session = RenderSession::create(context, request, std::move(world), diagnostics);
   if (session) session->renderFrame(diagnostics);

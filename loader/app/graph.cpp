@@ -15,7 +15,7 @@ namespace orris {
 namespace {
 
 // As validate: decides nothing but sizes in pixels.
-constexpr int kWidth = 1920, kHeight = 1080;
+constexpr int kAssumedWidth = 1920, kAssumedHeight = 1080;
 constexpr std::chrono::seconds kLongestLayout{120};
 
 using TextForm = std::string (*)(const PassGraph&);
@@ -64,7 +64,7 @@ bool writeGraph(const ShaderPack& pack, const std::string& title, const std::str
     return false;
   }
   Diagnostics diagnostics;
-  const Schedule schedule = buildSchedule(pack, kWidth, kHeight, {}, diagnostics);
+  const Schedule schedule = buildSchedule(pack, kAssumedWidth, kAssumedHeight, {}, diagnostics);
   report.add(diagnostics);
   PassGraph graph = passGraph(pack, schedule);
   graph.pack = title;

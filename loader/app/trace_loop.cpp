@@ -17,15 +17,15 @@ using Clock = std::chrono::steady_clock;
 constexpr double kPassSeconds = 0.5;
 constexpr double kCheckpointSeconds = 30;
 
-std::atomic<bool> interrupted{false};
+std::atomic<bool> traceInterrupted{false};
 
 /// Ctrl-C asks to stop; a second one ends the program as always.
 class InterruptGuard {
  public:
   InterruptGuard() {
-    interrupted = false;
+    traceInterrupted = false;
     before_ = std::signal(SIGINT, [](int) {
-      interrupted = true;
+      traceInterrupted = true;
       std::signal(SIGINT, SIG_DFL);
     });
   }
@@ -67,7 +67,7 @@ const char* reachedLimit(const TraceFilm& film, const Limits& limits, double sec
   if (film.samples >= limits.half) return "samples";
   if (limits.seconds > 0 && seconds >= limits.seconds) return "seconds";
   if (limits.noise > 0 && film.samples > 1 && noise <= limits.noise) return "noise";
-  return interrupted ? "interrupt" : nullptr;
+  return traceInterrupted ? "interrupt" : nullptr;
 }
 
 bool save(const TraceJob& job, const TraceFilm& film, Report& report) {

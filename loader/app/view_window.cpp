@@ -14,9 +14,9 @@ struct KeyCommand {
   int key;
   bool ViewInput::*command;
 };
-constexpr KeyCommand kCommands[] = {{GLFW_KEY_R, &ViewInput::reload},
-                                    {GLFW_KEY_O, &ViewInput::nextProfile},
-                                    {GLFW_KEY_F2, &ViewInput::screenshot}};
+constexpr KeyCommand kKeyCommands[] = {{GLFW_KEY_R, &ViewInput::reload},
+                                       {GLFW_KEY_O, &ViewInput::nextProfile},
+                                       {GLFW_KEY_F2, &ViewInput::screenshot}};
 
 struct MoveKey {
   int key;
@@ -52,7 +52,7 @@ ViewInput& ViewWindow::inputOf(GLFWwindow* window) {
 void ViewWindow::onKey(GLFWwindow* window, int key, int, int action, int) {
   if (action != GLFW_PRESS) return;
   ViewInput& input = inputOf(window);
-  for (const KeyCommand& row : kCommands) {
+  for (const KeyCommand& row : kKeyCommands) {
     if (row.key == key) input.*row.command = true;
   }
   if (key >= GLFW_KEY_1 && key <= GLFW_KEY_9) input.camera = key - GLFW_KEY_1;

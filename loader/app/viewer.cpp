@@ -26,8 +26,8 @@ constexpr auto kShortestFrame = std::chrono::milliseconds(4);
 // A frame that took longer, for a reload, moves the camera and the clock no further than this.
 constexpr double kLongestStep = 0.1;
 
-volatile std::sig_atomic_t interrupted = 0;
-void onInterrupt(int) { interrupted = 1; }
+volatile std::sig_atomic_t viewInterrupted = 0;
+void onInterrupt(int) { viewInterrupted = 1; }
 
 double secondsBetween(std::chrono::steady_clock::time_point from,
                       std::chrono::steady_clock::time_point to) {
@@ -74,7 +74,7 @@ int Viewer::run() {
 
 bool Viewer::ended() const {
   const int frames = options_.image.frames;
-  return closed_ || interrupted != 0 || (frames > 0 && session_->frame() >= frames);
+  return closed_ || viewInterrupted != 0 || (frames > 0 && session_->frame() >= frames);
 }
 
 bool Viewer::open() {

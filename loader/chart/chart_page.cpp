@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "chart/json_number.h"
 #include "chart/page_template.h"
 
 namespace orris {
@@ -32,24 +33,22 @@ std::string dataUri(const char* type, const std::string& bytes) {
   return bytes.empty() ? "" : fmt::format("data:{};base64,{}", type, base64(bytes));
 }
 
-json number(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
-
 std::string sizeText(ImageSize size) { return fmt::format("{}x{}", size.width, size.height); }
 
 json toJson(const ChartPoint& point, const SettingPictures& pictures) {
   const ErrorSummary& error = *point.result->error;
   return {{"label", point.setting->label},
           {"size", sizeText(point.setting->size)},
-          {"ms", number(point.milliseconds.value)},
-          {"msLow", number(point.milliseconds.interval.low)},
-          {"msHigh", number(point.milliseconds.interval.high)},
-          {"p95", number(point.p95)},
-          {"ratio", number(point.cost.ratio)},
+          {"ms", jsonNumber(point.milliseconds.value)},
+          {"msLow", jsonNumber(point.milliseconds.interval.low)},
+          {"msHigh", jsonNumber(point.milliseconds.interval.high)},
+          {"p95", jsonNumber(point.p95)},
+          {"ratio", jsonNumber(point.cost.ratio)},
           {"publishedRatio", point.publishedRatio ? json(*point.publishedRatio) : json(nullptr)},
-          {"error", number(point.error.value)},
-          {"bias", number(error.bias)},
-          {"noise", number(error.noise)},
-          {"relMse", number(error.relMse)},
+          {"error", jsonNumber(point.error.value)},
+          {"bias", jsonNumber(error.bias)},
+          {"noise", jsonNumber(error.noise)},
+          {"relMse", jsonNumber(error.relMse)},
           {"ssim", point.result->ssim},
           {"front", point.front},
           {"frame", dataUri("image/png", pictures.frame)},

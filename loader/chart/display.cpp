@@ -10,7 +10,6 @@ namespace orris {
 namespace {
 
 constexpr double kBright = 0.95;
-constexpr double kDarkShare = 0.02;
 constexpr double kFullColour = 0.5;
 
 float toSrgb(float value) {

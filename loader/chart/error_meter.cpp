@@ -12,7 +12,6 @@ namespace {
 // Frames in a row are not independent where a pack reuses earlier ones. The means of long runs nearly
 // are, so the noise of the mean is judged by these.
 constexpr int kBatches = 8;
-constexpr double kDarkShare = 0.02;
 constexpr double kRelMseFloor = 0.01;
 constexpr double kTrimmed = 0.001;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();

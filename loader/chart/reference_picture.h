@@ -21,6 +21,9 @@ struct ReferencePicture {
   std::vector<std::uint8_t> edges{};
 };
 
+/// Relative errors of luminance are to r + this share of the mean of r.
+inline constexpr double kDarkShare = 0.02;
+
 /// Standard error of the mean of the halves over the pixels, as a share of the mean luminance: the
 /// `relative` of orris trace. 0 without halves.
 double noiseFloor(const ReferencePicture& reference);

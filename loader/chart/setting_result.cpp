@@ -4,37 +4,39 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "chart/json_number.h"
+
 namespace orris {
 namespace {
 
 using nlohmann::json;
 
-// JSON has no infinity.
-json number(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
-
 double toNumber(const json& value) {
   return value.is_null() ? std::numeric_limits<double>::infinity() : value.get<double>();
 }
 
-json toJson(const Interval& interval) { return {number(interval.low), number(interval.high)}; }
+json toJson(const Interval& interval) {
+  return {jsonNumber(interval.low), jsonNumber(interval.high)};
+}
 
 Interval toInterval(const json& value) { return {toNumber(value.at(0)), toNumber(value.at(1))}; }
 
 json toJson(const ErrorSummary& error) {
   json accumulated = json::array();
   for (const AccumulatedError& run : error.accumulated) {
-    accumulated.push_back(
-        {{"frames", run.frames}, {"error", number(run.error)}, {"interval", toJson(run.interval)}});
+    accumulated.push_back({{"frames", run.frames},
+                           {"error", jsonNumber(run.error)},
+                           {"interval", toJson(run.interval)}});
   }
   return {{"frames", error.frames},
-          {"signedBias", number(error.signedBias)},
-          {"bias", number(error.bias)},
+          {"signedBias", jsonNumber(error.signedBias)},
+          {"bias", jsonNumber(error.bias)},
           {"biasInterval", toJson(error.biasInterval)},
-          {"noise", number(error.noise)},
+          {"noise", jsonNumber(error.noise)},
           {"accumulated", std::move(accumulated)},
-          {"relMse", number(error.relMse)},
-          {"relMseMedian", number(error.relMseMedian)},
-          {"relMseTrimmed", number(error.relMseTrimmed)},
+          {"relMse", jsonNumber(error.relMse)},
+          {"relMseMedian", jsonNumber(error.relMseMedian)},
+          {"relMseTrimmed", jsonNumber(error.relMseTrimmed)},
           {"notFinite", error.notFinite}};
 }
 

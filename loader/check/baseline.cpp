@@ -7,16 +7,15 @@
 #include <cstdint>
 #include <tuple>
 
+#include "core/characters.h"
 #include "pack/text.h"
 
 namespace orris {
 namespace {
 
 constexpr std::string_view kHeading = "# orris baseline 1";
-constexpr std::size_t kDigits = 16;
+constexpr std::size_t kFingerprintDigits = 16;
 constexpr long long kMostOfOne = 1000000;
-
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
 // Messages may name a place ("/a.glsl:12", "in line 12"), and places move.
 std::string withoutLineNumbers(std::string_view message) {
@@ -43,7 +42,7 @@ std::uint64_t fnv1a(std::string_view text) {
 }
 
 bool isFingerprint(std::string_view word) {
-  return word.size() == kDigits &&
+  return word.size() == kFingerprintDigits &&
          std::ranges::all_of(word, [](char c) { return isDigit(c) || (c >= 'a' && c <= 'f'); });
 }
 

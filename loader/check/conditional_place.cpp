@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* kUnbalanced = "conditional-unbalanced";
 // Each trial compiles this many programs of each folder; the rest are taken to be like them.
-constexpr std::size_t kMostSamples = 2;
+constexpr std::size_t kMostOfFolder = 2;
 constexpr std::size_t kMostConditions = 5;
 
 struct User {
@@ -191,7 +191,7 @@ void settleConditionals(const std::vector<ShaderPack>& folders, int jobs,
                         std::vector<Diagnostics>& found) {
   Collector collector(found);
   if (collector.none()) return;
-  for (const ShaderPack& folder : folders) collector.add(folder, kMostSamples);
+  for (const ShaderPack& folder : folders) collector.add(folder, kMostOfFolder);
   const std::vector<Unbalanced> files = collector.files();
   std::vector<Diagnostics> settled(files.size());
   const auto work = [&](std::size_t i) {

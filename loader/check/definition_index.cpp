@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kLargestFile = std::size_t{4} << 20;
 constexpr std::size_t kMostDefinitions = 256;
 
-bool isShaderText(std::string_view path) {
+bool endsAsShaderText(std::string_view path) {
   constexpr std::array<std::string_view, 13> kEnds = {".vsh",  ".fsh",  ".gsh",     ".csh", ".tcs",
                                                       ".tes",  ".glsl", ".inc",     ".h",   ".frag",
                                                       ".vert", ".comp", ".settings"};
@@ -101,7 +101,7 @@ void DefinitionIndex::readAll() {
   files_ = pack_.files;
   for (const std::string& path :
        pack_.source ? pack_.source->files() : std::vector<std::string>()) {
-    if (files_.contains(path) || !isShaderText(path)) continue;
+    if (files_.contains(path) || !endsAsShaderText(path)) continue;
     const auto text = pack_.source->read(path);
     if (text && text->size() <= kLargestFile) files_[path] = splitLines(*text);
   }

@@ -83,18 +83,18 @@ std::string_view constName(std::string_view line) {
   return leadingWord(line);
 }
 
-struct Candidate {
+struct NearlyDirective {
   SourceLocation at;
   std::string sourceLine, meant;
 };
 
 /// Constants whose names are nearly those of directives: by name, their lines.
-std::map<std::string, std::vector<Candidate>> nearlyDirectives(const ShaderPack& pack,
-                                                               AuthorLines& lines) {
+std::map<std::string, std::vector<NearlyDirective>> nearlyDirectives(const ShaderPack& pack,
+                                                                     AuthorLines& lines) {
   const auto& known = directiveNames();
   const std::vector<std::string> names(known.begin(), known.end());
   std::map<std::string, std::string> meant;
-  std::map<std::string, std::vector<Candidate>> found;
+  std::map<std::string, std::vector<NearlyDirective>> found;
   for (const auto& [file, ignored] : pack.files) {
     const FileLines& text = lines.file(file);
     for (size_t i = 0; i < text.size(); ++i) {
@@ -113,7 +113,7 @@ std::map<std::string, std::vector<Candidate>> nearlyDirectives(const ShaderPack&
 
 /// How often each of the names occurs as a word in the pack.
 std::map<std::string, size_t, std::less<>> countWords(
-    const ShaderPack& pack, const std::map<std::string, std::vector<Candidate>>& names,
+    const ShaderPack& pack, const std::map<std::string, std::vector<NearlyDirective>>& names,
     AuthorLines& lines) {
   std::map<std::string, size_t, std::less<>> counts;
   for (const auto& entry : names) counts[entry.first] = 0;
@@ -128,7 +128,7 @@ std::map<std::string, size_t, std::less<>> countWords(
   return counts;
 }
 
-void report(const Candidate& candidate, const std::string& name, Diagnostics& diagnostics) {
+void report(const NearlyDirective& candidate, const std::string& name, Diagnostics& diagnostics) {
   diagnostics.push_back({.severity = Severity::Warning,
                          .id = "directive-misspelt",
                          .at = candidate.at,
@@ -164,7 +164,7 @@ void checkDirectiveNames(std::span<const ShaderPack> folders, Diagnostics& diagn
     for (const auto& [name, candidates] : nearly) {
       // What the shader uses itself is its own constant.
       if (counts.at(name) > candidates.size()) continue;
-      for (const Candidate& candidate : candidates) report(candidate, name, diagnostics);
+      for (const NearlyDirective& candidate : candidates) report(candidate, name, diagnostics);
     }
   }
   for (const auto& entry : pack.files) {

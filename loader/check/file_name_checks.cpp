@@ -15,8 +15,8 @@ namespace orris {
 namespace {
 
 constexpr std::array<std::string_view, 6> kEnds = {".vsh", ".fsh", ".gsh", ".csh", ".tcs", ".tes"};
-constexpr std::array<std::string_view, 6> kNumbered = {"setup",   "begin",    "shadowcomp",
-                                                       "prepare", "deferred", "composite"};
+constexpr std::array<std::string_view, 6> kNumberedGroups = {"setup",   "begin",    "shadowcomp",
+                                                             "prepare", "deferred", "composite"};
 
 bool isStageFile(std::string_view path) {
   return std::any_of(kEnds.begin(), kEnds.end(), [&](auto end) { return path.ends_with(end); });
@@ -36,14 +36,14 @@ bool isOfMod(std::string_view name) {
 
 std::vector<std::string> programNames() {
   std::vector<std::string> names{"final"};
-  for (const std::string_view name : kNumbered) names.emplace_back(name);
+  for (const std::string_view name : kNumberedGroups) names.emplace_back(name);
   for (const GeometryProgram& program : geometryPrograms()) names.emplace_back(program.name);
   return names;
 }
 
 /// The group whose numbers the name leaves, "" when it is not of that form.
 std::string_view badlyNumbered(std::string_view name) {
-  for (const std::string_view group : kNumbered) {
+  for (const std::string_view group : kNumberedGroups) {
     const std::string_view rest = name.starts_with(group) ? name.substr(group.size()) : "";
     if (!rest.empty() && rest.find_first_not_of("0123456789") == std::string_view::npos)
       return group;

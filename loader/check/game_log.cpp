@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "core/characters.h"
 #include "glsl/compiler_log.h"
 #include "pack/text.h"
 
@@ -21,8 +22,6 @@ bool isNameCharacter(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) ||
          std::string_view("_-.:/").find(c) != std::string_view::npos;
 }
-
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
 /// "NAME: " at the start of `text`; takes it off.
 std::string takeName(std::string_view& text) {

@@ -13,7 +13,7 @@
 namespace orris {
 namespace {
 
-constexpr std::string_view kWord = "orris:";
+constexpr std::string_view kMark = "orris:";
 // Larger files are data; the marks of a source stand in lines that a person wrote.
 constexpr std::size_t kLargestSource = std::size_t{4} << 20;
 
@@ -63,7 +63,7 @@ bool readCall(std::string_view& text, Comment& comment) {
 
 // The comment must open right before the word: a sentence that mentions it is none.
 std::optional<Comment> readComment(std::string_view line, bool properties) {
-  const std::size_t word = line.find(kWord);
+  const std::size_t word = line.find(kMark);
   if (word == std::string_view::npos) return std::nullopt;
   std::string_view before = line.substr(0, word);
   before = before.substr(0, before.find_last_not_of(" \t") + 1);
@@ -73,7 +73,7 @@ std::optional<Comment> readComment(std::string_view line, bool properties) {
   before.remove_suffix(opener);
 
   Comment comment{.column = static_cast<int>(before.size()) + 1};
-  std::string_view rest = line.substr(word + kWord.size());
+  std::string_view rest = line.substr(word + kMark.size());
   if (!readCall(rest, comment)) return std::nullopt;
   const std::size_t end = block ? rest.find("*/") : std::string_view::npos;
   const bool codeAfter = end != std::string_view::npos && !trim(rest.substr(end + 2)).empty();
@@ -159,7 +159,7 @@ Diagnostic problemOf(const IgnoreMark& mark) {
 }  // namespace
 
 std::vector<IgnoreMark> readIgnoreMarks(const std::string& file, std::string_view text) {
-  if (text.find(kWord) == std::string_view::npos) return {};
+  if (text.find(kMark) == std::string_view::npos) return {};
   return MarkReader(file, text).read();
 }
 

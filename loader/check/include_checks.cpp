@@ -23,7 +23,7 @@ bool isStage(std::string_view path) {
   return endsInOneOf(path, kStages);
 }
 
-bool isShaderText(std::string_view path) {
+bool isStageOrInclude(std::string_view path) {
   constexpr std::array<std::string_view, 5> kTexts{".glsl", ".inc", ".h", ".frag", ".vert"};
   return isStage(path) || endsInOneOf(path, kTexts);
 }
@@ -65,7 +65,7 @@ void checkUnusedIncludes(std::span<const ShaderPack> folders, Diagnostics& diagn
   const auto reached = reachedFiles(pack);
   for (const std::string& path : pack.source->files()) {
     const bool modFolder = path.starts_with("/photonics/");
-    if (!isShaderText(path) || modFolder || reached.contains(path)) continue;
+    if (!isStageOrInclude(path) || modFolder || reached.contains(path)) continue;
     diagnostics.push_back({.severity = Severity::Note,
                            .id = "include-unused",
                            .at = {.file = path},

@@ -14,7 +14,7 @@ namespace {
 // Packs are untrusted, and the best candidates come first.
 constexpr std::size_t kMostTargets = 64, kMostFiles = 128, kMostCandidates = 16;
 // Places tried in one file, and trials in all: each compiles the program once.
-constexpr std::size_t kMostPlaces = 4, kMostTrials = 16;
+constexpr std::size_t kPlacesOfFile = 4, kMostTrials = 16;
 
 // What speaks for a file and what it should include, beside likeness() to one that does.
 constexpr double kAllNames = 3;     // it makes all names known
@@ -196,7 +196,7 @@ class Search {
     std::vector<Placed> all;
     for (const Candidate& candidate : candidates) {
       auto places =
-          placesByModels(index_, candidate.file, candidate.target, candidate.before, kMostPlaces);
+          placesByModels(index_, candidate.file, candidate.target, candidate.before, kPlacesOfFile);
       // Without a model only a file on the way to the use tells where.
       if (candidate.before > 0) {
         const double share = places.empty() ? 1 : 0;

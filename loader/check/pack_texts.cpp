@@ -2,12 +2,11 @@
 
 #include <algorithm>
 
+#include "core/characters.h"
 #include "pack/text.h"
 
 namespace orris {
 namespace {
-
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
 /// Is it "colorte1x" for "colortex1": a digit and a letter beside it exchanged?
 bool movesDigit(std::string_view name, std::string_view meant) {

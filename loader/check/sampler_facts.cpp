@@ -13,7 +13,7 @@
 namespace orris {
 namespace {
 
-using Kind = BufferName::Kind;
+using BufferKind = BufferName::Kind;
 
 /// What a name stands for.
 struct Bound {
@@ -77,18 +77,18 @@ std::optional<Bound> bufferOf(const ShaderPack& pack, const ProgramSource& progr
   const bool geometry =
       program.group == ProgramGroup::Gbuffers || program.group == ProgramGroup::Shadow;
   switch (buffer.kind) {
-    case Kind::Color:
+    case BufferKind::Color:
       // In geometry programs the first four names are the atlas.
       if (geometry && buffer.index < 4 && !buffer.image) return std::nullopt;
       return targetOf(pack, false, buffer.index);
-    case Kind::ShadowColor:
+    case BufferKind::ShadowColor:
       return targetOf(pack, true, buffer.index);
-    case Kind::Depth:
+    case BufferKind::Depth:
       return Bound{.what = fmt::format("depthtex{}", buffer.index), .depth = true};
-    case Kind::Stencil:
+    case BufferKind::Stencil:
       return Bound{.what = fmt::format("stenciltex{}, whose values are integers", buffer.index),
                    .component = 'u'};
-    case Kind::ShadowDepth: {
+    case BufferKind::ShadowDepth: {
       const auto index = static_cast<std::size_t>(std::clamp(buffer.index, 0, 1));
       return Bound{
           .what = fmt::format("shadowtex{}", buffer.index),

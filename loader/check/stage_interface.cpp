@@ -99,32 +99,31 @@ class StageReader {
   }
 
   static void takeQualifier(std::string_view word, StageGlobal& global) {
-    using Interpolation = StageGlobal::Interpolation;
     if (word == "in" || word == "attribute") global.storage = Storage::In;
     if (word == "out") global.storage = Storage::Out;
     if (word == "uniform") global.storage = Storage::Uniform;
     if (word == "buffer") global.storage = Storage::Buffer;
     if (word == "shared") global.storage = Storage::Shared;
-    if (word == "flat") global.interpolation = Interpolation::Flat;
-    if (word == "noperspective") global.interpolation = Interpolation::NoPerspective;
+    if (word == "flat") global.interpolation = StageGlobal::Interpolation::Flat;
+    if (word == "noperspective") global.interpolation = StageGlobal::Interpolation::NoPerspective;
     global.patch |= word == "patch";
     global.constant |= word == "const";
   }
 
   void readLayout(std::size_t open, StageGlobal& global) {
-    struct Row {
+    struct LayoutRow {
       std::string_view word;
       int LayoutNumbers::*field;
     };
-    static constexpr Row kRows[] = {{"location", &LayoutNumbers::location},
-                                    {"index", &LayoutNumbers::index},
-                                    {"binding", &LayoutNumbers::binding},
-                                    {"component", &LayoutNumbers::component}};
+    static constexpr LayoutRow kRows[] = {{"location", &LayoutNumbers::location},
+                                          {"index", &LayoutNumbers::index},
+                                          {"binding", &LayoutNumbers::binding},
+                                          {"component", &LayoutNumbers::component}};
     const std::size_t close = closing(open);
     for (std::size_t i = open + 1; i < close; ++i) {
       if (!at(i).isWord()) continue;
       const auto row = std::find_if(std::begin(kRows), std::end(kRows),
-                                    [&](const Row& r) { return r.word == at(i).text; });
+                                    [&](const LayoutRow& r) { return r.word == at(i).text; });
       if (row == std::end(kRows)) {
         if (!at(i + 1).is('=')) global.format = at(i).text;
         continue;

@@ -13,11 +13,11 @@
 namespace orris {
 namespace {
 
-using Words = std::set<std::string, std::less<>>;
+using WordSet = std::set<std::string, std::less<>>;
 
 /// Those of `wanted` that stand in some shader text, whatever the branch or option.
-Words wordsFound(const ShaderPack& pack, const Words& wanted) {
-  Words found;
+WordSet wordsFound(const ShaderPack& pack, const WordSet& wanted) {
+  WordSet found;
   for (const std::string& file : pack.source->files()) {
     if (!isShaderText(file)) continue;
     const auto text = pack.source->read(file);
@@ -37,14 +37,14 @@ Words wordsFound(const ShaderPack& pack, const Words& wanted) {
 void checkTexturesUsed(std::span<const ShaderPack> folders, Diagnostics& diagnostics) {
   if (folders.empty() || !folders.front().source) return;
   const ShaderPack& pack = folders.front();
-  Words wanted;
+  WordSet wanted;
   for (const TextureBinding& texture : pack.properties.textures) wanted.insert(texture.sampler);
   for (const CustomImage& image : pack.properties.images) {
     wanted.insert(image.name);
     wanted.insert(image.sampler);
   }
   if (wanted.empty()) return;
-  const Words found = wordsFound(pack, wanted);
+  const WordSet found = wordsFound(pack, wanted);
   for (const TextureBinding& texture : pack.properties.textures) {
     if (found.contains(texture.sampler)) continue;
     diagnostics.push_back(

@@ -13,7 +13,7 @@ struct Pair {
 };
 
 /// A range of both texts that is still to be matched; `to` ends exclude.
-struct Gap {
+struct OpenRange {
   int from, fromEnd, to, toEnd;
 };
 
@@ -62,16 +62,17 @@ class Aligner {
   Aligner(const Words& from, const Words& to) : from_(from), to_(to), matched_(from.size(), -1) {}
 
   std::vector<int> align() {
-    std::vector<Gap> gaps{{0, static_cast<int>(from_.size()), 0, static_cast<int>(to_.size())}};
+    std::vector<OpenRange> gaps{
+        {0, static_cast<int>(from_.size()), 0, static_cast<int>(to_.size())}};
     for (const int length : {8, 4, 2, 1}) {
-      for (const Gap& gap : gaps) matchRuns(gap, length);
+      for (const OpenRange& gap : gaps) matchRuns(gap, length);
       gaps = openGaps();
     }
     return matched_;
   }
 
  private:
-  void matchRuns(const Gap& gap, int length) {
+  void matchRuns(const OpenRange& gap, int length) {
     const auto fromRuns = uniqueRuns(from_, gap.from, gap.fromEnd, length);
     const auto toRuns = uniqueRuns(to_, gap.to, gap.toEnd, length);
     std::vector<Pair> pairs;
@@ -90,7 +91,7 @@ class Aligner {
   }
 
   /// Matches equal tokens around `pair`, as far as both texts go on alike.
-  void extend(const Gap& gap, const Pair& pair, int& fromFloor, int& toFloor) {
+  void extend(const OpenRange& gap, const Pair& pair, int& fromFloor, int& toFloor) {
     int a = pair.from, b = pair.to;
     while (a > fromFloor && b > toFloor && from_[a - 1] == to_[b - 1]) --a, --b;
     for (; a < gap.fromEnd && b < gap.toEnd && from_[a] == to_[b]; ++a, ++b) matched_[a] = b;
@@ -98,8 +99,8 @@ class Aligner {
     toFloor = std::max(toFloor, b);
   }
 
-  std::vector<Gap> openGaps() const {
-    std::vector<Gap> gaps;
+  std::vector<OpenRange> openGaps() const {
+    std::vector<OpenRange> gaps;
     int from = 0, to = 0;
     const int end = static_cast<int>(matched_.size());
     for (int i = 0; i <= end; ++i) {

@@ -15,7 +15,7 @@ void main() {
 }
 )";
 // Written through gl_FragData, so that the fixed-function alpha test applies.
-constexpr const char* kTerrain = R"(#version 450 compatibility
+constexpr const char* kTerrainFragment = R"(#version 450 compatibility
 uniform sampler2D gtexture;
 uniform sampler2D lightmap;
 in vec2 uv;
@@ -23,7 +23,7 @@ in vec2 light;
 in vec4 tint;
 void main() { gl_FragData[0] = texture(gtexture, uv) * tint * texture(lightmap, light); }
 )";
-constexpr const char* kSky = R"(#version 450 compatibility
+constexpr const char* kSkyFragment = R"(#version 450 compatibility
 uniform sampler2D gtexture;
 in vec2 uv;
 in vec4 tint;
@@ -42,7 +42,8 @@ StageText stage(Stage kind, const char* text) {
 bool usesBuiltinSky(Geometry geometry) { return isSky(geometry) || isClouds(geometry); }
 
 std::vector<StageText> builtinProgram(bool sky) {
-  return {stage(Stage::Vertex, kVertex), stage(Stage::Fragment, sky ? kSky : kTerrain)};
+  return {stage(Stage::Vertex, kVertex),
+          stage(Stage::Fragment, sky ? kSkyFragment : kTerrainFragment)};
 }
 
 }  // namespace orris

@@ -9,7 +9,7 @@
 namespace orris {
 namespace {
 
-constexpr float kNear = 0.05f;
+constexpr float kNearPlane = 0.05f;
 
 glm::mat4 viewMatrix(const Camera& camera) {
   const glm::mat4 pitch = glm::rotate(glm::mat4(1), glm::radians(camera.pitch), glm::vec3(1, 0, 0));
@@ -23,7 +23,7 @@ void setMatrices(FrameState& state, const PackDirectives& directives) {
   const float far = static_cast<float>(state.environment.renderDistance) * 4;
   state.gbufferProjection = glm::perspective(
       glm::radians(state.camera.fov),
-      static_cast<float>(state.width) / static_cast<float>(state.height), kNear, far);
+      static_cast<float>(state.width) / static_cast<float>(state.height), kNearPlane, far);
   state.gbufferProjectionInverse = glm::inverse(state.gbufferProjection);
   state.shadowModelView =
       shadowModelViewMatrix(state.sunAngle, directives.sunPathRotation,

@@ -39,8 +39,8 @@ unsigned lookup(const NamedEnum (&table)[N], const std::string& name, unsigned f
 }
 
 constexpr glm::ivec4 kNoBlend(0);
-constexpr glm::ivec4 kTranslucent(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE,
-                                  GL_ONE_MINUS_SRC_ALPHA);
+constexpr glm::ivec4 kTranslucentBlend(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE,
+                                       GL_ONE_MINUS_SRC_ALPHA);
 constexpr glm::ivec4 kAdditive(GL_SRC_ALPHA, GL_ONE, GL_ONE, GL_ZERO);
 
 glm::ivec4 factorsOf(const BlendMode& mode) {
@@ -80,7 +80,7 @@ glm::ivec4 defaultBlend(const Step& step) {
     case Geometry::Translucent:
     case Geometry::CloudsFast:
     case Geometry::CloudsFancy:
-      return kTranslucent;
+      return kTranslucentBlend;
     case Geometry::Stars:
     case Geometry::SunMoon:
       return kAdditive;

@@ -16,7 +16,7 @@ namespace {
 // Rays into the scene: enough to tell a tenth of the picture from nothing.
 constexpr int kColumns = 32, kRows = 18;
 constexpr double kLongestRay = 256;  // blocks
-constexpr double kNear = 8;          // blocks, of casters_near
+constexpr double kNearCaster = 8;    // blocks, of casters_near
 
 struct Seen {
   double distance = 0;
@@ -56,7 +56,7 @@ class Measuring {
     const glm::dvec3 eye = view_.cameraPosition - glm::dvec3(casterSet().origin);
     const auto& faces = casterSet().faces;
     return double(std::count_if(faces.begin(), faces.end(), [&](const CasterFace& face) {
-      return glm::distance(eye, glm::dvec3(face.corners[0])) < kNear;
+      return glm::distance(eye, glm::dvec3(face.corners[0])) < kNearCaster;
     }));
   }
 

@@ -21,8 +21,8 @@ constexpr EglInt kNone = 0x3038;
 constexpr EglInt kRenderableType = 0x3040;
 constexpr EglInt kSurfaceType = 0x3033;
 constexpr EglInt kOpenglBit = 0x0008;
-constexpr EglInt kMajorVersion = 0x3098;
-constexpr EglInt kMinorVersion = 0x30FB;
+constexpr EglInt kEglMajor = 0x3098;
+constexpr EglInt kEglMinor = 0x30FB;
 constexpr EglInt kProfileMask = 0x30FD;
 constexpr EglInt kCompatibilityProfile = 0x0002;
 constexpr unsigned kOpenglApi = 0x30A2;
@@ -141,9 +141,8 @@ class EglContext final : public Context {
       }
     }
     for (const GlVersion& version : kVersions) {
-      const EglInt attributes[] = {kMajorVersion, version.major, kMinorVersion,
-                                   version.minor, kProfileMask,  kCompatibilityProfile,
-                                   kNone};
+      const EglInt attributes[] = {kEglMajor,    version.major,         kEglMinor, version.minor,
+                                   kProfileMask, kCompatibilityProfile, kNone};
       EglHandle handle = api_.createContext(display, config, nullptr, attributes);
       if (handle == nullptr) continue;
       if (api_.makeCurrent(display, nullptr, nullptr, handle) != 0) {

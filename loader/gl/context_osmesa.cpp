@@ -16,8 +16,8 @@ constexpr int kFormat = 0x22;
 constexpr int kDepthBits = 0x30;
 constexpr int kProfile = 0x33;
 constexpr int kCompatProfile = 0x35;
-constexpr int kMajorVersion = 0x36;
-constexpr int kMinorVersion = 0x37;
+constexpr int kOsMesaMajor = 0x36;
+constexpr int kOsMesaMinor = 0x37;
 
 struct OsmesaApi {
   OsmesaHandle (*createContextAttribs)(const int* attributes, OsmesaHandle share) = nullptr;
@@ -51,8 +51,8 @@ class OsmesaContext final : public Context {
   bool create(Diagnostics& diagnostics) {
     for (const GlVersion& version : kVersions) {
       const int attributes[] = {
-          kFormat,       GL_RGBA,       kDepthBits,    24, kProfile, kCompatProfile, kMajorVersion,
-          version.major, kMinorVersion, version.minor, 0};
+          kFormat,       GL_RGBA,      kDepthBits,    24, kProfile, kCompatProfile, kOsMesaMajor,
+          version.major, kOsMesaMinor, version.minor, 0};
       handle_ = api_.createContextAttribs(attributes, nullptr);
       if (handle_ != nullptr) break;
     }

@@ -10,6 +10,7 @@
 #include <set>
 #include <utility>
 
+#include "core/characters.h"
 #include "glsl/text_tokens.h"
 
 namespace orris {
@@ -160,8 +161,6 @@ bool continuesLast(const LogEntry& entry, const std::vector<LogEntry>& entries) 
          entries.back().column == entry.column && entry.message.starts_with("   ");
 }
 
-bool isWord(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
-
 // Column of `word` as a whole word in the given line of the compiled text; 0 when it is not there.
 int findWord(const MappedText& text, int line, std::string_view word) {
   if (word.empty()) return 0;
@@ -174,9 +173,10 @@ int findWord(const MappedText& text, int line, std::string_view word) {
   const std::string_view whole(text.text);
   const std::string_view row = whole.substr(start, whole.find('\n', start) - start);
   for (std::size_t at = row.find(word); at != std::string_view::npos; at = row.find(word, at + 1)) {
-    const bool opens = at == 0 || !isWord(word.front()) || !isWord(row[at - 1]);
+    const bool opens = at == 0 || !isWordCharacter(word.front()) || !isWordCharacter(row[at - 1]);
     const std::size_t end = at + word.size();
-    const bool closes = end >= row.size() || !isWord(word.back()) || !isWord(row[end]);
+    const bool closes =
+        end >= row.size() || !isWordCharacter(word.back()) || !isWordCharacter(row[end]);
     if (opens && closes) return static_cast<int>(at) + 1;
   }
   return 0;

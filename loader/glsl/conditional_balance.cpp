@@ -9,6 +9,7 @@
 #include <optional>
 #include <string_view>
 
+#include "core/characters.h"
 #include "glsl/brace_check.h"
 #include "glsl/branch_room.h"
 #include "glsl/nesting.h"
@@ -19,10 +20,6 @@ namespace {
 using Kind = NestingMark::Kind;
 constexpr int kEmptyBranch = 3;
 constexpr std::size_t kMostPlaces = 64, kMostRepairs = 128;
-
-bool isWordCharacter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-}
 
 /// The name of the directive on a line, "" when it is none.
 std::string_view directiveOf(std::string_view line) {

@@ -18,10 +18,6 @@ constexpr std::size_t kMaxReports = 100;
 // Iris: JcppProcessor logs what its preprocessor complains about and goes on.
 constexpr const char* kTolerated = "Iris goes on after this, other hosts refuse the program";
 
-bool isPunctuator(const Token& token, std::string_view text) {
-  return token.kind == TokenKind::Punctuator && token.text == text;
-}
-
 std::size_t firstCode(const std::vector<Token>& tokens) {
   std::size_t i = 0;
   while (i < tokens.size() && tokens[i].kind == TokenKind::Comment) ++i;

@@ -2,15 +2,12 @@
 
 #include <algorithm>
 
+#include "core/characters.h"
 #include "glsl/outline.h"
 #include "glsl/rewrite_rules.h"
 
 namespace orris {
 namespace {
-
-bool isWord(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-}
 
 bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
@@ -43,7 +40,7 @@ class Reader {
     char last = 0;
     while (at_ < text_.size()) {
       const char c = text_[at_];
-      if (isWord(c)) {
+      if (isWordCharacter(c)) {
         varying |= word();
         last = 'w';
         continue;
@@ -72,7 +69,7 @@ class Reader {
   /// Is it the qualifier of a varying?
   bool word() {
     const std::size_t begin = at_;
-    while (at_ < text_.size() && isWord(text_[at_])) ++at_;
+    while (at_ < text_.size() && isWordCharacter(text_[at_])) ++at_;
     const std::string_view word = text_.substr(begin, at_ - begin);
     return word == "in" || word == "out";
   }
@@ -95,7 +92,7 @@ class Reader {
     std::size_t end = parenthesis;
     while (end > 0 && isBlank(head[end - 1])) --end;
     std::size_t name = end;
-    while (name > 0 && isWord(head[name - 1])) --name;
+    while (name > 0 && isWordCharacter(head[name - 1])) --name;
     if (head.substr(name, end - name) != "main") return;
     scope_.mainBegin = open + 1;
     scope_.mainEnd = at_ - 1;

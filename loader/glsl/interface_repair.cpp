@@ -4,6 +4,7 @@
 #include <array>
 #include <string_view>
 
+#include "core/characters.h"
 #include "glsl/file_scope.h"
 #include "glsl/text_edits.h"
 
@@ -21,18 +22,14 @@ int componentsOf(std::string_view type) {
 
 bool isMatrix(std::string_view type) { return type.starts_with("mat"); }
 
-bool isWord(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-}
-
 /// Offsets of a name; members of structs with the same name are left out.
 std::vector<std::size_t> placesOf(std::string_view text, std::string_view name) {
   std::vector<std::size_t> places;
   for (std::size_t at = text.find(name); at != std::string_view::npos;
        at = text.find(name, at + 1)) {
     const std::size_t end = at + name.size();
-    const bool whole =
-        (at == 0 || !isWord(text[at - 1])) && (end == text.size() || !isWord(text[end]));
+    const bool whole = (at == 0 || !isWordCharacter(text[at - 1])) &&
+                       (end == text.size() || !isWordCharacter(text[end]));
     if (whole && !(at > 0 && text[at - 1] == '.')) places.push_back(at);
   }
   return places;

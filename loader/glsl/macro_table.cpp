@@ -7,10 +7,6 @@
 namespace orris {
 namespace {
 
-bool isPunctuator(const Token& token, std::string_view text) {
-  return token.kind == TokenKind::Punctuator && token.text == text;
-}
-
 // Reads "(a, b, ...)" from tokens[i], the "(". Returns what is wrong, "" when nothing is.
 std::string readParameters(const std::vector<Token>& tokens, std::size_t& i, Macro& macro) {
   const std::string unclosed =

@@ -11,7 +11,7 @@ namespace {
 constexpr std::array<std::string_view, 8> kDirectives = {"if",   "ifdef", "ifndef", "elif",
                                                          "else", "endif", "define", "undef"};
 
-std::string_view trim(std::string_view text) {
+std::string_view withoutBlanks(std::string_view text) {
   constexpr std::string_view kBlanks = " \t\r\f\v";
   const std::size_t first = text.find_first_not_of(kBlanks);
   if (first == std::string_view::npos) return {};
@@ -50,7 +50,7 @@ class PropertiesPreprocessor {
   }
 
   std::string convert(const std::string& line) {
-    const std::string_view text = trim(line);
+    const std::string_view text = withoutBlanks(line);
     if (text.empty() || text.front() == '!') return "";
     const auto column = static_cast<std::size_t>(text.data() - line.data());
     if (text.front() == '#') {

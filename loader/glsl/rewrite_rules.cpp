@@ -57,14 +57,6 @@ void TokenEdits::apply(std::vector<Token>& tokens) {
   tokens = std::move(result);
 }
 
-bool isPunctuator(const Token& token, std::string_view text) {
-  return token.kind == TokenKind::Punctuator && token.text == text;
-}
-
-bool isIdentifier(const Token& token, std::string_view text) {
-  return token.kind == TokenKind::Identifier && token.text == text;
-}
-
 std::size_t nextCode(const std::vector<Token>& tokens, std::size_t index) {
   do ++index;
   while (index < tokens.size() && tokens[index].kind == TokenKind::Comment);

@@ -47,8 +47,6 @@ class TokenEdits {
   std::vector<Edit> edits_;
 };
 
-bool isPunctuator(const Token& token, std::string_view text);
-bool isIdentifier(const Token& token, std::string_view text);
 /// Index of the nearest token that is no comment, after or before `index`; tokens.size() if none.
 std::size_t nextCode(const std::vector<Token>& tokens, std::size_t index);
 std::size_t previousCode(const std::vector<Token>& tokens, std::size_t index);

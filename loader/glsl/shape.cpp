@@ -6,12 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "core/characters.h"
 #include "glsl/rewrite_rules.h"
 
 namespace orris {
 namespace {
-
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
 /// Marks the numbers of a stage that count by kind only.
 class NumberMarker {

@@ -22,6 +22,9 @@ struct Token {
   bool painted = false;  ///< the preprocessor's mark: never expand this name again
 };
 
+bool isPunctuator(const Token& token, std::string_view text);
+bool isIdentifier(const Token& token, std::string_view text);
+
 /// A preprocessed stage: no directives remain in `tokens`; comments do.
 struct TokenStream {
   std::vector<Token> tokens;

@@ -10,12 +10,12 @@
 
 #include "core/replace_file.h"
 #include "image/image.h"
+#include "image/image_size.h"
 
 namespace orris {
 namespace {
 
-constexpr int kMaxSide = 16384;
-constexpr std::int64_t kMaxPixels = std::int64_t(1) << 26;
+constexpr std::int64_t kMaxFilePixels = std::int64_t(1) << 26;
 constexpr int kMaxChannels = 16;
 
 bool fail(Diagnostics& diagnostics, const char* id, const std::string& file, std::string message,
@@ -70,13 +70,13 @@ bool isWholePng(std::string_view bytes) {
 bool sizeAllowed(const OIIO::ImageSpec& spec, const std::string& name, Diagnostics& diagnostics) {
   const bool allowed = spec.width > 0 && spec.height > 0 && spec.depth <= 1 &&
                        spec.width <= kMaxSide && spec.height <= kMaxSide &&
-                       std::int64_t(spec.width) * spec.height <= kMaxPixels && spec.nchannels > 0 &&
-                       spec.nchannels <= kMaxChannels;
+                       std::int64_t(spec.width) * spec.height <= kMaxFilePixels &&
+                       spec.nchannels > 0 && spec.nchannels <= kMaxChannels;
   if (allowed) return true;
   return fail(diagnostics, "image-size", name,
               fmt::format("image of {}x{} with {} channels is outside the limits", spec.width,
                           spec.height, spec.nchannels),
-              fmt::format("at most {0}x{0}, {1} pixels in all", kMaxSide, kMaxPixels));
+              fmt::format("at most {0}x{0}, {1} pixels in all", kMaxSide, kMaxFilePixels));
 }
 
 /// Values as stored: OpenImageIO otherwise multiplies colour by alpha when it reads.

@@ -6,7 +6,7 @@
 
 namespace orris {
 
-inline constexpr int kMaxSide = 16384;
+inline constexpr int kMaxSide = 16384;        ///< of pictures in files, too
 inline constexpr long kMaxPixels = 1L << 25;  ///< one RGBA16F target of this size is 256 MiB
 
 struct ImageSize {

@@ -13,7 +13,7 @@
 namespace orris {
 namespace {
 
-constexpr std::string_view kPrefix = "auto.";
+constexpr std::string_view kAutoPrefix = "auto.";
 
 /// The entry of `names` that is `word` but for case: macros of the same name as an option would
 /// take its place in the file, so it is written in lower case.
@@ -126,7 +126,7 @@ class CostReader {
 
 /// Which value of which option the key names; false: reported.
 bool readName(const EntryContext& context, const OptionSet& all, AutoCandidate& out) {
-  const std::string_view rest = std::string_view(context.entry.key).substr(kPrefix.size());
+  const std::string_view rest = std::string_view(context.entry.key).substr(kAutoPrefix.size());
   const std::size_t dot = std::min(rest.find('.'), rest.size());
   const std::vector<std::string> options = autoOptions(all);
   out.option = spelled(rest.substr(0, dot), options);
@@ -159,7 +159,7 @@ std::vector<AutoCandidate> parseAutoOptions(const std::string& file, const std::
   std::vector<AutoCandidate> candidates;
   for (const PropertyEntry& entry :
        lastValues(parseProperties(file, active, Continuation::Preprocessed, text))) {
-    if (!entry.key.starts_with(kPrefix)) continue;
+    if (!entry.key.starts_with(kAutoPrefix)) continue;
     const EntryContext context{entry, diagnostics};
     AutoCandidate candidate;
     candidate.at = entry.at;

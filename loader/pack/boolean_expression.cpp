@@ -5,11 +5,11 @@
 namespace orris {
 namespace {
 
-constexpr int kDeepest = 64;
+constexpr int kDeepestCondition = 64;
 
-class Parser {
+class ConditionParser {
  public:
-  Parser(std::string_view text, const std::function<bool(std::string_view)>& valueOf)
+  ConditionParser(std::string_view text, const std::function<bool(std::string_view)>& valueOf)
       : rest_(text), valueOf_(valueOf) {}
 
   std::optional<bool> whole() {
@@ -38,7 +38,7 @@ class Parser {
   }
 
   bool single(int depth) {
-    if (depth > kDeepest) return fail();
+    if (depth > kDeepestCondition) return fail();
     if (take("!")) return !single(depth + 1);
     if (take("(")) {
       const bool value = either(depth + 1);
@@ -65,7 +65,7 @@ class Parser {
 
 std::optional<bool> evaluateCondition(std::string_view text,
                                       const std::function<bool(std::string_view)>& valueOf) {
-  return Parser(text, valueOf).whole();
+  return ConditionParser(text, valueOf).whole();
 }
 
 }  // namespace orris

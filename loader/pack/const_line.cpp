@@ -9,10 +9,11 @@
 namespace orris {
 namespace {
 
-constexpr std::array<std::string_view, 6> kTypes{"int", "float", "bool", "vec2", "ivec3", "vec4"};
+constexpr std::array<std::string_view, 6> kConstTypes{"int",  "float", "bool",
+                                                      "vec2", "ivec3", "vec4"};
 
 bool isType(std::string_view word) {
-  return std::find(kTypes.begin(), kTypes.end(), word) != kTypes.end();
+  return std::find(kConstTypes.begin(), kConstTypes.end(), word) != kConstTypes.end();
 }
 
 /// Takes "const" with the blanks after it off `text`, or returns false.

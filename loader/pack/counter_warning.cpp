@@ -10,7 +10,7 @@
 namespace orris {
 namespace {
 
-constexpr std::string_view kPrefix = "warn.";
+constexpr std::string_view kWarningPrefix = "warn.";
 constexpr float kMostTexels = 64;
 
 const CustomImage* findCounter(const ShaderProperties& properties, std::string_view name) {
@@ -43,8 +43,8 @@ std::vector<CounterWarning> parseCounterWarnings(const std::string& file, const 
   std::vector<CounterWarning> warnings;
   for (const PropertyEntry& entry :
        lastValues(parseProperties(file, active, Continuation::Preprocessed, text))) {
-    if (!entry.key.starts_with(kPrefix)) continue;
-    const std::string_view rest = std::string_view(entry.key).substr(kPrefix.size());
+    if (!entry.key.starts_with(kWarningPrefix)) continue;
+    const std::string_view rest = std::string_view(entry.key).substr(kWarningPrefix.size());
     const std::size_t dot = std::min(rest.find('.'), rest.size());
     const CustomImage* image = findCounter(properties, rest.substr(0, dot));
     const auto texel = dot < rest.size() ? parseInteger(rest.substr(dot + 1)) : std::nullopt;

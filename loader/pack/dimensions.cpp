@@ -15,8 +15,8 @@
 namespace orris {
 namespace {
 
-constexpr const char* kFile = "/dimension.properties";
-constexpr std::string_view kPrefix = "dimension.";
+constexpr const char* kDimensionFile = "/dimension.properties";
+constexpr std::string_view kDimensionPrefix = "dimension.";
 
 struct LegacyFolder {
   std::string_view folder, dimension;
@@ -25,11 +25,6 @@ constexpr std::array<LegacyFolder, 3> kLegacy{{{"/world0", "minecraft:overworld"
                                                {"/world-1", "minecraft:the_nether"},
                                                {"/world1", "minecraft:the_end"}}};
 
-std::string withNamespace(std::string_view dimension) {
-  return (dimension.find(':') == std::string_view::npos ? "minecraft:" : "") +
-         std::string(dimension);
-}
-
 bool hasPrograms(const FileSource& source, const std::string& folder) {
   return std::any_of(source.files().begin(), source.files().end(), [&](const std::string& path) {
     const auto program = parseProgramFile(path);
@@ -37,11 +32,13 @@ bool hasPrograms(const FileSource& source, const std::string& folder) {
   });
 }
 
-bool isMapping(const PropertyEntry& entry) { return entry.key.starts_with(kPrefix); }
+bool isMapping(const PropertyEntry& entry) { return entry.key.starts_with(kDimensionPrefix); }
 
 /// nullopt for a path out of the pack and for another key.
 std::optional<std::string> folderOfKey(const PropertyEntry& entry) {
-  return isMapping(entry) ? resolvePackPath(kFile, entry.key.substr(kPrefix.size())) : std::nullopt;
+  return isMapping(entry)
+             ? resolvePackPath(kDimensionFile, entry.key.substr(kDimensionPrefix.size()))
+             : std::nullopt;
 }
 
 void addMapping(const PropertyEntry& entry, Dimensions& dimensions, Diagnostics& diagnostics) {
@@ -123,10 +120,11 @@ std::string Dimensions::resolve(const std::string& dimension) const {
 Dimensions readDimensions(const FileSource& source, const MacroDefinitions& environment,
                           Diagnostics& diagnostics) {
   Dimensions dimensions;
-  if (const auto text = source.read(kFile)) {
-    const std::string preprocessed = preprocessProperties(kFile, *text, environment, diagnostics);
-    const auto entries =
-        lastValues(parseProperties(kFile, preprocessed, Continuation::Preprocessed, *text));
+  if (const auto text = source.read(kDimensionFile)) {
+    const std::string preprocessed =
+        preprocessProperties(kDimensionFile, *text, environment, diagnostics);
+    const auto entries = lastValues(
+        parseProperties(kDimensionFile, preprocessed, Continuation::Preprocessed, *text));
     for (const auto& entry : entries) addMapping(entry, dimensions, diagnostics);
     for (const auto& entry : entries) checkFolder(source, entry, dimensions, diagnostics);
   }

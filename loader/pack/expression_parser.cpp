@@ -7,6 +7,7 @@
 #include <charconv>
 #include <numbers>
 
+#include "core/characters.h"
 #include "pack/text.h"
 
 namespace orris {
@@ -37,8 +38,6 @@ constexpr std::array<Operator, 16> kOperators{{{"*", "*", 1},
                                                {"&&", "&&", 4},
                                                {"||", "||", 4}}};
 constexpr int kLoosest = 4;
-
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
 std::optional<long long> parseWholeNumber(std::string_view text) {
   int base = 10;

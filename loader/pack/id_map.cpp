@@ -15,10 +15,6 @@ namespace {
 
 constexpr long long kHighestId = 2147483646;
 
-std::string withNamespace(std::string_view name) {
-  return (name.find(':') == std::string_view::npos ? "minecraft:" : "") + std::string(name);
-}
-
 /// Which lines of a text, from 1, are within C comments. To the host they are as all others, but
 /// packs hide ids in comments to include the file in their programs, or write comments this way.
 class CommentLines {

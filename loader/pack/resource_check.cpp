@@ -2,17 +2,16 @@
 
 #include <fmt/format.h>
 
+#include "pack/pack_files.h"
 #include "pack/text.h"
 #include "pack/texture_format.h"
 
 namespace orris {
 namespace {
 
-constexpr const char* kFile = "/shaders.properties";
-
 void report(Severity severity, std::string id, const SourceLocation& at, std::string message,
             const FileSource& source, std::string hint, Diagnostics& diagnostics) {
-  const auto lines = splitLines(source.read(kFile).value_or(""));
+  const auto lines = splitLines(source.read(kPropertiesFile).value_or(""));
   const size_t index = static_cast<size_t>(at.line) - 1;
   diagnostics.push_back({.severity = severity,
                          .id = std::move(id),

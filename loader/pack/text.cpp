@@ -9,7 +9,7 @@
 namespace orris {
 namespace {
 
-bool isBlank(char c) { return static_cast<unsigned char>(c) <= ' '; }
+bool isBlankOrControl(char c) { return static_cast<unsigned char>(c) <= ' '; }
 
 template <typename Number>
 std::optional<Number> parseWhole(std::string_view text) {
@@ -23,20 +23,20 @@ std::optional<Number> parseWhole(std::string_view text) {
 }  // namespace
 
 std::string_view trim(std::string_view text) {
-  while (!text.empty() && isBlank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && isBlank(text.back())) text.remove_suffix(1);
+  while (!text.empty() && isBlankOrControl(text.front())) text.remove_prefix(1);
+  while (!text.empty() && isBlankOrControl(text.back())) text.remove_suffix(1);
   return text;
 }
 
 std::vector<std::string> splitBlanks(std::string_view text) {
   std::vector<std::string> words;
   for (size_t at = 0; at < text.size();) {
-    if (isBlank(text[at])) {
+    if (isBlankOrControl(text[at])) {
       ++at;
       continue;
     }
     const size_t begin = at;
-    while (at < text.size() && !isBlank(text[at])) ++at;
+    while (at < text.size() && !isBlankOrControl(text[at])) ++at;
     words.emplace_back(text.substr(begin, at - begin));
   }
   return words;
@@ -64,10 +64,6 @@ std::vector<std::string> splitLines(std::string_view text) {
   return lines;
 }
 
-bool isWordCharacter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-}
-
 std::string_view leadingWord(std::string_view text) {
   const auto end = std::find_if_not(text.begin(), text.end(), isWordCharacter);
   return text.substr(0, static_cast<size_t>(end - text.begin()));
@@ -85,6 +81,10 @@ std::optional<bool> parseBoolean(std::string_view text) {
   if (text == "true" || text == "1") return true;
   if (text == "false" || text == "0") return false;
   return std::nullopt;
+}
+
+std::string withNamespace(std::string_view name) {
+  return (name.find(':') == std::string_view::npos ? "minecraft:" : "") + std::string(name);
 }
 
 std::string joinNames(const std::vector<std::string>& names) {

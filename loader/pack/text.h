@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/characters.h"
+
 namespace orris {
 
 /// Without blanks, tabs, carriage returns and other control characters at both ends.
@@ -17,7 +19,6 @@ std::vector<std::string_view> splitAt(std::string_view text, char separator);
 /// Lines without their ends (LF, CRLF or CR); a NUL byte is dropped.
 std::vector<std::string> splitLines(std::string_view text);
 
-bool isWordCharacter(char c);
 /// Letters, digits and '_' at the start of `text`.
 std::string_view leadingWord(std::string_view text);
 
@@ -26,6 +27,9 @@ std::optional<long long> parseInteger(std::string_view text);
 std::optional<float> parseFloat(std::string_view text);
 /// "true" or "1", "false" or "0", else nullopt. Contract: properties.csv "(boolean values)".
 std::optional<bool> parseBoolean(std::string_view text);
+
+/// With the namespace of the game where `name` has none.
+std::string withNamespace(std::string_view name);
 
 std::string joinNames(const std::vector<std::string>& names);
 std::string lowerCase(std::string_view text);

@@ -5,8 +5,6 @@
 namespace orris {
 namespace {
 
-constexpr int kMaxLayers = 64;
-
 /// Neighbours in one plane, of one kind of block, are one surface.
 bool sameSurface(const TraceQuad& a, const TraceQuad& b) {
   return a.normal == b.normal && a.state == b.state &&
@@ -33,7 +31,7 @@ class Looker {
     ray.cell = glm::ivec3(glm::floor(ray.origin));
     if (!scene_.grid.contains(ray.cell) && !scene_.grid.enter(ray)) return {kNoQuad};
     std::vector<std::uint32_t> seen;
-    for (int layer = 0; layer < kMaxLayers; ++layer) {
+    for (int layer = 0; layer < kMostLayers; ++layer) {
       const RayHit hit = scene_.grid.look(ray, nullptr);
       seen.push_back(hit.quad);
       if (hit.quad == kNoQuad) break;

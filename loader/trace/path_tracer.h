@@ -42,6 +42,9 @@ struct TraceSurface {
   int gloss = 0;      ///< as TraceQuad; of what the camera sees
 };
 
+/// A camera's ray passes through this many translucent surfaces and holes at most.
+inline constexpr int kMostLayers = 64;
+
 /// What a pixel sees, found once: `constant` needs no sampling (sky, emission, direct sun), each layer
 /// adds weight times what its surface reflects of the light it receives: as a matt one, or as a mirror.
 struct PixelView {

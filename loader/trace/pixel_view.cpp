@@ -8,7 +8,6 @@
 namespace orris {
 namespace {
 
-constexpr int kMaxLayers = 64;
 constexpr float kWaterReflectance = 0.02f;  // gbuffers_translucent
 
 }  // namespace
@@ -82,7 +81,7 @@ float PathTracer::seeTranslucent(const Look& from, const RayHit& hit, const glm:
 
 void PathTracer::look(const Look& from, PixelView& view, RayCounts& counts) const {
   Look now = from;
-  for (int i = 0; i < kMaxLayers; ++i) {
+  for (int i = 0; i < kMostLayers; ++i) {
     ++counts.camera;
     const RayHit hit = scene_.grid.look(now.ray, now.footprint);
     if (hit.quad == kNoQuad) {

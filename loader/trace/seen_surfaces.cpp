@@ -7,8 +7,6 @@
 namespace orris {
 namespace {
 
-constexpr int kMaxLayers = 64;
-
 glm::dvec3 rayOf(const TraceCamera& camera, double x, double y) {
   const glm::dvec4 clip = glm::dmat4(camera.projectionInverse) *
                           glm::dvec4(2 * x / camera.width - 1, 1 - 2 * y / camera.height, 1, 1);
@@ -93,7 +91,7 @@ void SeenSurfaces::forEachSurface(double px, double py, bool whole, const Visit&
                                          std::min(int(py), camera_.height - 1), ray.origin);
   footprint.whole = whole;
   if (!scene_.grid.contains(ray.cell) && !scene_.grid.enter(ray)) return;
-  for (int layer = 0; layer < kMaxLayers; ++layer) {
+  for (int layer = 0; layer < kMostLayers; ++layer) {
     const RayHit hit = scene_.grid.look(ray, &footprint);
     if (hit.quad == kNoQuad) return;
     const TraceQuad& quad = scene_.grid.quad(hit.quad);

@@ -9,8 +9,6 @@
 namespace orris {
 namespace {
 
-constexpr int kTile = TextureCanvas::kSize;
-
 std::uint8_t toByte(float value) {
   return std::uint8_t(std::lround(std::clamp(value, 0.0f, 1.0f) * 255));
 }
@@ -52,8 +50,8 @@ void drawTile(BlockAtlas& atlas, const std::string& name, int left, int top) {
   const glm::vec3 mean = meanColour(canvas);
   float highest = 0;
   for (const Texel& texel : canvas.texels) highest = std::max(highest, texel.height);
-  for (int y = 0; y < kTile; ++y) {
-    for (int x = 0; x < kTile; ++x) {
+  for (int y = 0; y < kTextureSize; ++y) {
+    for (int x = 0; x < kTextureSize; ++x) {
       const Texel& texel = canvas.at(x, y);
       const glm::vec4 c = texel.colour.a > 0 ? texel.colour : glm::vec4(mean, 0);
       put(atlas.albedo, left + x, top + y, {toByte(c.r), toByte(c.g), toByte(c.b), toByte(c.a)});
@@ -80,8 +78,8 @@ BlockAtlas buildAtlas(const std::vector<std::string>& textureNames) {
   while (size_t(columns) * size_t(rows) < names.size()) (columns <= rows ? columns : rows) *= 2;
 
   BlockAtlas atlas;
-  const int width = columns * kTile, height = rows * kTile;
-  atlas.tileSize = kTile;
+  const int width = columns * kTextureSize, height = rows * kTextureSize;
+  atlas.tileSize = kTextureSize;
   atlas.albedo = Image8(width, height, 4);
   atlas.normal = Image8(width, height, 4);
   atlas.specular = Image8(width, height, 4);
@@ -91,7 +89,7 @@ BlockAtlas buildAtlas(const std::vector<std::string>& textureNames) {
   int index = 0;
   for (const std::string& name : names) {
     const int column = index % columns, row = index / columns;
-    drawTile(atlas, name, column * kTile, row * kTile);
+    drawTile(atlas, name, column * kTextureSize, row * kTextureSize);
     const glm::vec2 size(1.0f / float(columns), 1.0f / float(rows));
     const glm::vec2 corner = glm::vec2(column, row) * size;
     atlas.tiles[name] = {corner, corner + size};

@@ -14,7 +14,7 @@ extern const char* const kBlocksJson;
 
 namespace {
 
-using json = nlohmann::ordered_json;  // variants apply in the order of the file
+using Json = nlohmann::ordered_json;  // variants apply in the order of the file
 
 constexpr std::array<std::string_view, 6> kFaceNames{"down",  "up",   "north",
                                                      "south", "west", "east"};
@@ -65,7 +65,7 @@ BlockCondition conditionOf(const std::string& text) {
   return condition;
 }
 
-NameLists listsOf(const json& lists) {
+NameLists listsOf(const Json& lists) {
   NameLists result;
   for (const auto& [name, members] : lists.items()) {
     for (const auto& [key, value] : members.items()) {
@@ -77,17 +77,17 @@ NameLists listsOf(const json& lists) {
 }
 
 /// The names of a definition: one string or several, separated by spaces.
-std::vector<std::string> patternsOf(const json& names) {
+std::vector<std::string> patternsOf(const Json& names) {
   if (names.is_string()) return split(names.get<std::string>(), ' ');
   std::vector<std::string> result;
-  for (const json& line : names) {
+  for (const Json& line : names) {
     for (std::string& name : split(line.get<std::string>(), ' ')) result.push_back(std::move(name));
   }
   return result;
 }
 
 /// "{wood}_door" becomes oak_door, birch_door...; a name holds at most one list.
-std::vector<ExpandedName> expandNames(const json& names, const NameLists& lists) {
+std::vector<ExpandedName> expandNames(const Json& names, const NameLists& lists) {
   std::vector<ExpandedName> result;
   for (const std::string& pattern : patternsOf(names)) {
     const size_t open = pattern.find('{'), close = pattern.find('}');
@@ -129,12 +129,12 @@ Tint tintOf(const std::string& text) {
 }
 
 template <class T>
-std::optional<T> optionalOf(const json& spec, const char* key) {
+std::optional<T> optionalOf(const Json& spec, const char* key) {
   const auto found = spec.find(key);
   return found == spec.end() ? std::nullopt : std::optional<T>(found->template get<T>());
 }
 
-std::map<std::string, std::string> texturePartsOf(const json& spec, const ExpandedName& name) {
+std::map<std::string, std::string> texturePartsOf(const Json& spec, const ExpandedName& name) {
   const auto found = spec.find("textures");
   if (found == spec.end()) return {};
   if (found->is_string()) return {{"all", substitute(found->get<std::string>(), name)}};
@@ -145,7 +145,7 @@ std::map<std::string, std::string> texturePartsOf(const json& spec, const Expand
   return parts;
 }
 
-FactsPatch patchOf(const json& spec, const ExpandedName& name) {
+FactsPatch patchOf(const Json& spec, const ExpandedName& name) {
   FactsPatch patch;
   patch.shape = optionalOf<std::string>(spec, "shape");
   patch.textures = texturePartsOf(spec, name);
@@ -161,7 +161,7 @@ FactsPatch patchOf(const json& spec, const ExpandedName& name) {
   return patch;
 }
 
-BlockDefinition blockOf(const json& spec, const ExpandedName& name) {
+BlockDefinition blockOf(const Json& spec, const ExpandedName& name) {
   BlockDefinition definition;
   if (const auto defaults = spec.find("defaults"); defaults != spec.end()) {
     definition.defaults = defaults->get<BlockProperties>();
@@ -201,7 +201,7 @@ BoxTemplate boxOf(const std::string& text) {
   return box;
 }
 
-ShapePart partOf(const json& spec) {
+ShapePart partOf(const Json& spec) {
   ShapePart part;
   if (spec.is_string()) {
     part.boxes.push_back(boxOf(spec.get<std::string>()));
@@ -209,17 +209,17 @@ ShapePart partOf(const json& spec) {
   }
   part.when = conditionOf(spec.value("when", ""));
   if (spec.contains("around")) part.around = split(spec["around"].get<std::string>(), '|');
-  for (const json& box : spec.at("boxes")) part.boxes.push_back(boxOf(box.get<std::string>()));
+  for (const Json& box : spec.at("boxes")) part.boxes.push_back(boxOf(box.get<std::string>()));
   return part;
 }
 
-ShapeTemplate shapeOf(const json& spec) {
+ShapeTemplate shapeOf(const Json& spec) {
   ShapeTemplate shape;
   shape.rotate = spec.value("rotate", "");
   shape.stand = spec.value("stand", "");
   if (spec.contains("flip")) shape.flip = conditionOf(spec["flip"].get<std::string>());
   shape.cross = spec.value("cross", false);
-  for (const json& part : spec.at("parts")) shape.parts.push_back(partOf(part));
+  for (const Json& part : spec.at("parts")) shape.parts.push_back(partOf(part));
   return shape;
 }
 
@@ -233,10 +233,10 @@ glm::u8vec4 colourOf(const std::string& text) {
   return colour;
 }
 
-TextureDefinition textureOf(const json& spec, const ExpandedName& name) {
+TextureDefinition textureOf(const Json& spec, const ExpandedName& name) {
   TextureDefinition texture;
   texture.recipe = spec.at("recipe").get<std::string>();
-  for (const json& colour : spec.value("colours", json::array())) {
+  for (const Json& colour : spec.value("colours", Json::array())) {
     texture.colours.push_back(colourOf(substitute(colour.get<std::string>(), name)));
   }
   texture.base = spec.value("base", "");
@@ -247,16 +247,16 @@ TextureDefinition textureOf(const json& spec, const ExpandedName& name) {
   return texture;
 }
 
-BlockData read(const json& root) {
+BlockData read(const Json& root) {
   BlockData data;
   const NameLists lists = listsOf(root.at("lists"));
   for (const auto& [name, shape] : root.at("shapes").items()) data.shapes[name] = shapeOf(shape);
-  for (const json& spec : root.at("blocks")) {
+  for (const Json& spec : root.at("blocks")) {
     for (const ExpandedName& name : expandNames(spec.at("names"), lists)) {
       data.blocks[name.name] = blockOf(spec, name);
     }
   }
-  for (const json& spec : root.at("textures")) {
+  for (const Json& spec : root.at("textures")) {
     for (const ExpandedName& name : expandNames(spec.at("names"), lists)) {
       data.textures[name.name] = textureOf(spec, name);
     }
@@ -275,7 +275,7 @@ bool BlockCondition::holds(const BlockProperties& properties) const {
 }
 
 const BlockData& blockData() {
-  static const BlockData data = read(json::parse(kBlocksJson));
+  static const BlockData data = read(Json::parse(kBlocksJson));
   return data;
 }
 

@@ -10,11 +10,11 @@ namespace {
 constexpr float kFov = 70;
 constexpr double kEyeHeight = 1.62;
 
-struct Direction {
+struct Heading {
   glm::ivec3 step;
   float yaw;
 };
-constexpr std::array<Direction, 4> kDirections{
+constexpr std::array<Heading, 4> kHeadings{
     {{{0, 0, 1}, 0}, {{-1, 0, 0}, 90}, {{0, 0, -1}, 180}, {{1, 0, 0}, 270}}};
 
 bool isFree(const BlockWorld& blocks, glm::ivec3 p) {
@@ -47,13 +47,13 @@ std::optional<glm::ivec3> freeSpot(const BlockWorld& blocks) {
 Camera insideCamera(const BlockWorld& blocks, glm::ivec3 spot) {
   Camera camera{"inside", glm::dvec3(spot) + glm::dvec3(0.5, kEyeHeight, 0.5), 0, 0, kFov};
   int longest = -1;
-  for (const Direction& direction : kDirections) {
+  for (const Heading& heading : kHeadings) {
     int length = 0;
     glm::ivec3 p = spot + glm::ivec3(0, 1, 0);
-    while (isFree(blocks, p += direction.step)) ++length;
+    while (isFree(blocks, p += heading.step)) ++length;
     if (length <= longest) continue;
     longest = length;
-    camera.yaw = direction.yaw;
+    camera.yaw = heading.yaw;
   }
   return camera;
 }

@@ -9,7 +9,7 @@
 namespace orris {
 namespace {
 
-constexpr std::size_t kMaxDepth = 32;
+constexpr std::size_t kMaxJsonDepth = 32;
 constexpr const char* kSyntaxId = "world-json-syntax";
 
 /// "[json.exception.parse_error.101] parse error at line 1, column 2: what" without what stands
@@ -137,9 +137,9 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
 
   bool open(JsonNode::Kind kind) {
     JsonNode* node = add(kind);
-    if (open_.size() >= kMaxDepth) {
-      diagnostics_.push_back(source_.error(node->offset, kSyntaxId,
-                                           fmt::format("nested deeper than {} levels", kMaxDepth)));
+    if (open_.size() >= kMaxJsonDepth) {
+      diagnostics_.push_back(source_.error(
+          node->offset, kSyntaxId, fmt::format("nested deeper than {} levels", kMaxJsonDepth)));
       return false;
     }
     open_.push_back(node);  // stays valid: a node's vector grows only after its last child closed

@@ -9,8 +9,6 @@
 namespace orris {
 namespace {
 
-constexpr int kSize = TextureCanvas::kSize;
-
 glm::vec4 shade(const glm::vec4& colour, float factor) {
   return {glm::clamp(glm::vec3(colour) * factor, 0.0f, 1.0f), colour.a};
 }
@@ -18,8 +16,8 @@ glm::vec4 shade(const glm::vec4& colour, float factor) {
 /// Calls `draw(x, y, texel)` for the whole tile.
 template <class Draw>
 void forEachTexel(TextureCanvas& canvas, Draw draw) {
-  for (int y = 0; y < kSize; ++y) {
-    for (int x = 0; x < kSize; ++x) draw(x, y, canvas.at(x, y));
+  for (int y = 0; y < kTextureSize; ++y) {
+    for (int x = 0; x < kTextureSize; ++x) draw(x, y, canvas.at(x, y));
   }
 }
 
@@ -62,7 +60,7 @@ void bricks(TextureCanvas& canvas, const RecipeInput& in) {
   const int course = int(in.number("course", 4)), width = int(in.number("width", 8));
   const float amount = in.number("amount", 0.1f);
   forEachTexel(canvas, [&](int x, int y, Texel& texel) {
-    const int row = y / course, moved = (x + (row % 2) * width / 2) % kSize;
+    const int row = y / course, moved = (x + (row % 2) * width / 2) % kTextureSize;
     const int left = moved % width, top = y % course;
     const bool mortar = left == width - 1 || top == course - 1;
     const float tone = 1 + amount * (in.noise.white(moved / width, row, 3) * 2 - 1) +
@@ -108,7 +106,7 @@ void cobble(TextureCanvas& canvas, const RecipeInput& in) {
 /// One slab with a bevelled edge; `inset` > 0 draws a second frame that far inside.
 void polished(TextureCanvas& canvas, const RecipeInput& in) {
   const float amount = in.number("amount", 0.04f);
-  const int inset = int(in.number("inset", 0)), split = int(in.number("split", kSize));
+  const int inset = int(in.number("inset", 0)), split = int(in.number("split", kTextureSize));
   forEachTexel(canvas, [&](int x, int y, Texel& texel) {
     const int u = x % split, v = y % split, last = split - 1;
     const bool light = u == 0 || v == 0, dark = u == last || v == last;
@@ -274,11 +272,7 @@ void fluid(TextureCanvas& canvas, const RecipeInput& in) {
   });
 }
 
-struct NamedRecipe {
-  std::string_view name;
-  TextureRecipe recipe;
-};
-constexpr std::array kRecipes{
+constexpr std::array kMaterialRecipes{
     NamedRecipe{"grain", grain},   NamedRecipe{"planks", planks},     NamedRecipe{"bricks", bricks},
     NamedRecipe{"cobble", cobble}, NamedRecipe{"polished", polished}, NamedRecipe{"ore", ore},
     NamedRecipe{"bark", bark},     NamedRecipe{"rings", rings},       NamedRecipe{"leaves", leaves},
@@ -290,9 +284,7 @@ constexpr std::array kRecipes{
 }  // namespace
 
 TextureRecipe findMaterialRecipe(std::string_view name) {
-  const auto found = std::find_if(kRecipes.begin(), kRecipes.end(),
-                                  [&](const NamedRecipe& entry) { return entry.name == name; });
-  return found == kRecipes.end() ? nullptr : found->recipe;
+  return findRecipe(kMaterialRecipes, name);
 }
 
 }  // namespace orris

@@ -8,7 +8,7 @@
 namespace orris {
 namespace {
 
-constexpr int kMaxDepth = 64;
+constexpr int kMaxTagDepth = 64;
 constexpr std::size_t kMaxTags = std::size_t(1) << 20;
 
 enum TagType : std::uint8_t {
@@ -148,8 +148,8 @@ class NbtReader {
 
   bool readValue(std::uint8_t type, NbtTag& tag, int depth) {
     if (++tags_ > kMaxTags) return fail(fmt::format("more than {} tags", kMaxTags));
-    if ((type == List || type == Compound) && depth >= kMaxDepth) {
-      return fail(fmt::format("\"{}\" is nested deeper than {}", name_, kMaxDepth));
+    if ((type == List || type == Compound) && depth >= kMaxTagDepth) {
+      return fail(fmt::format("\"{}\" is nested deeper than {}", name_, kMaxTagDepth));
     }
     std::int64_t integer = 0;
     switch (type) {

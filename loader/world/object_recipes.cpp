@@ -10,10 +10,8 @@
 namespace orris {
 namespace {
 
-constexpr int kSize = TextureCanvas::kSize;
-
 void paint(TextureCanvas& canvas, int x, int y, const glm::vec4& colour, float tone = 1) {
-  if (x < 0 || y < 0 || x >= kSize || y >= kSize) return;
+  if (x < 0 || y < 0 || x >= kTextureSize || y >= kTextureSize) return;
   Texel& texel = canvas.at(x, y);
   texel.colour = {glm::clamp(glm::vec3(colour) * tone, 0.0f, 1.0f), colour.a};
   texel.height = 0.5f + 0.3f * (tone - 1);
@@ -31,9 +29,9 @@ std::optional<size_t> colourIndex(char c) {
 void art(TextureCanvas& canvas, const RecipeInput& in) {
   const auto& rows = in.definition.art;
   const auto glowFrom = size_t(in.number("glowFrom", 99));
-  for (int y = 0; y < std::min(kSize, int(rows.size())); ++y) {
+  for (int y = 0; y < std::min(kTextureSize, int(rows.size())); ++y) {
     const std::string& row = rows[size_t(y)];
-    for (int x = 0; x < kSize; ++x) {
+    for (int x = 0; x < kTextureSize; ++x) {
       const size_t column = row.size() == 1 ? 0 : size_t(x);
       const std::optional<size_t> index =
           column < row.size() ? colourIndex(row[column]) : std::nullopt;
@@ -69,7 +67,7 @@ void blades(TextureCanvas& canvas, const RecipeInput& in) {
 /// A stem of colour 0 with two leaves and a head of colour 1, its middle colour 2.
 void flower(TextureCanvas& canvas, const RecipeInput& in) {
   const int head = int(in.number("head", 7)), radius = int(in.number("radius", 2));
-  for (int y = head; y < kSize; ++y)
+  for (int y = head; y < kTextureSize; ++y)
     paint(canvas, 7 + (y > 12), y, in.colour(0), 1 - 0.02f * float(y - head));
   for (int i = 0; i < 3; ++i) {
     paint(canvas, 6 - i, 12 - i, in.colour(0), 1.1f);
@@ -89,12 +87,13 @@ void flower(TextureCanvas& canvas, const RecipeInput& in) {
 /// A trunk of colour 0 under a crown of colour 1 with gaps.
 void bush(TextureCanvas& canvas, const RecipeInput& in) {
   const int trunk = int(in.number("trunk", 5)), top = int(in.number("top", 2));
-  for (int y = kSize - trunk - 2; y < kSize; ++y) {
+  for (int y = kTextureSize - trunk - 2; y < kTextureSize; ++y) {
     paint(canvas, 7, y, in.colour(0), 1);
     paint(canvas, 8, y, in.colour(0), 0.8f);
   }
-  const float middle = float(top + kSize - trunk) / 2, half = float(kSize - trunk - top) / 2 + 0.5f;
-  for (int y = top; y < kSize - trunk; ++y) {
+  const float middle = float(top + kTextureSize - trunk) / 2,
+              half = float(kTextureSize - trunk - top) / 2 + 0.5f;
+  for (int y = top; y < kTextureSize - trunk; ++y) {
     for (int x = 1; x < 15; ++x) {
       const glm::vec2 d((float(x) - 7.5f) / 6.5f, (float(y) - middle) / half);
       if (glm::dot(d, d) > 0.75f + 0.5f * in.noise.white(x, y) || in.noise.white(x, y, 2) < 0.18f)
@@ -106,7 +105,7 @@ void bush(TextureCanvas& canvas, const RecipeInput& in) {
 
 /// A stalk of colour 0 and a cap of colour 1.
 void mushroom(TextureCanvas& canvas, const RecipeInput& in) {
-  for (int y = 11; y < kSize; ++y) {
+  for (int y = 11; y < kTextureSize; ++y) {
     paint(canvas, 7, y, in.colour(0), 1);
     paint(canvas, 8, y, in.colour(0), 0.85f);
   }
@@ -123,8 +122,8 @@ void mushroom(TextureCanvas& canvas, const RecipeInput& in) {
 void strands(TextureCanvas& canvas, const RecipeInput& in) {
   const float density = in.number("density", 0.5f);
   const bool fruit = in.definition.colours.size() > 1;
-  for (int y = 0; y < kSize; ++y) {
-    for (int x = 0; x < kSize; ++x) {
+  for (int y = 0; y < kTextureSize; ++y) {
+    for (int x = 0; x < kTextureSize; ++x) {
       const float v = 0.5f * in.noise.white(x, y) + 0.3f * in.noise.white(x / 2, 0, 3) +
                       0.2f * (in.noise.smooth(x, y, 4, 4) * 0.5f + 0.5f);
       if (v > density) continue;
@@ -140,8 +139,8 @@ void panels(TextureCanvas& canvas, const RecipeInput& in) {
   const int columns = int(in.number("columns", 2)), rows = int(in.number("rows", 2));
   const int windows = int(in.number("windows", 0));
   const int width = 16 / columns, height = 16 / rows;
-  for (int y = 0; y < kSize; ++y) {
-    for (int x = 0; x < kSize; ++x) {
+  for (int y = 0; y < kTextureSize; ++y) {
+    for (int x = 0; x < kTextureSize; ++x) {
       const int u = x % width, v = y % height;
       const int ring = std::min({u, v, width - 1 - u, height - 1 - v});
       const bool window = ring >= 2 && y < windows;
@@ -160,7 +159,7 @@ void panels(TextureCanvas& canvas, const RecipeInput& in) {
 
 /// Fire: tongues from colour 0 at the ground to colour 1 at the tips.
 void flames(TextureCanvas& canvas, const RecipeInput& in) {
-  for (int x = 0; x < kSize; ++x) {
+  for (int x = 0; x < kTextureSize; ++x) {
     const float height =
         6 + 9 * in.noise.white(x / 2, 0, 1) * (0.6f + 0.4f * in.noise.white(x, 0, 2));
     for (int k = 0; float(k) < height; ++k) {
@@ -176,8 +175,8 @@ void flames(TextureCanvas& canvas, const RecipeInput& in) {
 void bars(TextureCanvas& canvas, const RecipeInput& in) {
   const int step = int(in.number("step", 4));
   const bool grid = in.number("grid", 0) > 0;
-  for (int y = 0; y < kSize; ++y) {
-    for (int x = 0; x < kSize; ++x) {
+  for (int y = 0; y < kTextureSize; ++y) {
+    for (int x = 0; x < kTextureSize; ++x) {
       const bool upright = x % step == step / 2,
                  level = grid ? y % step == step / 2 : y == 2 || y == 13;
       if (upright || level) paint(canvas, x, y, in.colour(0), upright ? 1 : 0.8f);
@@ -186,11 +185,7 @@ void bars(TextureCanvas& canvas, const RecipeInput& in) {
   }
 }
 
-struct NamedRecipe {
-  std::string_view name;
-  TextureRecipe recipe;
-};
-constexpr std::array kRecipes{
+constexpr std::array kObjectRecipes{
     NamedRecipe{"art", art},           NamedRecipe{"blades", blades},
     NamedRecipe{"flower", flower},     NamedRecipe{"bush", bush},
     NamedRecipe{"mushroom", mushroom}, NamedRecipe{"strands", strands},
@@ -200,10 +195,6 @@ constexpr std::array kRecipes{
 
 }  // namespace
 
-TextureRecipe findObjectRecipe(std::string_view name) {
-  const auto found = std::find_if(kRecipes.begin(), kRecipes.end(),
-                                  [&](const NamedRecipe& entry) { return entry.name == name; });
-  return found == kRecipes.end() ? nullptr : found->recipe;
-}
+TextureRecipe findObjectRecipe(std::string_view name) { return findRecipe(kObjectRecipes, name); }
 
 }  // namespace orris

@@ -1,5 +1,6 @@
 #include "world/texture_canvas.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace orris {
@@ -16,8 +17,8 @@ std::uint32_t mix(std::uint32_t value) {
 
 TextureCanvas checker() {
   TextureCanvas canvas;
-  for (int y = 0; y < TextureCanvas::kSize; ++y) {
-    for (int x = 0; x < TextureCanvas::kSize; ++x) {
+  for (int y = 0; y < kTextureSize; ++y) {
+    for (int x = 0; x < kTextureSize; ++x) {
       const bool magenta = (x / 8 + y / 8) % 2 == 0;
       canvas.at(x, y).colour = magenta ? glm::vec4(1, 0, 1, 1) : glm::vec4(0, 0, 0, 1);
     }
@@ -84,10 +85,15 @@ TextureCanvas drawTexture(const std::string& name) {
   return canvas;
 }
 
+TextureRecipe findRecipe(std::span<const NamedRecipe> recipes, std::string_view name) {
+  const auto found = std::ranges::find(recipes, name, &NamedRecipe::name);
+  return found == recipes.end() ? nullptr : found->recipe;
+}
+
 TextureCanvas turned(const TextureCanvas& canvas) {
   TextureCanvas result;
-  for (int y = 0; y < TextureCanvas::kSize; ++y) {
-    for (int x = 0; x < TextureCanvas::kSize; ++x) result.at(15 - y, x) = canvas.at(x, y);
+  for (int y = 0; y < kTextureSize; ++y) {
+    for (int x = 0; x < kTextureSize; ++x) result.at(15 - y, x) = canvas.at(x, y);
   }
   return result;
 }

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -21,15 +22,16 @@ struct Texel {
   float emission = 0;       ///< 0..1
 };
 
+inline constexpr int kTextureSize = 16;  ///< texels a side
+
 /// Coordinates wrap, row 0 on top.
 struct TextureCanvas {
-  static constexpr int kSize = 16;
-  std::array<Texel, kSize * kSize> texels;
+  std::array<Texel, kTextureSize * kTextureSize> texels;
   Texel& at(int x, int y) { return texels[index(x, y)]; }
   const Texel& at(int x, int y) const { return texels[index(x, y)]; }
 
  private:
-  static size_t index(int x, int y) { return size_t((y & 15) * kSize + (x & 15)); }
+  static size_t index(int x, int y) { return size_t((y & 15) * kTextureSize + (x & 15)); }
 };
 
 /// Values that depend on the texture's name alone.
@@ -60,7 +62,12 @@ TextureCanvas drawTexture(const std::string& name);
 TextureCanvas turned(const TextureCanvas& canvas);
 
 using TextureRecipe = void (*)(TextureCanvas&, const RecipeInput&);
+struct NamedRecipe {
+  std::string_view name;
+  TextureRecipe recipe;
+};
 /// nullptr when there is no such recipe.
+TextureRecipe findRecipe(std::span<const NamedRecipe> recipes, std::string_view name);
 TextureRecipe findMaterialRecipe(std::string_view name);  ///< whole surfaces
 TextureRecipe findObjectRecipe(std::string_view name);    ///< plants, doors, lamps, drawn art
 

@@ -12,7 +12,6 @@ namespace orris {
 namespace {
 
 constexpr RealRange kPositionRange{-30000000, 30000000};
-constexpr IntegerRange kCellRange{-30000000, 30000000};
 constexpr IntegerRange kTimeRange{0, 23999};
 constexpr double kDegrees = 57.29577951308232;
 

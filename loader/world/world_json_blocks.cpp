@@ -11,7 +11,6 @@
 namespace orris {
 namespace {
 
-constexpr IntegerRange kCellRange{-30000000, 30000000};
 constexpr char kAir = '.', kKeep = ' ';
 
 class BlockOperations {

@@ -6,6 +6,8 @@
 
 namespace orris {
 
+inline constexpr IntegerRange kCellRange{-30000000, 30000000};  ///< of each coordinate of a cell
+
 /// The box of blocks that the root's "origin" and "size" (or "from") give, with the operations of
 /// "blocks" applied. nullopt when the box itself is wrong; other errors are in the reader.
 std::optional<BlockWorld> readBlocks(JsonReader& reader, const JsonNode& root,
