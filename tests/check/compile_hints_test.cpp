@@ -15,9 +15,6 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
-using Lines = std::vector<std::string>;
-
-const std::string kVersion = "#version 330 compatibility\n";
 
 Lines linesOf(const Diagnostics& diagnostics) {
   Lines lines;

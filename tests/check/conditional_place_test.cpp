@@ -4,6 +4,7 @@
 
 #include "core/file_source.h"
 #include "pack/shader_pack.h"
+#include "text_fixture.h"
 
 namespace orris {
 namespace {
@@ -15,11 +16,6 @@ using ::testing::Each;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
-using Files = std::map<std::string, std::string>;
-using Lines = std::vector<std::string>;
-
-const std::string kVersion = "#version 330 compatibility\n";
-const std::string kVertexStage = kVersion + "void main() { gl_Position = ftransform(); }\n";
 
 /// "line: message" of what is told of conditionals in `file`, over all folders.
 Lines told(const Files& files, const std::vector<std::string>& dimensions, bool settle) {

@@ -18,6 +18,7 @@
 #include "pack/property_keys.h"
 #include "pack/shader_pack.h"
 #include "pack/texture_format.h"
+#include "text_fixture.h"
 
 namespace orris {
 namespace {
@@ -51,11 +52,6 @@ std::set<std::string> asSet(const auto& names) {
   std::set<std::string> set;
   for (const auto& name : names) set.emplace(name);
   return set;
-}
-
-std::string textOf(const fs::path& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 TEST(ContractPage, has_a_row_for_each_of_the_contract) {

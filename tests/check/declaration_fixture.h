@@ -6,10 +6,6 @@
 
 namespace orris {
 
-using Lines = std::vector<std::string>;
-
-inline const std::string kVersion = "#version 330 compatibility\n";
-
 /// A pack of one composite; the texts follow the line of the version.
 inline Files packOf(const std::string& vertex, const std::string& fragment,
                     const std::string& properties = "") {

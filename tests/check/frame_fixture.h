@@ -12,19 +12,15 @@
 #include "check/pack_checks.h"
 #include "core/file_source.h"
 #include "pack/shader_pack.h"
+#include "text_fixture.h"
 
 namespace orris {
-
-using Files = std::map<std::string, std::string>;
-
-inline const std::string kVertexStage =
-    "#version 330 compatibility\nvoid main() { gl_Position = ftransform(); }\n";
 
 /// A fragment stage: line 2 is the directive, then a line for each sampler, then `body` in main.
 inline std::string fragmentStage(const std::string& targets,
                                  const std::vector<std::string>& samplers,
                                  const std::string& body = "") {
-  std::string text = "#version 330 compatibility\n";
+  std::string text = kVersion;
   text += targets.empty() ? "\n" : "/* RENDERTARGETS: " + targets + " */\n";
   for (const std::string& name : samplers) text += "uniform sampler2D " + name + ";\n";
   text += "void main() {\n  vec4 c = vec4(0.0);\n";

@@ -23,7 +23,7 @@ Outcomes run(IsolatedJobs jobs) {
   return outcomes;
 }
 
-std::string textOf(const JobOutcome& outcome) {
+std::string outcomeText(const JobOutcome& outcome) {
   switch (outcome.kind) {
     case JobOutcome::Kind::Done:
       return outcome.result;
@@ -37,7 +37,7 @@ std::string textOf(const JobOutcome& outcome) {
 
 std::vector<std::string> texts(const Outcomes& outcomes) {
   std::vector<std::string> result;
-  for (const auto& [index, outcome] : outcomes) result.push_back(textOf(outcome));
+  for (const auto& [index, outcome] : outcomes) result.push_back(outcomeText(outcome));
   return result;
 }
 

@@ -10,32 +10,35 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-const std::string kOptions =
+const std::string kLanguageOptions =
     "#define SHADOW_STEPS 4 // [2 4]\n#define MODE FAST // [FAST FANCY]\n#define WATER_FOG\n"
     "#ifdef WATER_FOG\n#endif\n";
 const std::string kScreens =
     "screen = <profile> SHADOW_STEPS \\\n  [WATER]\nscreen.WATER = MODE\n"
     "profile.HIGH = WATER_FOG\n";
 
-std::vector<std::string> run(PackCheck check, const std::string& lang,
-                             const std::string& file = "/lang/en_us.lang") {
-  return found(check,
-               {{"/settings.glsl", kOptions}, {"/shaders.properties", kScreens}, {file, lang}});
+std::vector<std::string> checkedLanguage(PackCheck check, const std::string& lang,
+                                         const std::string& file = "/lang/en_us.lang") {
+  return found(
+      check,
+      {{"/settings.glsl", kLanguageOptions}, {"/shaders.properties", kScreens}, {file, lang}});
 }
 
 TEST(LanguageKeys, known_keys_and_those_of_other_hosts_are_quiet) {
-  EXPECT_THAT(run(checkLanguageKeys,
-                  "# comment\noption.MODE=Mode\noption.MODE.comment=x\nvalue.MODE.FAST=Fast\n"
-                  "prefix.SHADOW_STEPS=~\nsuffix.SHADOW_STEPS=x\nscreen.WATER=Water\n"
-                  "screen.WATER.comment=x\nprofile.HIGH=High\nprofile.HIGH.comment=x\n"
-                  "profile.comment=x\npack.title=x\n"),
-              IsEmpty());
+  EXPECT_THAT(
+      checkedLanguage(checkLanguageKeys,
+                      "# comment\noption.MODE=Mode\noption.MODE.comment=x\nvalue.MODE.FAST=Fast\n"
+                      "prefix.SHADOW_STEPS=~\nsuffix.SHADOW_STEPS=x\nscreen.WATER=Water\n"
+                      "screen.WATER.comment=x\nprofile.HIGH=High\nprofile.HIGH.comment=x\n"
+                      "profile.comment=x\npack.title=x\n"),
+      IsEmpty());
 }
 
 TEST(LanguageKeys, a_misspelt_key_is_a_warning_at_its_line) {
   const std::string unused = " is used for nothing: there is no ";
   EXPECT_THAT(
-      run(checkLanguageKeys,
+      checkedLanguage(
+          checkLanguageKeys,
           "option.SHADOW_STPES=a\n\n  value.MODE.FNACY=b\nscreen.WATRE=c\nprofile.HIHG=d\n"
           "opton.MODE=e\n"),
       ElementsAre("language-key /lang/en_us.lang:1:1: warning: the text of option.SHADOW_STPES" +
@@ -52,7 +55,8 @@ TEST(LanguageKeys, a_misspelt_key_is_a_warning_at_its_line) {
 
 TEST(LanguageKeys, the_one_value_with_a_misspelt_option_is_a_warning) {
   EXPECT_THAT(
-      run(checkLanguageKeys,
+      checkedLanguage(
+          checkLanguageKeys,
           "value.SHADOW_STEPS.2=two\nvalue.SHAODW_STEPS.4=four\nvalue.MODE.FAST=Fast\n"),
       ElementsAre("language-key /lang/en_us.lang:2:1: warning: the text of "
                   "value.SHAODW_STEPS.4 is used for nothing: there is no SHAODW_STEPS | did "
@@ -62,14 +66,14 @@ TEST(LanguageKeys, the_one_value_with_a_misspelt_option_is_a_warning) {
        {"value.SHADOW_STEPS.2=a\nvalue.SHADOW_STEPS.4=b\nvalue.SHAODW_STEPS.4=c\n",
         "value.SHADOW_STEPS.2=a\nvalue.SHAODW_STEPS.4=b\nvalue.SHAODW_STEPS.8=c\n",
         "value.SHADOW_STEPS.2=a\nvalue.SHAODW_STEPS.9=b\n"}) {
-    EXPECT_THAT(run(checkLanguageKeys, lang), Each(HasSubstr("note: "))) << lang;
+    EXPECT_THAT(checkedLanguage(checkLanguageKeys, lang), Each(HasSubstr("note: "))) << lang;
   }
 }
 
 TEST(LanguageKeys, what_is_left_over_is_a_note) {
-  EXPECT_THAT(run(checkLanguageKeys,
-                  "option.BLOOM=a\noption.SHADOW_STEP=b\noption.SHADOW_STEPS=c\n"
-                  "value.MODE.SLOW=d\noption.SHADOW_STEPS_OLD=e\n"),
+  EXPECT_THAT(checkedLanguage(checkLanguageKeys,
+                              "option.BLOOM=a\noption.SHADOW_STEP=b\noption.SHADOW_STEPS=c\n"
+                              "value.MODE.SLOW=d\noption.SHADOW_STEPS_OLD=e\n"),
               ElementsAre("language-stale /lang/en_us.lang:1:1: note: the pack has no option BLOOM",
                           "language-stale /lang/en_us.lang:2:1: note: the pack has no option "
                           "SHADOW_STEP",
@@ -79,7 +83,7 @@ TEST(LanguageKeys, what_is_left_over_is_a_note) {
 }
 
 TEST(LanguageKeys, a_second_text_is_a_warning_where_it_differs) {
-  EXPECT_THAT(run(checkLanguageKeys, "option.MODE=a\noption.MODE = a\noption.MODE=b\n"),
+  EXPECT_THAT(checkedLanguage(checkLanguageKeys, "option.MODE=a\noption.MODE = a\noption.MODE=b\n"),
               ElementsAre("language-twice /lang/en_us.lang:3:1: warning: option.MODE has another "
                           "text in line 1, which is lost"));
 }
@@ -91,37 +95,37 @@ TEST(LanguageKeys, many_second_texts_are_one_finding) {
       text += std::string("option.") + name + '=' + value + '\n';
     }
   }
-  EXPECT_THAT(run(checkLanguageKeys, text),
+  EXPECT_THAT(checkedLanguage(checkLanguageKeys, text),
               testing::Contains("language-twice /lang/en_us.lang:5:1: warning: option.MODE and 3 "
                                 "later lines of this file give keys another text, so that the "
                                 "earlier one is lost"));
 }
 
 TEST(LanguageKeys, a_line_after_two_slashes_was_meant_as_a_comment) {
-  EXPECT_THAT(run(checkLanguageKeys, "// a\n// b\n//value.MODE.FAST=c\n"), IsEmpty());
+  EXPECT_THAT(checkedLanguage(checkLanguageKeys, "// a\n// b\n//value.MODE.FAST=c\n"), IsEmpty());
 }
 
 TEST(LanguageKeys, files_are_named_after_languages) {
   EXPECT_THAT(
-      run(checkLanguageKeys, "", "/lang/english.lang"),
+      checkedLanguage(checkLanguageKeys, "", "/lang/english.lang"),
       ElementsAre("language-file /lang/english.lang:0:0: warning: the file is named after no "
                   "language, so nobody sees its texts | names are like en_us.lang, de_de.lang, "
                   "zh_cn.lang"));
   for (const char* name : {"/lang/en_US.lang", "/lang/lzh.lang", "/lang/sr_cs.lang"}) {
-    EXPECT_THAT(run(checkLanguageKeys, "", name), IsEmpty()) << name;
+    EXPECT_THAT(checkedLanguage(checkLanguageKeys, "", name), IsEmpty()) << name;
   }
 }
 
 TEST(LanguageCover, what_the_screens_show_without_a_text_is_a_note) {
   EXPECT_THAT(
-      run(checkLanguageCover, "option.SHADOW_STEPS=a\n"),
+      checkedLanguage(checkLanguageCover, "option.SHADOW_STEPS=a\n"),
       ElementsAre("language-missing /shaders.properties:2:3: note: en_us.lang has no text for "
                   "screen.WATER",
                   "language-missing /shaders.properties:3:16: note: en_us.lang has no text for "
                   "option.MODE",
                   "language-missing /shaders.properties:4:1: note: en_us.lang has no text for "
                   "profile.HIGH"));
-  EXPECT_THAT(run(checkLanguageCover, "", "/lang/de_de.lang"), IsEmpty());
+  EXPECT_THAT(checkedLanguage(checkLanguageCover, "", "/lang/de_de.lang"), IsEmpty());
 }
 
 }  // namespace

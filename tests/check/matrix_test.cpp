@@ -3,15 +3,13 @@
 
 #include "check/matrix_causes.h"
 #include "check/matrix_run.h"
+#include "text_fixture.h"
 
 namespace orris {
 namespace {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
-using Files = std::map<std::string, std::string>;
-
-constexpr const char* kVersion = "#version 330 compatibility\n";
 
 /// A pack as the command loads it, and what its matrix says.
 struct Matrix {
@@ -61,7 +59,7 @@ Files plantedPack() {
     uses += fmt::format("c += float(VAL_{});\n", i);
   }
   return {{"/settings.glsl", settings},
-          {"/final.fsh", std::string(kVersion) +
+          {"/final.fsh", kVersion +
                              "#include \"/settings.glsl\"\nvoid main() {\n"
                              "float c = 0.0;\n" +
                              uses +
@@ -102,25 +100,24 @@ const Files kTwoFolders{
     {"/lib/water.glsl", "#ifdef WATER\nfloat w = wave;\n#endif\n"},
     {"/lib/settings.glsl",
      "//#define WATER\n#define MODE 0 // [0 1 2 3]\n#define SHARP\n#ifdef SHARP\n#endif\n"},
-    {"/world0/composite.fsh", std::string(kVersion) +
+    {"/world0/composite.fsh", kVersion +
                                   "#include \"/lib/settings.glsl\"\n#include \"/lib/water.glsl\"\n"
                                   "void main() { gl_FragColor = vec4(1.0); }\n"},
-    {"/world1/composite.fsh", std::string(kVersion) +
+    {"/world1/composite.fsh", kVersion +
                                   "#define END\n#include \"/lib/settings.glsl\"\n"
                                   "#include \"/lib/water.glsl\"\nvoid main() {\n#if MODE >= 2 && "
                                   "defined SHARP\ngl_FragColor = none;\n#elif MODE == 1\n#error "
                                   "mode 1 needs nothing\n#endif\n}\n"}};
 
 TEST(Matrix, only_what_a_player_can_choose_is_varied) {
-  Files files{
-      {"/final.vsh", std::string(kVersion) + "#define STAGE_A\nvoid main() {\n#ifdef STAGE_A\n"
-                                             "  gl_Position = ftransform();\n#endif\n}\n"},
-      {"/final.fsh", std::string(kVersion) +
-                         "#define SHOWN\n#define PROFILED\n#define HIDDEN\n"
-                         "#ifdef SHOWN\n#endif\n#ifdef PROFILED\n#endif\n#ifdef HIDDEN\n#endif\n"
-                         "#include \"/lib.glsl\"\n#include \"/lib.glsl\"\n"
-                         "void main() { gl_FragColor = vec4(f()); }\n"},
-      {"/lib.glsl", "#ifndef GUARD\n#define GUARD\nfloat f() { return 1.0; }\n#endif\n"}};
+  Files files{{"/final.vsh", kVersion + "#define STAGE_A\nvoid main() {\n#ifdef STAGE_A\n"
+                                        "  gl_Position = ftransform();\n#endif\n}\n"},
+              {"/final.fsh",
+               kVersion + "#define SHOWN\n#define PROFILED\n#define HIDDEN\n"
+                          "#ifdef SHOWN\n#endif\n#ifdef PROFILED\n#endif\n#ifdef HIDDEN\n#endif\n"
+                          "#include \"/lib.glsl\"\n#include \"/lib.glsl\"\n"
+                          "void main() { gl_FragColor = vec4(f()); }\n"},
+              {"/lib.glsl", "#ifndef GUARD\n#define GUARD\nfloat f() { return 1.0; }\n#endif\n"}};
   // Without screens the game shows all; a guard is none to be chosen.
   EXPECT_EQ(run(files, {.kind = MatrixKind::Each}).result.configurations, 4u);
   EXPECT_THAT(run(files, {.kind = MatrixKind::Each}).texts(), IsEmpty());
@@ -177,8 +174,8 @@ TEST(Matrix, shards_share_the_configurations) {
 TEST(Matrix, properties_under_other_values_are_checked_and_enable_programs) {
   const Matrix matrix =
       run({{"/settings.glsl", "//#define GLOW\n#ifdef GLOW\n#endif\n"},
-           {"/final.fsh", std::string(kVersion) + "#include \"/settings.glsl\"\nvoid main() {}\n"},
-           {"/composite.fsh", std::string(kVersion) + "void main() { lost(); }\n"},
+           {"/final.fsh", kVersion + "#include \"/settings.glsl\"\nvoid main() {}\n"},
+           {"/composite.fsh", kVersion + "void main() { lost(); }\n"},
            {"/shaders.properties",
             "program.composite.enabled=GLOW\n#ifdef GLOW\nblend.final=ONE\n#endif\n"}},
           {.kind = MatrixKind::Each});
@@ -196,8 +193,8 @@ TEST(Matrix, properties_under_other_values_are_checked_and_enable_programs) {
 Files sliderPack(const std::string& text) {
   std::string values;
   for (int i = 1; i <= 20; ++i) values += fmt::format(" {}", i);
-  return {{"/final.fsh", std::string(kVersion) + "#define SIZE 3 // [" + values + "]\n" +
-                             "void main() {\n" + text + "gl_FragColor = vec4(SIZE);\n}\n"}};
+  return {{"/final.fsh", kVersion + "#define SIZE 3 // [" + values + "]\n" + "void main() {\n" +
+                             text + "gl_FragColor = vec4(SIZE);\n}\n"}};
 }
 
 TEST(Matrix, numbers_that_cannot_decide_are_not_compiled_again) {
@@ -234,12 +231,11 @@ TEST(Matrix, a_number_pasted_into_a_name_is_seen) {
 }
 
 TEST(Matrix, only_stages_that_an_option_reaches_are_looked_at) {
-  const Files files{{"/final.fsh", std::string(kVersion) +
-                                       "//#define RED\nin float x;\nvoid main() {\n#ifdef RED\n"
-                                       "gl_FragColor = vec4(x);\n#endif\n}\n"},
-                    {"/final.vsh", std::string(kVersion) +
-                                       "//#define RED\nout float x;\nvoid main() { x = 1.0; }\n"},
-                    {"/composite.fsh", std::string(kVersion) + "void main() {}\n"}};
+  const Files files{
+      {"/final.fsh", kVersion + "//#define RED\nin float x;\nvoid main() {\n#ifdef RED\n"
+                                "gl_FragColor = vec4(x);\n#endif\n}\n"},
+      {"/final.vsh", kVersion + "//#define RED\nout float x;\nvoid main() { x = 1.0; }\n"},
+      {"/composite.fsh", kVersion + "void main() {}\n"}};
   const Matrix matrix = run(files, {.kind = MatrixKind::Each});
   EXPECT_EQ(matrix.result.variants, 1u);
   EXPECT_EQ(matrix.result.compiled, 1u);
@@ -254,11 +250,11 @@ Files stallingPack() {
     functions += fmt::format("float f{}() {{ return f{}(); }}\n", i, i - 1);
   }
   return {{"/final.fsh",
-           std::string(kVersion) + "//#define SLOW\n#ifdef SLOW\n" + functions +
+           kVersion + "//#define SLOW\n#ifdef SLOW\n" + functions +
                fmt::format("#define F f{}()\n#else\n#define F 1.0\n#endif\n", kFunctions - 1) +
                "void main() { gl_FragColor = vec4(F); }\n"},
-          {"/composite.fsh", std::string(kVersion) +
-                                 "//#define LOST\nvoid main() {\n#ifdef LOST\nlost;\n#endif\n}\n"}};
+          {"/composite.fsh",
+           kVersion + "//#define LOST\nvoid main() {\n#ifdef LOST\nlost;\n#endif\n}\n"}};
 }
 
 TEST(Matrix, its_time_ends_whatever_the_compiler_does) {

@@ -10,16 +10,13 @@
 #include <set>
 #include <string>
 
+#include "text_fixture.h"
+
 namespace orris {
 namespace {
 
 namespace fs = std::filesystem;
 using Ids = std::set<std::string>;
-
-std::string textOf(const fs::path& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 void collect(const std::string& text, const std::regex& pattern, Ids& ids) {
   for (std::sregex_iterator it(text.begin(), text.end(), pattern), end; it != end; ++it) {

@@ -15,14 +15,14 @@ using testing::IsEmpty;
 
 constexpr int kSize = 32;
 
-constexpr std::string_view kVertex = R"(#version 120
+constexpr std::string_view kQuadVertex = R"(#version 120
 attribute vec4 mc_Entity;
 varying vec4 tint;
 void main() {
   tint = gl_Color * mc_Entity.x;
   gl_Position = gl_ProjectionMatrix * gl_ModelViewMatrix * gl_Vertex;
 })";
-constexpr std::string_view kFragment = R"(#version 120
+constexpr std::string_view kQuadFragment = R"(#version 120
 varying vec4 tint;
 void main() { gl_FragData[0] = tint; })";
 
@@ -35,7 +35,7 @@ std::vector<float> drawTriangle() {
   const Framebuffer framebuffer = createFramebuffer({&color}, &depth, "triangle", error);
   EXPECT_NE(framebuffer.id(), 0u) << error;
   const Program program = buildProgram(
-      {{GL_VERTEX_SHADER, kVertex}, {GL_FRAGMENT_SHADER, kFragment}}, {}, "gbuffers_basic");
+      {{GL_VERTEX_SHADER, kQuadVertex}, {GL_FRAGMENT_SHADER, kQuadFragment}}, {}, "gbuffers_basic");
   EXPECT_TRUE(program.linked);
   BindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
   Viewport(0, 0, kSize, kSize);

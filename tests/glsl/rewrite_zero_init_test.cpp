@@ -7,8 +7,8 @@ namespace {
 
 using test::rewritten;
 
-// How the rule fired: "count@line:column" of the first place, or "".
-std::string fired(const std::string& text, Stage stage = Stage::Fragment) {
+// How the rule firedAt: "count@line:column" of the first place, or "".
+std::string firedAt(const std::string& text, Stage stage = Stage::Fragment) {
   RewriteResult result;
   rewritten(text, stage, &result);
   for (const AppliedRule& rule : result.rules) {
@@ -37,7 +37,7 @@ std::string glslangVerdict(const std::string& text) {
 TEST(zero_init, each_declarator_without_a_value_gets_one) {
   EXPECT_EQ(inMain("vec3 a, b = x, c;"), "vec3 a = vec3(0), b = x, c = vec3(0);");
   EXPECT_EQ(inMain("float a = f(x, y), b;"), "float a = f(x, y), b = 0.0;");
-  EXPECT_EQ(fired("void main() {\n  vec3 a, b = x, c;\n  int d; }\n"), "3@2:8");
+  EXPECT_EQ(firedAt("void main() {\n  vec3 a, b = x, c;\n  int d; }\n"), "3@2:8");
 }
 
 TEST(zero_init, every_basic_type_has_its_zero) {
@@ -62,51 +62,52 @@ TEST(zero_init, a_declaration_may_start_any_statement) {
 TEST(zero_init, applies_to_plain_globals_of_every_stage) {
   for (Stage stage : {Stage::Vertex, Stage::TessControl, Stage::TessEvaluation, Stage::Geometry,
                       Stage::Fragment, Stage::Compute}) {
-    EXPECT_EQ(fired("highp vec3 a;\nfloat b = 1.0, c;\n", stage), "2@1:12") << stageName(stage);
+    EXPECT_EQ(firedAt("highp vec3 a;\nfloat b = 1.0, c;\n", stage), "2@1:12") << stageName(stage);
   }
   EXPECT_EQ(rewritten("mediump vec3 a;\n"), "mediump vec3 a = vec3(0);\n");
 }
 
 TEST(zero_init, qualified_globals_stay) {
-  EXPECT_EQ(fired("in vec3 a;\nout vec4 b;\nuniform float c;\nconst float d = 1.0;\n"
-                  "layout(location = 0) out vec4 e;\nflat in int f;\ninvariant out vec3 g;\n"
-                  "precise float h;\nprecision highp float;\n"),
+  EXPECT_EQ(firedAt("in vec3 a;\nout vec4 b;\nuniform float c;\nconst float d = 1.0;\n"
+                    "layout(location = 0) out vec4 e;\nflat in int f;\ninvariant out vec3 g;\n"
+                    "precise float h;\nprecision highp float;\n"),
             "");
-  EXPECT_EQ(fired("attribute vec4 a;\nvarying vec2 b;\nuniform vec4 c[4], d;\n", Stage::Vertex),
+  EXPECT_EQ(firedAt("attribute vec4 a;\nvarying vec2 b;\nuniform vec4 c[4], d;\n", Stage::Vertex),
             "");
   EXPECT_EQ(
-      fired("#version 430\nlayout(local_size_x = 8) in;\nshared float a;\nshared uint b[64];\n"
-            "buffer B { uint c; };\n",
-            Stage::Compute),
+      firedAt("#version 430\nlayout(local_size_x = 8) in;\nshared float a;\nshared uint b[64];\n"
+              "buffer B { uint c; };\n",
+              Stage::Compute),
       "");
-  EXPECT_EQ(fired("float gl_ClipDistance[1];\n", Stage::Vertex), "");
+  EXPECT_EQ(firedAt("float gl_ClipDistance[1];\n", Stage::Vertex), "");
 }
 
 TEST(zero_init, members_parameters_and_prototypes_stay) {
-  EXPECT_EQ(fired("struct S { float a; vec3 b, c; };\n"), "");
-  EXPECT_EQ(fired("uniform U { float a; vec3 b; } u;\nlayout(std430) buffer B { int c[]; };\n"),
+  EXPECT_EQ(firedAt("struct S { float a; vec3 b, c; };\n"), "");
+  EXPECT_EQ(firedAt("uniform U { float a; vec3 b; } u;\nlayout(std430) buffer B { int c[]; };\n"),
             "");
-  EXPECT_EQ(fired("void main() { struct S { float a; vec3 b; }; }\n"), "");
-  EXPECT_EQ(fired("float f(vec3);\nvec3 g(float a, out vec3 b);\n"), "");
+  EXPECT_EQ(firedAt("void main() { struct S { float a; vec3 b; }; }\n"), "");
+  EXPECT_EQ(firedAt("float f(vec3);\nvec3 g(float a, out vec3 b);\n"), "");
   EXPECT_EQ(
-      fired("float f(vec3 a, inout float b, out int c) { return b; }\nfloat x = f(a, b, c);\n"),
+      firedAt("float f(vec3 a, inout float b, out int c) { return b; }\nfloat x = f(a, b, c);\n"),
       "");
 }
 
 TEST(zero_init, headers_of_loops_and_constants_of_functions_stay) {
-  EXPECT_EQ(fired("void main() { for (int i = 0, j; i < 4; ++i) {} for (float x; ;) {} }\n"), "");
-  EXPECT_EQ(fired("void main() { const float a = 1.0; while (bool b = c) {} }\n"), "");
-  EXPECT_EQ(fired("void main() { x = c ? float(y) : vec3(z).x; float(1); precision highp int; }\n"),
-            "");
+  EXPECT_EQ(firedAt("void main() { for (int i = 0, j; i < 4; ++i) {} for (float x; ;) {} }\n"), "");
+  EXPECT_EQ(firedAt("void main() { const float a = 1.0; while (bool b = c) {} }\n"), "");
+  EXPECT_EQ(
+      firedAt("void main() { x = c ? float(y) : vec3(z).x; float(1); precision highp int; }\n"),
+      "");
 }
 
 TEST(zero_init, small_arrays_of_a_literal_size_are_cleared) {
   EXPECT_EQ(inMain("float a[2], b;"), "float a[2] = float[2](0.0, 0.0), b = 0.0;");
   EXPECT_EQ(inMain("ivec2[2] a;"), "ivec2[2] a = ivec2[2](ivec2(0), ivec2(0));");
-  EXPECT_NE(fired("float a[16];\n"), "");
+  EXPECT_NE(firedAt("float a[16];\n"), "");
   for (const char* text : {"float a[17];\n", "float a[N];\n", "float a[];\n", "float a[0];\n",
                            "float a[2][2];\n", "float[2] a[2];\n", "float a[2] = b;\n"}) {
-    EXPECT_EQ(fired(text), "") << text;
+    EXPECT_EQ(firedAt(text), "") << text;
   }
 }
 
@@ -121,11 +122,11 @@ TEST(zero_init, structs_of_known_members_are_cleared) {
 }
 
 TEST(zero_init, structs_with_other_members_and_local_ones_stay) {
-  EXPECT_EQ(fired("struct S { float a[N]; };\nvoid main() { S s; }\n"), "");
-  EXPECT_EQ(fired("struct S { sampler2D a; };\nvoid main() { S s; }\n"), "");
-  EXPECT_EQ(fired("struct S { float a; };\nvoid main() { struct S { int b; int c; }; S s; }\n"),
+  EXPECT_EQ(firedAt("struct S { float a[N]; };\nvoid main() { S s; }\n"), "");
+  EXPECT_EQ(firedAt("struct S { sampler2D a; };\nvoid main() { S s; }\n"), "");
+  EXPECT_EQ(firedAt("struct S { float a; };\nvoid main() { struct S { int b; int c; }; S s; }\n"),
             "");
-  EXPECT_EQ(fired("void main() { T t; }\n"), "");
+  EXPECT_EQ(firedAt("void main() { T t; }\n"), "");
 }
 
 TEST(zero_init, nested_structs_do_not_grow_without_bound) {

@@ -29,12 +29,12 @@ std::string validated(const test::Files& files, const std::vector<std::string>& 
   return test::format(diagnostics);
 }
 
-const std::string kVertex =
+const std::string kLegacyVertex =
     "#version 120\nvarying vec2 uv;\nvoid main() { gl_Position = ftransform(); uv = "
     "gl_MultiTexCoord0.xy; }\n";
 
 TEST(validate, legacy_program_is_clean_after_rewriting) {
-  EXPECT_EQ(validated({{"/a.vsh", kVertex},
+  EXPECT_EQ(validated({{"/a.vsh", kLegacyVertex},
                        {"/a.fsh",
                         "#version 120\n#extension GL_EXT_gpu_shader4 : require\nvarying vec2 uv;\n"
                         "uniform sampler2D texture;;\nuniform float u;\nconst float k = u;\n"
@@ -46,7 +46,7 @@ TEST(validate, legacy_program_is_clean_after_rewriting) {
 TEST(validate, an_error_three_includes_deep_has_place_chain_and_caret) {
   EXPECT_EQ(
       validated(
-          {{"/a.vsh", kVertex},
+          {{"/a.vsh", kLegacyVertex},
            {"/a.fsh", "#version 120\n#include \"/b.glsl\"\nvoid main() { gl_FragColor = f(); }\n"},
            {"/b.glsl", "\n#include \"/c.glsl\"\n"},
            {"/c.glsl", "// c\n#include \"/d.glsl\"\n"},
@@ -61,7 +61,7 @@ TEST(validate, an_error_three_includes_deep_has_place_chain_and_caret) {
 }
 
 TEST(validate, an_error_written_in_a_macro_stands_in_its_definition) {
-  EXPECT_EQ(validated({{"/a.vsh", kVertex},
+  EXPECT_EQ(validated({{"/a.vsh", kLegacyVertex},
                        {"/a.fsh",
                         "#version 120\n#define GLOW 2.0 * missing\nvoid main() {\n"
                         "  gl_FragColor = vec4(GLOW);\n}\n"}},
@@ -73,7 +73,7 @@ TEST(validate, an_error_written_in_a_macro_stands_in_its_definition) {
 }
 
 TEST(validate, an_error_in_the_argument_of_a_macro_stands_at_its_use) {
-  EXPECT_EQ(validated({{"/a.vsh", kVertex},
+  EXPECT_EQ(validated({{"/a.vsh", kLegacyVertex},
                        {"/a.fsh",
                         "#version 120\n#define TWICE(x) (2.0 * x)\nvoid main() {\n"
                         "  gl_FragColor = vec4(TWICE(missing));\n}\n"}},
@@ -86,7 +86,7 @@ TEST(validate, an_error_in_the_argument_of_a_macro_stands_at_its_use) {
 
 // The messages of a fragment shader with these lines from line 2 on.
 std::string fragmentMessages(const std::string& lines, const test::Files& more = {}) {
-  test::Files files = {{"/a.vsh", kVertex}, {"/a.fsh", "#version 120\n" + lines}};
+  test::Files files = {{"/a.vsh", kLegacyVertex}, {"/a.fsh", "#version 120\n" + lines}};
   files.insert(more.begin(), more.end());
   return validated(files, {"/a.vsh", "/a.fsh"});
 }
@@ -380,7 +380,7 @@ TEST(validate, the_end_of_a_function_without_brace_is_before_the_next_function) 
 }
 
 TEST(validate, link_errors_stand_at_the_entry_file_of_their_stage) {
-  EXPECT_EQ(validated({{"/a.vsh", kVertex},
+  EXPECT_EQ(validated({{"/a.vsh", kLegacyVertex},
                        {"/a.fsh", "#version 120\nvoid notMain() {}\nfloat f();\nfloat a = f();\n"}},
                       {"/a.vsh", "/a.fsh"})
                 .substr(0, 15),
@@ -401,7 +401,7 @@ TEST(validate, built_in_varyings_written_by_hand_are_no_clash) {
 
 TEST(validate, an_extension_unknown_to_glslang_is_only_a_warning) {
   const std::string text = validated(
-      {{"/a.vsh", kVertex},
+      {{"/a.vsh", kLegacyVertex},
        {"/a.fsh", "#version 120\n#extension GL_NV_unheard_of : require\nvoid main() {}\n"}},
       {"/a.vsh", "/a.fsh"});
   EXPECT_EQ(text.substr(0, text.find('\n')),
@@ -423,7 +423,7 @@ TEST(validate, works_from_several_threads) {
   std::vector<std::thread> threads;
   for (std::string& result : results) {
     threads.emplace_back([&result] {
-      result = validated({{"/a.vsh", kVertex},
+      result = validated({{"/a.vsh", kLegacyVertex},
                           {"/a.fsh", "#version 120\nvoid main() { gl_FragColor = vec4(y); }\n"}},
                          {"/a.vsh", "/a.fsh"});
     });

@@ -13,7 +13,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-OptionSet someOptions() {
+OptionSet shadowOptions() {
   OptionSet options;
   options.all()["SHADOWS"] = {
       .name = "SHADOWS", .defaultValue = "MAP", .values = {"NONE", "MAP", "VOLUME", "AUTO"}};
@@ -21,27 +21,27 @@ OptionSet someOptions() {
   return options;
 }
 
-std::vector<AutoCandidate> parse(const std::string& text, Diagnostics& diagnostics) {
+std::vector<AutoCandidate> parseAuto(const std::string& text, Diagnostics& diagnostics) {
   return parseAutoOptions("/shaders.properties", text,
-                          {{"SHADOWS", "AUTO"}, {"AUTO", "6"}, {"Q", "2"}}, someOptions(),
+                          {{"SHADOWS", "AUTO"}, {"AUTO", "6"}, {"Q", "2"}}, shadowOptions(),
                           diagnostics);
 }
 
-std::vector<AutoCandidate> parse(const std::string& text) {
+std::vector<AutoCandidate> parseAuto(const std::string& text) {
   Diagnostics diagnostics;
-  auto candidates = parse(text, diagnostics);
+  auto candidates = parseAuto(text, diagnostics);
   EXPECT_THAT(diagnostics, IsEmpty()) << formatDiagnostic(diagnostics.front());
   return candidates;
 }
 
 std::string messageOf(const std::string& text) {
   Diagnostics diagnostics;
-  EXPECT_THAT(parse(text, diagnostics), IsEmpty());
+  EXPECT_THAT(parseAuto(text, diagnostics), IsEmpty());
   return diagnostics.empty() ? "" : formatDiagnostic(diagnostics.front());
 }
 
 TEST(AutoOption, cost_is_a_sum_of_products_and_numbers_may_be_values_of_options) {
-  const auto found = parse("auto.shadows.map = 0.5 + 2e-3 Q pixels lamps + 1 faces\n");
+  const auto found = parseAuto("auto.shadows.map = 0.5 + 2e-3 Q pixels lamps + 1 faces\n");
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].option, "SHADOWS");
   EXPECT_EQ(found[0].value, "MAP");
@@ -54,7 +54,7 @@ TEST(AutoOption, cost_is_a_sum_of_products_and_numbers_may_be_values_of_options)
 
 TEST(AutoOption, conditions_hold_all_or_the_value_is_not_chosen) {
   const auto found =
-      parse("auto.shadows.none = 0 if sun < 0.5 and lamps >= 2\nauto.shadows.map = 1\n");
+      parseAuto("auto.shadows.none = 0 if sun < 0.5 and lamps >= 2\nauto.shadows.map = 1\n");
   EXPECT_EQ(found[0].formula(), "0 if sun < 0.5 and lamps >= 2");
   const auto chosen = [&](double sun, double lamps) {
     return chooseAuto(found, "SHADOWS", {{"sun", sun}, {"lamps", lamps}}, "").value;
@@ -66,13 +66,14 @@ TEST(AutoOption, conditions_hold_all_or_the_value_is_not_chosen) {
 
 TEST(AutoOption, branches_of_the_preprocessor_choose_the_lines) {
   const auto found =
-      parse("#if Q == 2\nauto.shadows.map = 1\n#else\nauto.shadows.volume = 1\n#endif\n");
+      parseAuto("#if Q == 2\nauto.shadows.map = 1\n#else\nauto.shadows.volume = 1\n#endif\n");
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].value, "MAP");
 }
 
 TEST(AutoOption, cheapest_is_chosen_and_all_are_told) {
-  const auto found = parse("auto.shadows.map = 1 + 0.01 faces\nauto.shadows.volume = 0.02 faces\n");
+  const auto found =
+      parseAuto("auto.shadows.map = 1 + 0.01 faces\nauto.shadows.volume = 0.02 faces\n");
   const AutoChoice few = chooseAuto(found, "SHADOWS", {{"faces", 10}}, "");
   EXPECT_EQ(few.value, "VOLUME");
   ASSERT_EQ(few.candidates.size(), 2u);
@@ -82,7 +83,7 @@ TEST(AutoOption, cheapest_is_chosen_and_all_are_told) {
 }
 
 TEST(AutoOption, what_is_there_stays_until_another_is_clearly_cheaper) {
-  const auto found = parse("auto.shadows.map = 10\nauto.shadows.volume = 0.1 faces\n");
+  const auto found = parseAuto("auto.shadows.map = 10\nauto.shadows.volume = 0.1 faces\n");
   std::string present = "MAP";
   std::vector<std::string> seen;
   // 100 is where both cost the same.
@@ -95,7 +96,7 @@ TEST(AutoOption, what_is_there_stays_until_another_is_clearly_cheaper) {
 }
 
 TEST(AutoOption, present_value_that_is_not_allowed_gives_way) {
-  const auto found = parse("auto.shadows.none = 0 if sun < 0.1\nauto.shadows.map = 9\n");
+  const auto found = parseAuto("auto.shadows.none = 0 if sun < 0.1\nauto.shadows.map = 9\n");
   EXPECT_EQ(chooseAuto(found, "SHADOWS", {{"sun", 1}}, "NONE").value, "MAP");
 }
 

@@ -9,7 +9,7 @@
 namespace orris {
 namespace {
 
-std::optional<ValueType> inputType(const std::string& name) {
+std::optional<ValueType> typeInTable(const std::string& name) {
   static const std::map<std::string, ValueType> kTypes{
       {"biome", ValueType::Int},           {"isEyeInWater", ValueType::Int},
       {"worldTime", ValueType::Int},       {"rainStrength", ValueType::Float},
@@ -20,7 +20,7 @@ std::optional<ValueType> inputType(const std::string& name) {
   return found == kTypes.end() ? std::nullopt : std::optional(found->second);
 }
 
-Value inputValue(const std::string& name) {
+Value valueInTable(const std::string& name) {
   Value value;
   if (name == "biome") return Value::ofInt(5);
   if (name == "isEyeInWater") return Value::ofInt(1);
@@ -35,11 +35,11 @@ Value inputValue(const std::string& name) {
 }
 
 /// The value of one uniform; NAN in the first element when it is dropped.
-Value evaluate(const std::string& text, ValueType type) {
+Value valueOf(const std::string& text, ValueType type) {
   Diagnostics diagnostics;
-  CustomUniforms uniforms({{.name = "x", .type = type, .expression = text}}, inputType,
+  CustomUniforms uniforms({{.name = "x", .type = type, .expression = text}}, typeInTable,
                           diagnostics);
-  uniforms.evaluate(inputValue, 0.1f, 1);
+  uniforms.evaluate(valueInTable, 0.1f, 1);
   if (!uniforms.values().empty()) return uniforms.values()[0].second;
   Value dropped;
   dropped.f[0] = NAN;
@@ -157,7 +157,7 @@ TEST(ExpressionTable, numbers) {
       {"exp(-frameTime * 0)", 1},
   };
   for (const NumberCase& test : kCases) {
-    const float found = evaluate(test.text, ValueType::Float).f[0];
+    const float found = valueOf(test.text, ValueType::Float).f[0];
     if (std::isnan(test.value)) {
       EXPECT_TRUE(std::isnan(found)) << test.text << " = " << found;
     } else {
@@ -207,7 +207,7 @@ TEST(ExpressionTable, truths) {
       {"not true", -999},
   };
   for (const TruthCase& test : kCases) {
-    EXPECT_EQ(evaluate(test.text, ValueType::Bool).i[0], test.value) << test.text;
+    EXPECT_EQ(valueOf(test.text, ValueType::Bool).i[0], test.value) << test.text;
   }
 }
 
@@ -231,7 +231,7 @@ TEST(ExpressionTable, whole_numbers) {
       {"1_000", -999},
   };
   for (const TruthCase& test : kCases) {
-    EXPECT_EQ(evaluate(test.text, ValueType::Int).i[0], test.value) << test.text;
+    EXPECT_EQ(valueOf(test.text, ValueType::Int).i[0], test.value) << test.text;
   }
 }
 
@@ -262,7 +262,7 @@ TEST(ExpressionTable, vectors) {
       {"1", ValueType::Vec2, {NAN}},
   };
   for (const VectorCase& test : kCases) {
-    const Value found = evaluate(test.text, test.type);
+    const Value found = valueOf(test.text, test.type);
     if (std::isnan(test.value[0])) {
       EXPECT_TRUE(std::isnan(found.f[0])) << test.text;
       continue;

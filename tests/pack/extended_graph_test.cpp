@@ -10,7 +10,7 @@ namespace {
 const std::string kVersion = "#version 330\n";
 
 /// A pack whose one fragment shader includes /a.glsl from /lib.glsl.
-ShaderPack load() {
+ShaderPack loadExtended() {
   Diagnostics diagnostics;
   const std::string use = "void main() { gl_FragColor = vec4(A); }\n";
   return *loadShaderPack(
@@ -25,7 +25,7 @@ ShaderPack load() {
 }
 
 std::string fragmentWith(const AddedLine& added) {
-  const ShaderPack pack = load();
+  const ShaderPack pack = loadExtended();
   const FolderBuild& build = *pack.builds.front();
   return build.buildWith(*build.entryNamed("composite"), added).stages.back().text.text;
 }

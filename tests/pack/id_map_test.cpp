@@ -8,7 +8,7 @@
 namespace orris {
 namespace {
 
-BlockIdMap parse(const std::string& text) {
+BlockIdMap parseIds(const std::string& text) {
   Diagnostics diagnostics;
   BlockIdMap map = parseBlockProperties("/block.properties", text, text, diagnostics);
   EXPECT_TRUE(diagnostics.empty()) << formatDiagnostic(diagnostics[0]);
@@ -16,7 +16,7 @@ BlockIdMap parse(const std::string& text) {
 }
 
 TEST(BlockIdMap, names_have_the_namespace_minecraft_unless_given) {
-  const BlockIdMap map = parse("block.5 = stone mod:lamp\n");
+  const BlockIdMap map = parseIds("block.5 = stone mod:lamp\n");
   EXPECT_EQ(map.idOf("minecraft:stone", {}), 5);
   EXPECT_EQ(map.idOf("mod:lamp", {}), 5);
   EXPECT_EQ(map.idOf("minecraft:lamp", {}), -1);
@@ -24,8 +24,8 @@ TEST(BlockIdMap, names_have_the_namespace_minecraft_unless_given) {
 }
 
 TEST(BlockIdMap, listed_properties_must_match_and_others_are_free) {
-  const BlockIdMap map =
-      parse("block.1 = oak_stairs:half=top:facing=north,south\nblock.2 = minecraft:oak_stairs\n");
+  const BlockIdMap map = parseIds(
+      "block.1 = oak_stairs:half=top:facing=north,south\nblock.2 = minecraft:oak_stairs\n");
   EXPECT_EQ(map.idOf("minecraft:oak_stairs",
                      {{"half", "top"}, {"facing", "south"}, {"shape", "straight"}}),
             1);
@@ -34,15 +34,15 @@ TEST(BlockIdMap, listed_properties_must_match_and_others_are_free) {
 }
 
 TEST(BlockIdMap, first_id_wins_and_a_repeated_key_replaces) {
-  EXPECT_EQ(parse("block.7 = stone\nblock.3 = stone\n").idOf("minecraft:stone", {}), 7);
-  const BlockIdMap map = parse("block.7 = stone\nblock.3 = dirt\nblock.7 = dirt\n");
+  EXPECT_EQ(parseIds("block.7 = stone\nblock.3 = stone\n").idOf("minecraft:stone", {}), 7);
+  const BlockIdMap map = parseIds("block.7 = stone\nblock.3 = dirt\nblock.7 = dirt\n");
   EXPECT_EQ(map.idOf("minecraft:dirt", {}), 7);
   EXPECT_EQ(map.idOf("minecraft:stone", {}), -1);
 }
 
 TEST(BlockIdMap, a_named_block_wins_over_a_tag_before_it) {
   const BlockIdMap map =
-      parse("block.1 = %leaves\nblock.2 = oak_leaves\nblock.3 = %minecraft:logs:axis=y\n");
+      parseIds("block.1 = %leaves\nblock.2 = oak_leaves\nblock.3 = %minecraft:logs:axis=y\n");
   EXPECT_EQ(map.idOf("minecraft:birch_leaves", {}), 1);
   EXPECT_EQ(map.idOf("minecraft:oak_leaves", {}), 2);
   EXPECT_EQ(map.idOf("minecraft:oak_log", {{"axis", "y"}}), 3);
@@ -50,13 +50,13 @@ TEST(BlockIdMap, a_named_block_wins_over_a_tag_before_it) {
 }
 
 TEST(BlockIdMap, continued_lines_may_hold_gaps_and_a_key_ends_them) {
-  const BlockIdMap map = parse("block.1 = stone \\  \n\n  dirt \\\nblock.2 = glass\n");
+  const BlockIdMap map = parseIds("block.1 = stone \\  \n\n  dirt \\\nblock.2 = glass\n");
   EXPECT_EQ(map.idOf("minecraft:dirt", {}), 1);
   EXPECT_EQ(map.idOf("minecraft:glass", {}), 2);
 }
 
 TEST(BlockIdMap, render_layers) {
-  const BlockIdMap map = parse("layer.cutout_mipped = glass\nlayer.translucent = mod:ice\n");
+  const BlockIdMap map = parseIds("layer.cutout_mipped = glass\nlayer.translucent = mod:ice\n");
   EXPECT_EQ(map.renderLayers.at("minecraft:glass"), "cutout");
   EXPECT_EQ(map.renderLayers.at("mod:ice"), "translucent");
 }

@@ -3,30 +3,17 @@
 #include <gmock/gmock.h>
 
 #include "glsl/validate.h"
-#include "pack/shader_pack.h"
+#include "loaded_pack.h"
 
 namespace orris {
 namespace {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
-using Files = std::map<std::string, std::string>;
 
-constexpr const char* kVertex =
-    "#version 330 compatibility\nvoid main() { gl_Position = ftransform(); }\n";
-constexpr const char* kFragment = "#version 330 compatibility\nvoid main() {}\n";
-
-struct Loaded {
-  std::optional<ShaderPack> pack;
-  Diagnostics diagnostics;
-};
-
-Loaded load(Files files, bool mods = true) {
+Loaded loadWithFinal(Files files, bool mods = true) {
   files.try_emplace("/final.fsh", kFragment);
-  Loaded loaded;
-  const LoadRequest request{.environment = standardMacros({}), .buildModPrograms = mods};
-  loaded.pack = loadShaderPack(memorySource(std::move(files)), request, loaded.diagnostics);
-  return loaded;
+  return loadFiles(std::move(files), {.buildModPrograms = mods});
 }
 
 std::vector<std::string> names(const ProgramList& programs) {
@@ -48,13 +35,13 @@ TEST(Mods, programs_of_other_mods_stand_apart_from_those_of_the_pack) {
                     {"/dh_water.fsh", kFragment},
                     {"/clrwl_shadow.vsh", kVertex},
                     {"/clrwl_shadow.fsh", kFragment}};
-  const Loaded with = load(files);
+  const Loaded with = loadWithFinal(files);
   ASSERT_TRUE(with.pack);
   EXPECT_THAT(names(with.pack->programs), ElementsAre("final"));
   EXPECT_THAT(names(with.pack->modPrograms), ElementsAre("dh_water", "clrwl_shadow"));
   EXPECT_THAT(with.pack->modPrograms[0].drawBuffers, ElementsAre(0));
   EXPECT_THAT(with.pack->modPrograms[1].drawBuffers, ElementsAre(0, 1));
-  EXPECT_THAT(names(load(files, false).pack->modPrograms), IsEmpty());
+  EXPECT_THAT(names(loadWithFinal(files, false).pack->modPrograms), IsEmpty());
 }
 
 TEST(Mods, a_program_sees_the_macro_and_the_names_of_its_mod_only) {
@@ -62,27 +49,30 @@ TEST(Mods, a_program_sees_the_macro_and_the_names_of_its_mod_only) {
       "#version 330 compatibility\n#if !defined DISTANT_HORIZONS || defined HAS_COLORWHEEL\n"
       "#error wrong mod\n#endif\nflat out int m;\n"
       "void main() { m = dhMaterialId; gl_Position = ftransform(); }\n";
-  EXPECT_EQ(verdict(load({{"/dh_terrain.vsh", vertex}, {"/dh_terrain.fsh", kFragment}})), "");
+  EXPECT_EQ(verdict(loadWithFinal({{"/dh_terrain.vsh", vertex}, {"/dh_terrain.fsh", kFragment}})),
+            "");
 
   const std::string fragment =
       "#version 330 compatibility\n#if defined DISTANT_HORIZONS || !defined HAS_COLORWHEEL\n"
       "#error wrong mod\n#endif\nuniform sampler2D gtexture;\n"
       "void main() { vec4 c = texture(gtexture, vec2(0)), o; vec2 l; float ao;\n"
       "  clrwl_computeFragment(c, c, l, ao, o); gl_FragData[0] = c * clrwl_vertexColor + o; }\n";
-  EXPECT_EQ(verdict(load({{"/clrwl_gbuffers.vsh", kVertex}, {"/clrwl_gbuffers.fsh", fragment}})),
-            "");
+  EXPECT_EQ(
+      verdict(loadWithFinal({{"/clrwl_gbuffers.vsh", kVertex}, {"/clrwl_gbuffers.fsh", fragment}})),
+      "");
   // The name is not given to programs of another mod.
-  EXPECT_NE(verdict(load({{"/clrwl_gbuffers.vsh", vertex}, {"/clrwl_gbuffers.fsh", kFragment}})),
-            "");
+  EXPECT_NE(
+      verdict(loadWithFinal({{"/clrwl_gbuffers.vsh", vertex}, {"/clrwl_gbuffers.fsh", kFragment}})),
+      "");
 }
 
 TEST(Mods, a_program_is_enabled_as_if_its_mod_were_there) {
   const std::string properties =
       "#ifdef DISTANT_HORIZONS\nprogram.dh_water.enabled = false\n#else\n"
       "program.dh_terrain.enabled = false\n#endif\n";
-  const Loaded loaded = load({{"/dh_water.fsh", kFragment},
-                              {"/dh_terrain.fsh", kFragment},
-                              {"/shaders.properties", properties}});
+  const Loaded loaded = loadWithFinal({{"/dh_water.fsh", kFragment},
+                                       {"/dh_terrain.fsh", kFragment},
+                                       {"/shaders.properties", properties}});
   EXPECT_THAT(names(loaded.pack->modPrograms), ElementsAre("dh_terrain"));
 }
 
@@ -123,7 +113,8 @@ TEST(Mods, a_voxy_program_with_a_uniform_of_unknown_type_is_not_judged) {
 }
 
 TEST(Mods, what_is_wrong_with_a_program_of_a_mod_is_a_warning_that_names_the_mod) {
-  const Loaded loaded = load({{"/dh_water.fsh", "void main() {}\n"}, {"/dh_water.vsh", kVertex}});
+  const Loaded loaded =
+      loadWithFinal({{"/dh_water.fsh", "void main() {}\n"}, {"/dh_water.vsh", kVertex}});
   ASSERT_TRUE(loaded.pack);
   ASSERT_EQ(loaded.diagnostics.size(), 1u);
   EXPECT_EQ(formatDiagnostic(loaded.diagnostics[0]),

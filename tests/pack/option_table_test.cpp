@@ -18,13 +18,13 @@ std::string summary(const std::string& line) {
          (option->comment.empty() ? "" : " " + option->comment);
 }
 
-struct LineCase {
+struct OptionLineCase {
   const char* line;
   const char* option;
 };
 
 TEST(OptionTable, boolean_defines) {  // Iris: OptionAnnotatedSource.parseDefineOption
-  const LineCase kCases[] = {
+  const OptionLineCase kCases[] = {
       {"#define A", "bool A true"},
       {"\t#define\tA\t", "bool A true"},
       {"#define A//text", "bool A true"},
@@ -44,11 +44,11 @@ TEST(OptionTable, boolean_defines) {  // Iris: OptionAnnotatedSource.parseDefine
       {"code(); #define A", ""},
       {"// see #define A", ""},
   };
-  for (const LineCase& test : kCases) EXPECT_EQ(summary(test.line), test.option) << test.line;
+  for (const OptionLineCase& test : kCases) EXPECT_EQ(summary(test.line), test.option) << test.line;
 }
 
 TEST(OptionTable, value_defines) {  // Iris: StringOption.create, ParsedString.takeWordOrNumber
-  const LineCase kCases[] = {
+  const OptionLineCase kCases[] = {
       {"#define A 2 // [1 2 3]", "A 2 [1, 2, 3]"},
       {"  #define   A   2   //   [1 2 3]", "A 2 [1, 2, 3]"},
       {"#define A 2//[1 2]", "A 2 [1, 2]"},
@@ -89,11 +89,11 @@ TEST(OptionTable, value_defines) {  // Iris: StringOption.create, ParsedString.t
       {"//#define A 2 // [1 2 3]", ""},
       {"#define A(x) 2 // [1 2]", ""},
   };
-  for (const LineCase& test : kCases) EXPECT_EQ(summary(test.line), test.option) << test.line;
+  for (const OptionLineCase& test : kCases) EXPECT_EQ(summary(test.line), test.option) << test.line;
 }
 
 TEST(OptionTable, constants) {  // Iris: OptionAnnotatedSource.parseConst, VALID_CONST_OPTION_NAMES
-  const LineCase kCases[] = {
+  const OptionLineCase kCases[] = {
       {"const int shadowMapResolution = 1024; // [512 1024]",
        "shadowMapResolution 1024 [512, 1024]"},
       {"  const float shadowDistance=80.0;//[40.0 80.0]", "shadowDistance 80.0 [40.0, 80.0]"},
@@ -115,17 +115,17 @@ TEST(OptionTable, constants) {  // Iris: OptionAnnotatedSource.parseConst, VALID
       {"static const float shadowDistance = 80.0; // [80.0]", ""},
       {"constfloat shadowDistance = 80.0; // [80.0]", ""},
   };
-  for (const LineCase& test : kCases) EXPECT_EQ(summary(test.line), test.option) << test.line;
+  for (const OptionLineCase& test : kCases) EXPECT_EQ(summary(test.line), test.option) << test.line;
 }
 
 TEST(OptionTable, references) {  // Iris: OptionAnnotatedSource.parseIfdef
-  const LineCase kCases[] = {
+  const OptionLineCase kCases[] = {
       {"#ifdef A", "A"},           {"  #ifndef\tA  ", "A"}, {"#ifdef A // text", ""},
       {"#ifdef A /* text */", ""}, {"#ifdef A B", ""},      {"#if defined A", ""},
       {"#if defined(A)", ""},      {"#elif defined A", ""}, {"# ifdef A", ""},
       {"//#ifdef A", ""},          {"#ifdef", ""},          {"#ifdefA", ""},
   };
-  for (const LineCase& test : kCases)
+  for (const OptionLineCase& test : kCases)
     EXPECT_EQ(booleanReference(test.line), test.option) << test.line;
 }
 
@@ -156,11 +156,11 @@ TEST(OptionTable, values_edit_lines) {  // Iris: OptionAnnotatedSource.edit
   }
 }
 
-using Files = std::map<std::string, FileLines>;
+using LinesOfFiles = std::map<std::string, FileLines>;
 
 struct SetCase {
   const char* what;
-  Files files;
+  LinesOfFiles files;
   std::vector<std::string> options;
 };
 

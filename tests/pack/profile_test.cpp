@@ -10,7 +10,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-OptionSet someOptions() {
+OptionSet profileOptions() {
   Diagnostics diagnostics;
   return discoverOptions({{"/a",
                            {"#define FOG", "#ifdef FOG", "//#define BLOOM", "#ifdef BLOOM",
@@ -21,7 +21,7 @@ OptionSet someOptions() {
 ShaderProperties read(const std::string& text, std::vector<std::string>* messages = nullptr) {
   Diagnostics diagnostics;
   const ShaderProperties properties =
-      parseShaderProperties("/shaders.properties", text, {}, someOptions(), diagnostics);
+      parseShaderProperties("/shaders.properties", text, {}, profileOptions(), diagnostics);
   for (const Diagnostic& d : diagnostics) {
     if (messages) {
       messages->push_back(d.id + " " + std::to_string(d.at.line) + ":" +
@@ -32,7 +32,7 @@ ShaderProperties read(const std::string& text, std::vector<std::string>* message
   return properties;
 }
 
-std::vector<std::string> problems(const std::string& text) {
+std::vector<std::string> profileProblems(const std::string& text) {
   std::vector<std::string> messages;
   read(text, &messages);
   return messages;
@@ -67,17 +67,17 @@ TEST(ProfileTable, items) {  // Iris: ProfileSet.parse
 
 TEST(ProfileTable, problems_are_placed_on_the_word) {
   EXPECT_THAT(
-      problems("profile.P = !FOG \\\n    SAMPELS=2 \\\n\t!BLOM NOTHING_LIKE_IT"),
+      profileProblems("profile.P = !FOG \\\n    SAMPELS=2 \\\n\t!BLOM NOTHING_LIKE_IT"),
       ElementsAre("profile-option 2:5 warning: the pack has no option SAMPELS | did you mean "
                   "SAMPLES?",
                   "profile-option 3:2 warning: the pack has no option BLOM | did you mean "
                   "BLOOM?",
                   "profile-option 3:8 warning: the pack has no option NOTHING_LIKE_IT"));
-  EXPECT_THAT(problems("profile.P = SAMPLES"),
+  EXPECT_THAT(profileProblems("profile.P = SAMPLES"),
               ElementsAre("profile-option 1:13 warning: SAMPLES has values, so it needs one here | "
                           "write SAMPLES=4"));
   EXPECT_THAT(
-      problems("profile.P = SAMPLES=4 SAMPLES=16 FOG:1"),
+      profileProblems("profile.P = SAMPLES=4 SAMPLES=16 FOG:1"),
       ElementsAre("profile-value 1:23 warning: 16 is not in the list of SAMPLES | its values "
                   "are 2, 4, 8",
                   "profile-value 1:34 warning: 1 is not in the list of FOG | its values are "
@@ -85,10 +85,11 @@ TEST(ProfileTable, problems_are_placed_on_the_word) {
 }
 
 TEST(ProfileTable, a_second_way_to_a_profile_is_a_circle_to_iris) {  // Iris: ProfileSet.parse
-  EXPECT_THAT(problems("profile.A=FOG\nprofile.B=profile.A\nprofile.C=profile.A profile.B"),
+  EXPECT_THAT(profileProblems("profile.A=FOG\nprofile.B=profile.A\nprofile.C=profile.A profile.B"),
               ElementsAre("profile-repeated 2:11 warning: C reaches profile A a second time | Iris "
                           "takes that for a circle and refuses the pack"));
-  EXPECT_THAT(problems("profile.A=FOG\nprofile.B=profile.A\nprofile.C=profile.B"), IsEmpty());
+  EXPECT_THAT(profileProblems("profile.A=FOG\nprofile.B=profile.A\nprofile.C=profile.B"),
+              IsEmpty());
 }
 
 struct CurrentCase {
@@ -107,7 +108,7 @@ TEST(ProfileTable, the_current_one_is_detected) {  // Iris: ProfileSet.scan, Pro
       {"profile.A=FOG SAMPLES=4\nprofile.B=FOG GONE=1 LOST=2", {}, "B"},  // unknown ones count
       {"profile.A=", {}, "A"},
   };
-  const OptionSet options = someOptions();
+  const OptionSet options = profileOptions();
   for (const CurrentCase& test : kCases) {
     const ShaderProperties properties = read(test.text);
     const Profile* found = detectProfile(properties.profiles, options, test.values);
@@ -116,10 +117,11 @@ TEST(ProfileTable, the_current_one_is_detected) {  // Iris: ProfileSet.scan, Pro
 }
 
 TEST(ScreenTable, words_are_options_keywords_or_links) {
-  EXPECT_THAT(problems("screen=<profile> <empty> FOG [S] *\nscreen.S=SAMPLES\nscreen.S.columns=1"),
-              IsEmpty());
   EXPECT_THAT(
-      problems("screen=[WATER] \\\n  FGO <emtpy> [WATRE]\nscreen.WATER=[WATER]"),
+      profileProblems("screen=<profile> <empty> FOG [S] *\nscreen.S=SAMPLES\nscreen.S.columns=1"),
+      IsEmpty());
+  EXPECT_THAT(
+      profileProblems("screen=[WATER] \\\n  FGO <emtpy> [WATRE]\nscreen.WATER=[WATER]"),
       ElementsAre("screen-option 2:3 warning: the pack has no option FGO | did you mean FOG?",
                   "screen-option 2:7 warning: the pack has no option <emtpy> | did you mean "
                   "<empty>?",
@@ -128,7 +130,7 @@ TEST(ScreenTable, words_are_options_keywords_or_links) {
 }
 
 TEST(ScreenTable, a_word_is_not_found_inside_another) {
-  EXPECT_THAT(problems("screen = [FO] FOG FO\nscreen.FO=FOG"),
+  EXPECT_THAT(profileProblems("screen = [FO] FOG FO\nscreen.FO=FOG"),
               ElementsAre("screen-option 1:19 warning: the pack has no option FO | did you "
                           "mean FOG?"));
 }
@@ -156,7 +158,7 @@ TEST(PropertyKeys, misspelt_ones_are_told_and_those_of_mods_are_not) {
       {"myOwnKey", ""},
   };
   for (const KeyCase& test : kCases) {
-    const auto messages = problems(std::string(test.key) + " = 1");
+    const auto messages = profileProblems(std::string(test.key) + " = 1");
     const std::string meant = test.meant;
     const std::string expected = "property-unknown 1:1 warning: unknown key " +
                                  std::string(test.key) + " | did you mean " + meant + "?";

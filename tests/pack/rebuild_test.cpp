@@ -1,14 +1,13 @@
 // Loading a pack again under other values: equal to loading it afresh, with less work.
 #include <gmock/gmock.h>
 
+#include "loaded_pack.h"
 #include "pack/folder_build.h"
-#include "pack/shader_pack.h"
 
 namespace orris {
 namespace {
 
 using testing::ElementsAre;
-using Files = std::map<std::string, std::string>;
 
 constexpr const char* kHead = "#version 330 compatibility\n#include \"/settings.glsl\"\n";
 constexpr const char* kMain = "void main() {}\n";
@@ -29,7 +28,7 @@ LoadRequest requestOf(OptionValues values) {
   return {.values = std::move(values), .environment = standardMacros({})};
 }
 
-ShaderPack load(const Files& files, OptionValues values = {}) {
+ShaderPack loadValid(const Files& files, OptionValues values = {}) {
   Diagnostics diagnostics;
   auto pack = loadShaderPack(memorySource(files), requestOf(std::move(values)), diagnostics);
   EXPECT_TRUE(pack) << (diagnostics.empty() ? "" : formatDiagnostic(diagnostics[0]));
@@ -41,7 +40,7 @@ std::vector<std::string> optionsOf(const ShaderPack& pack, const char* program) 
 }
 
 TEST(Rebuild, options_of_a_program_are_those_its_text_asks_for) {
-  const ShaderPack pack = load(threePrograms());
+  const ShaderPack pack = loadValid(threePrograms());
   EXPECT_THAT(optionsOf(pack, "composite"), ElementsAre("BLOOM", "Q", "shadowMapResolution"));
   EXPECT_THAT(optionsOf(pack, "composite1"), ElementsAre("TINT", "shadowMapResolution"));
   EXPECT_THAT(optionsOf(pack, "final"), ElementsAre("BLOOM", "MODE", "shadowMapResolution"));
@@ -50,12 +49,12 @@ TEST(Rebuild, options_of_a_program_are_those_its_text_asks_for) {
 }
 
 TEST(Rebuild, option_behind_another_is_not_asked_for_while_that_is_off) {
-  const ShaderPack pack = load(threePrograms(), {{"BLOOM", "false"}});
+  const ShaderPack pack = loadValid(threePrograms(), {{"BLOOM", "false"}});
   EXPECT_THAT(optionsOf(pack, "composite"), ElementsAre("BLOOM", "shadowMapResolution"));
 }
 
 TEST(Rebuild, const_line_in_a_comment_counts) {
-  const ShaderPack pack = load(
+  const ShaderPack pack = loadValid(
       {{"/final.fsh", "#version 330\n/*\nconst float shadowDistance = 1.0; // [1.0 2.0]\n*/\n" +
                           std::string(kMain)}});
   EXPECT_THAT(optionsOf(pack, "final"), ElementsAre("shadowDistance"));
@@ -69,7 +68,7 @@ int rebuilt(const ShaderPack& pack, OptionValues values) {
 }
 
 TEST(Rebuild, switching_an_option_builds_only_the_programs_it_reaches) {
-  const ShaderPack pack = load(threePrograms());
+  const ShaderPack pack = loadValid(threePrograms());
   EXPECT_EQ(rebuilt(pack, {}), 0);
   EXPECT_EQ(rebuilt(pack, {{"Q", "3"}}), 1);
   EXPECT_EQ(rebuilt(pack, {{"TINT", "6"}}), 1);
@@ -77,10 +76,10 @@ TEST(Rebuild, switching_an_option_builds_only_the_programs_it_reaches) {
 }
 
 TEST(Rebuild, program_whose_properties_change_is_built_again) {
-  const ShaderPack pack = load(threePrograms());
+  const ShaderPack pack = loadValid(threePrograms());
   EXPECT_EQ(rebuilt(pack, {{"MODE", "1"}}), 2) << "final by its text, composite1 by its blend mode";
   EXPECT_EQ(rebuilt(pack, {{"BLOOM", "false"}}), 1) << "final is disabled";
-  EXPECT_EQ(rebuilt(load(threePrograms(), {{"BLOOM", "false"}}), {}), 2);
+  EXPECT_EQ(rebuilt(loadValid(threePrograms(), {{"BLOOM", "false"}}), {}), 2);
 }
 
 std::string summary(const ShaderPack& pack, const Diagnostics& diagnostics) {
@@ -101,7 +100,7 @@ void expectSameAsFresh(const std::shared_ptr<const FileSource>& source, const Sh
   const auto expected = loadShaderPack(source, request, fresh);
   const auto pack = rebuildShaderPack(base, request, again);
   ASSERT_EQ(bool(expected), bool(pack));
-  // What reading the files told is told once, by the first load.
+  // What reading the files told is told once, by the first loadValid.
   std::erase_if(fresh, [](const Diagnostic& d) { return d.id.starts_with("option-"); });
   if (!pack) return;
   EXPECT_EQ(summary(*pack, again), summary(*expected, fresh));

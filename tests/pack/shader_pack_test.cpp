@@ -2,29 +2,13 @@
 
 #include <gmock/gmock.h>
 
+#include "loaded_pack.h"
+
 namespace orris {
 namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
-using Files = std::map<std::string, std::string>;
-
-constexpr const char* kFragment = "#version 330 compatibility\nvoid main() {}\n";
-constexpr const char* kVertex =
-    "#version 330 compatibility\nvoid main() { gl_Position = ftransform(); }\n";
-
-struct Loaded {
-  std::optional<ShaderPack> pack;
-  Diagnostics diagnostics;
-  std::string first() const { return diagnostics.empty() ? "" : formatDiagnostic(diagnostics[0]); }
-};
-
-Loaded load(Files files, LoadRequest request = {}) {
-  Loaded loaded;
-  request.environment = standardMacros({});
-  loaded.pack = loadShaderPack(memorySource(std::move(files)), request, loaded.diagnostics);
-  return loaded;
-}
 
 std::vector<std::string> names(const ShaderPack& pack) {
   std::vector<std::string> result;
@@ -42,17 +26,17 @@ const Files kOptions{
      "program.final.enabled = BLOOM\n"}};
 
 TEST(ShaderPack, programs_come_in_frame_order) {
-  const Loaded loaded = load({{"/final.fsh", kFragment},
-                              {"/composite10.fsh", kFragment},
-                              {"/composite2.fsh", kFragment},
-                              {"/gbuffers_water.fsh", kFragment},
-                              {"/gbuffers_basic.fsh", kFragment},
-                              {"/shadow.fsh", kFragment},
-                              {"/deferred.fsh", kFragment},
-                              {"/setup.csh", kFragment},
-                              {"/begin.fsh", kFragment},
-                              {"/dh_terrain.fsh", kFragment},
-                              {"/prepare.vsh", kVertex}});
+  const Loaded loaded = loadFiles({{"/final.fsh", kFragment},
+                                   {"/composite10.fsh", kFragment},
+                                   {"/composite2.fsh", kFragment},
+                                   {"/gbuffers_water.fsh", kFragment},
+                                   {"/gbuffers_basic.fsh", kFragment},
+                                   {"/shadow.fsh", kFragment},
+                                   {"/deferred.fsh", kFragment},
+                                   {"/setup.csh", kFragment},
+                                   {"/begin.fsh", kFragment},
+                                   {"/dh_terrain.fsh", kFragment},
+                                   {"/prepare.vsh", kVertex}});
   ASSERT_TRUE(loaded.pack) << loaded.first();
   EXPECT_THAT(names(*loaded.pack),
               ElementsAre("setup", "begin", "shadow", "gbuffers_basic", "gbuffers_water",
@@ -60,7 +44,7 @@ TEST(ShaderPack, programs_come_in_frame_order) {
 }
 
 TEST(ShaderPack, a_lone_fragment_shader_gets_a_vertex_shader) {
-  const Loaded loaded = load({{"/composite.fsh", kFragment}});
+  const Loaded loaded = loadFiles({{"/composite.fsh", kFragment}});
   ASSERT_TRUE(loaded.pack);
   const ProgramSource& program = loaded.pack->programs.at(0);
   ASSERT_EQ(program.stages.size(), 2u);
@@ -74,16 +58,16 @@ TEST(ShaderPack, geometry_is_taken_and_tessellation_needs_its_flag) {
               {"/shadow.gsh", kFragment},
               {"/shadow.tcs", kFragment},
               {"/shadow.tes", kFragment}};
-  EXPECT_EQ(load(files).pack->programs.at(0).stages.size(), 3u);
+  EXPECT_EQ(loadFiles(files).pack->programs.at(0).stages.size(), 3u);
   files["/shaders.properties"] = "iris.features.optional = TESSELLATION_SHADERS\n";
-  EXPECT_EQ(load(files).pack->programs.at(0).stages.size(), 5u);
+  EXPECT_EQ(loadFiles(files).pack->programs.at(0).stages.size(), 5u);
 }
 
 TEST(ShaderPack, compute_suffixes_end_at_the_first_gap) {
   const char* compute =
       "#version 430\nlayout(local_size_x = 8, local_size_y = 4) in;\n"
       "const ivec3 workGroups = ivec3(2, 2, 1);\nvoid main() {}\n";
-  const Loaded loaded = load(
+  const Loaded loaded = loadFiles(
       {{"/composite.csh", compute}, {"/composite_a.csh", compute}, {"/composite_c.csh", compute}});
   ASSERT_TRUE(loaded.pack) << loaded.first();
   const ProgramSource& program = loaded.pack->programs.at(0);
@@ -96,7 +80,8 @@ TEST(ShaderPack, compute_suffixes_end_at_the_first_gap) {
 }
 
 TEST(ShaderPack, resolve_follows_the_fallback_tree) {
-  const Loaded loaded = load({{"/gbuffers_terrain.fsh", kFragment}, {"/composite.fsh", kFragment}});
+  const Loaded loaded =
+      loadFiles({{"/gbuffers_terrain.fsh", kFragment}, {"/composite.fsh", kFragment}});
   EXPECT_EQ(loaded.pack->find("gbuffers_water"), nullptr);
   EXPECT_EQ(loaded.pack->resolve("gbuffers_water")->name, "gbuffers_terrain");
   EXPECT_EQ(loaded.pack->resolve("gbuffers_skybasic"), nullptr);
@@ -104,16 +89,16 @@ TEST(ShaderPack, resolve_follows_the_fallback_tree) {
 
 TEST(ShaderPack, draw_buffers_default_by_group_and_follow_directives) {
   const Loaded loaded =
-      load({{"/composite.fsh", "#version 330\n/* RENDERTARGETS: 3,1 */\nvoid main() {}\n"},
-            {"/composite1.fsh", kFragment},
-            {"/shadow.fsh", kFragment}});
+      loadFiles({{"/composite.fsh", "#version 330\n/* RENDERTARGETS: 3,1 */\nvoid main() {}\n"},
+                 {"/composite1.fsh", kFragment},
+                 {"/shadow.fsh", kFragment}});
   EXPECT_THAT(loaded.pack->find("composite")->drawBuffers, ElementsAre(3, 1));
   EXPECT_THAT(loaded.pack->find("composite1")->drawBuffers, ElementsAre(0));
   EXPECT_THAT(loaded.pack->find("shadow")->drawBuffers, ElementsAre(0, 1));
 }
 
 TEST(ShaderPack, directives_of_later_groups_win) {
-  const Loaded loaded = load(
+  const Loaded loaded = loadFiles(
       {{"/shadowcomp.fsh", "#version 330\nconst float shadowDistance = 1.0;\nvoid main() {}\n"},
        {"/deferred.fsh", "#version 330\nconst float shadowDistance = 2.0;\nvoid main() {}\n"},
        {"/final.fsh", "#version 330\nconst float shadowDistance = 3.0;\nvoid main() {}\n"}});
@@ -121,7 +106,7 @@ TEST(ShaderPack, directives_of_later_groups_win) {
 }
 
 TEST(ShaderPack, values_reach_the_source_and_disable_programs) {
-  const Loaded loaded = load(kOptions, {.values = {{"BLOOM", "false"}, {"Q", "3"}}});
+  const Loaded loaded = loadFiles(kOptions, {.values = {{"BLOOM", "false"}, {"Q", "3"}}});
   ASSERT_TRUE(loaded.pack) << loaded.first();
   EXPECT_THAT(names(*loaded.pack), ElementsAre("composite"));
   EXPECT_THAT(loaded.pack->disabledPrograms, ElementsAre("final"));
@@ -132,11 +117,11 @@ TEST(ShaderPack, values_reach_the_source_and_disable_programs) {
 }
 
 TEST(ShaderPack, profile_is_applied_before_values_and_detected) {
-  const Loaded low = load(kOptions, {.profile = "LOW"});
+  const Loaded low = loadFiles(kOptions, {.profile = "LOW"});
   ASSERT_TRUE(low.pack) << low.first();
   EXPECT_EQ(low.pack->values, (OptionValues{{"BLOOM", "false"}, {"Q", "1"}}));
   EXPECT_EQ(low.pack->currentProfile(), "LOW");
-  const Loaded mixed = load(kOptions, {.values = {{"Q", "2"}}, .profile = "LOW"});
+  const Loaded mixed = loadFiles(kOptions, {.values = {{"Q", "2"}}, .profile = "LOW"});
   EXPECT_EQ(mixed.pack->values, (OptionValues{{"BLOOM", "false"}}));
   EXPECT_EQ(mixed.pack->currentProfile(), "");
 }
@@ -145,32 +130,32 @@ TEST(ShaderPack, profile_with_the_most_values_in_force_is_the_current_one) {
   Files files = kOptions;
   files["/shaders.properties"] =
       "profile.A = BLOOM\nprofile.B = BLOOM Q=2\nprofile.C = Q=2 BLOOM\n";
-  EXPECT_EQ(load(files).pack->currentProfile(), "B");
-  EXPECT_EQ(load(files, {.values = {{"Q", "3"}}}).pack->currentProfile(), "A");
+  EXPECT_EQ(loadFiles(files).pack->currentProfile(), "B");
+  EXPECT_EQ(loadFiles(files, {.values = {{"Q", "3"}}}).pack->currentProfile(), "A");
 }
 
 TEST(ShaderPack, file_values_come_first_and_need_not_be_listed) {
   const Loaded loaded =
-      load(kOptions, {.fileValues = {{"Q", "17"}, {"GONE", "1"}, {"BLOOM", "perhaps"}}});
+      loadFiles(kOptions, {.fileValues = {{"Q", "17"}, {"GONE", "1"}, {"BLOOM", "perhaps"}}});
   ASSERT_TRUE(loaded.pack) << loaded.first();
   EXPECT_EQ(loaded.pack->values, (OptionValues{{"Q", "17"}}));
-  EXPECT_EQ(load(kOptions, {.profile = "HIGH", .fileValues = {{"Q", "17"}}}).pack->values,
+  EXPECT_EQ(loadFiles(kOptions, {.profile = "HIGH", .fileValues = {{"Q", "17"}}}).pack->values,
             (OptionValues{{"Q", "3"}}));
 }
 
 TEST(ShaderPack, wrong_requests_name_what_is_there) {
-  EXPECT_EQ(load(kOptions, {.values = {{"BLOM", "true"}}}).first(),
+  EXPECT_EQ(loadFiles(kOptions, {.values = {{"BLOM", "true"}}}).first(),
             "error: the pack has no option BLOM\n  hint: did you mean BLOOM?");
-  EXPECT_EQ(load(kOptions, {.values = {{"Q", "7"}}}).first(),
+  EXPECT_EQ(loadFiles(kOptions, {.values = {{"Q", "7"}}}).first(),
             "/composite.fsh:3:1: error: Q cannot be 7\n  hint: its values are 1, 2, 3");
-  EXPECT_EQ(load(kOptions, {.profile = "LOWER"}).first(),
+  EXPECT_EQ(loadFiles(kOptions, {.profile = "LOWER"}).first(),
             "/shaders.properties: error: the pack has no profile LOWER\n  hint: did you mean LOW?");
-  EXPECT_FALSE(load(kOptions, {.values = {{"Q", "7"}}}).pack);
+  EXPECT_FALSE(loadFiles(kOptions, {.values = {{"Q", "7"}}}).pack);
 }
 
 TEST(ShaderPack, hash_follows_the_final_text) {
   const auto hash = [](OptionValues values) {
-    return load(kOptions, {.values = std::move(values)}).pack->programs[0].hash;
+    return loadFiles(kOptions, {.values = std::move(values)}).pack->programs[0].hash;
   };
   EXPECT_EQ(hash({}), hash({{"Q", "2"}}));
   EXPECT_NE(hash({}), hash({{"Q", "3"}}));
@@ -181,21 +166,21 @@ TEST(ShaderPack, dimensions_are_chosen_by_id_or_folder) {
                     {"/world0/deferred.fsh", kFragment},
                     {"/world-1/final.fsh", kFragment}};
   const auto folder = [&](const std::string& dimension) {
-    return load(files, {.dimension = dimension}).pack->folder;
+    return loadFiles(files, {.dimension = dimension}).pack->folder;
   };
   EXPECT_EQ(folder("minecraft:overworld"), "/world0");
   EXPECT_EQ(folder("world-1"), "/world-1");
   EXPECT_EQ(folder("the_nether"), "/world-1");
   EXPECT_EQ(folder("world1"), "/world0");
   EXPECT_EQ(folder("/"), "/");
-  EXPECT_THAT(load(files).pack->dimensions, ElementsAre("/", "/world0", "/world-1"));
+  EXPECT_THAT(loadFiles(files).pack->dimensions, ElementsAre("/", "/world0", "/world-1"));
 }
 
 TEST(ShaderPack, include_chain_reaches_diagnostics_of_the_preprocessor) {
   const Loaded loaded =
-      load({{"/composite.fsh", "#version 330\n#include \"a.glsl\"\nvoid main() {}\n"},
-            {"/a.glsl", "#include \"b.glsl\"\n"},
-            {"/b.glsl", "\n#error here\n"}});
+      loadFiles({{"/composite.fsh", "#version 330\n#include \"a.glsl\"\nvoid main() {}\n"},
+                 {"/a.glsl", "#include \"b.glsl\"\n"},
+                 {"/b.glsl", "\n#error here\n"}});
   EXPECT_EQ(loaded.first(),
             "/b.glsl:2:1: error: #error here\n  included from /a.glsl:1\n  included from "
             "/composite.fsh:2\n"
@@ -210,7 +195,7 @@ TEST(ShaderPack, exponential_includes_end_at_a_limit) {
     const std::string next = "#include \"l" + std::to_string(i + 1) + "\"\n";
     files["/l" + std::to_string(i)] = next + next;
   }
-  const Loaded loaded = load(files);
+  const Loaded loaded = loadFiles(files);
   ASSERT_FALSE(loaded.diagnostics.empty());
   EXPECT_EQ(loaded.first(),
             "/composite.fsh: error: the includes expand to more than 500000 lines or 50000 files");
@@ -224,7 +209,7 @@ TEST(ShaderPack, features_define_macros_where_the_contract_says) {
               {"/shaders.properties",
                "iris.features.optional = SSBO\niris.features.required = CUSTOM_IMAGES\n"
                "#ifdef IRIS_FEATURE_COMPUTE_SHADERS\nsun = false\n#endif\n"}};
-  const Loaded loaded = load(files);
+  const Loaded loaded = loadFiles(files);
   ASSERT_TRUE(loaded.pack) << loaded.first();
   const std::string& text = loaded.pack->programs[0].stages[1].text.text;
   EXPECT_THAT(text, HasSubstr("int optional"));
@@ -234,10 +219,10 @@ TEST(ShaderPack, features_define_macros_where_the_contract_says) {
 
 TEST(ShaderPack, languages_and_ids_are_read) {
   const Loaded loaded =
-      load({{"/composite.fsh", kFragment},
-            {"/lang/en_US.lang", "option.Q=Quality\n"},
-            {"/block.properties", "#if MC_VERSION >= 11300\nblock.3 = stone\n#endif\n"},
-            {"/item.properties", "item.4 = torch\n"}});
+      loadFiles({{"/composite.fsh", kFragment},
+                 {"/lang/en_US.lang", "option.Q=Quality\n"},
+                 {"/block.properties", "#if MC_VERSION >= 11300\nblock.3 = stone\n#endif\n"},
+                 {"/item.properties", "item.4 = torch\n"}});
   EXPECT_EQ(loaded.pack->languages.at("en_us").at("option.Q"), "Quality");
   EXPECT_EQ(loaded.pack->blockIds.idOf("minecraft:stone", {}), 3);
   EXPECT_EQ(loaded.pack->itemIds.at("minecraft:torch"), 4);
@@ -249,11 +234,11 @@ TEST(ShaderPack, order_of_diagnostics_does_not_depend_on_threads) {
     files["/composite" + std::to_string(i) + ".fsh"] =
         "#version 330\n#error " + std::to_string(i) + "\nvoid main() {}\n";
   }
-  const Loaded first = load(files);
+  const Loaded first = loadFiles(files);
   ASSERT_EQ(first.diagnostics.size(), 59u);
   EXPECT_EQ(first.diagnostics[10].message, "#error 11");
   for (int run = 0; run < 5; ++run) {
-    const Loaded again = load(files);
+    const Loaded again = loadFiles(files);
     for (size_t i = 0; i < 59; ++i)
       EXPECT_EQ(again.diagnostics[i].message, first.diagnostics[i].message);
   }
@@ -262,14 +247,14 @@ TEST(ShaderPack, order_of_diagnostics_does_not_depend_on_threads) {
 TEST(ShaderPack, shadow_colours_above_the_second_need_their_flag) {
   const std::string fragment =
       "#version 330 compatibility\n/* RENDERTARGETS: 0,2 */\nvoid main() {}\n";
-  const Loaded without = load({{"/shadow.fsh", fragment}});
+  const Loaded without = loadFiles({{"/shadow.fsh", fragment}});
   EXPECT_EQ(without.first(),
             "/shadow.fsh:2:1: error: shadow colours above shadowcolor1 without the feature flag "
             "HIGHER_SHADOWCOLOR are refused\n"
             "  hint: add iris.features.required=HIGHER_SHADOWCOLOR");
   const Loaded with =
-      load({{"/shadow.fsh", fragment},
-            {"/shaders.properties", "iris.features.required = HIGHER_SHADOWCOLOR\n"}});
+      loadFiles({{"/shadow.fsh", fragment},
+                 {"/shaders.properties", "iris.features.required = HIGHER_SHADOWCOLOR\n"}});
   EXPECT_EQ(with.first(), "");
 }
 

@@ -10,7 +10,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-OptionSet someOptions() {
+OptionSet switchesAndQ() {
   OptionSet options;
   for (const char* name : {"BLOOM", "FOG", "SSAO"}) {
     options.all()[name] = {
@@ -21,17 +21,17 @@ OptionSet someOptions() {
 }
 
 /// BLOOM is on, FOG and SSAO are off, Q is 2.
-ShaderProperties parse(const std::string& text) {
+ShaderProperties parseValid(const std::string& text) {
   Diagnostics diagnostics;
   ShaderProperties properties = parseShaderProperties(
-      "/shaders.properties", text, {{"BLOOM", "1"}, {"Q", "2"}}, someOptions(), diagnostics);
+      "/shaders.properties", text, {{"BLOOM", "1"}, {"Q", "2"}}, switchesAndQ(), diagnostics);
   EXPECT_THAT(diagnostics, IsEmpty()) << formatDiagnostic(diagnostics[0]);
   return properties;
 }
 
 TEST(ShaderProperties, programs_are_enabled_by_conditions) {
   const auto enabled =
-      parse(
+      parseValid(
           "program.world0/composite.enabled = BLOOM\nprogram.composite1.enabled = !BLOOM\n"
           "program.composite2.enabled = FOG\nprogram.composite3.enabled = FOG || BLOOM && !FOG\n"
           "program.composite4_a.enabled = unknown\nprogram.composite5.enabled = "
@@ -46,7 +46,7 @@ TEST(ShaderProperties, programs_are_enabled_by_conditions) {
 }
 
 TEST(ShaderProperties, typed_keys) {
-  const ShaderProperties p = parse(
+  const ShaderProperties p = parseValid(
       "alphaTest.gbuffers_water = GREATER  0.25\nalphaTest.gbuffers_clouds = off\n"
       "blend.gbuffers_water = SRC_ALPHA ONE ZERO ONE\nblend.gbuffers_water.gaux1 = off\n"
       "flip.composite.gcolor = false\nflip.composite_pre.colortex2 = true\nscale.composite = 0.5 "
@@ -68,12 +68,12 @@ TEST(ShaderProperties, typed_keys) {
 TEST(ShaderProperties, legacy_buffer_name_wins_in_either_order) {
   for (const char* text : {"size.buffer.gaux1 = 1 1\nsize.buffer.colortex4 = 2 2\n",
                            "size.buffer.colortex4 = 2 2\nsize.buffer.gaux1 = 1 1\n"}) {
-    EXPECT_FLOAT_EQ(parse(text).bufferSize.at("colortex4").size[0], 1);
+    EXPECT_FLOAT_EQ(parseValid(text).bufferSize.at("colortex4").size[0], 1);
   }
 }
 
 TEST(ShaderProperties, textures_images_and_buffers) {
-  const ShaderProperties p = parse(
+  const ShaderProperties p = parseValid(
       "iris.features.required = ssbo\niris.features.optional = CUSTOM_IMAGES\n"
       "texture.noise = tex/noise.png\ntexture.deferred.colortex6.1 = /tex/a.dat texture_3d r8 4 5 "
       "6 red unsigned_byte\n"
@@ -106,8 +106,8 @@ TEST(ShaderProperties, textures_images_and_buffers) {
 }
 
 TEST(ShaderProperties, settings) {
-  const ShaderProperties p =
-      parse("sun = false\nclouds = off\nseparateAo=1\nparticles.ordering = MIXED\nother.mod = 3\n");
+  const ShaderProperties p = parseValid(
+      "sun = false\nclouds = off\nseparateAo=1\nparticles.ordering = MIXED\nother.mod = 3\n");
   EXPECT_FALSE(p.flag("sun", true));
   EXPECT_TRUE(p.flag("moon", true));
   EXPECT_TRUE(p.flag("separateAo", false));
@@ -117,7 +117,7 @@ TEST(ShaderProperties, settings) {
 }
 
 TEST(ShaderProperties, conditionals_rule_all_keys_but_those_of_the_option_screens) {
-  const ShaderProperties p = parse(
+  const ShaderProperties p = parseValid(
       "#if Q > 2\nsun = false\nscreen = BLOOM\n#else\nmoon = false\nscreen.A = FOG\n#endif\n");
   EXPECT_TRUE(p.flag("sun", true));
   EXPECT_FALSE(p.flag("moon", true));
@@ -126,7 +126,7 @@ TEST(ShaderProperties, conditionals_rule_all_keys_but_those_of_the_option_screen
 }
 
 TEST(ShaderProperties, screens_and_sliders) {
-  const ShaderProperties p = parse(
+  const ShaderProperties p = parseValid(
       "screen = <profile> <empty> [A] *\nscreen.columns = 3\nscreen.A = BLOOM \\\n  "
       "Q\nscreen.A.columns=1\nsliders = Q\n");
   ASSERT_EQ(p.screens.size(), 2u);
@@ -138,7 +138,7 @@ TEST(ShaderProperties, screens_and_sliders) {
 }
 
 TEST(ShaderProperties, profiles_inherit_and_later_items_override) {
-  const auto profiles = parse(
+  const auto profiles = parseValid(
                             "profile.LOW = !BLOOM Q=1 !program.composite4\nprofile.HIGH = "
                             "profile.LOW BLOOM Q:3 !FOG\n")
                             .profiles;
@@ -161,7 +161,7 @@ TEST(ShaderProperties, first_definition_of_a_custom_uniform_is_kept) {
 }
 
 TEST(ShaderProperties, option_names_become_their_values) {
-  EXPECT_EQ(parse("uniform.float.a = Q + BLOOM\n").customUniforms[0].expression, "2 + 1");
+  EXPECT_EQ(parseValid("uniform.float.a = Q + BLOOM\n").customUniforms[0].expression, "2 + 1");
 }
 
 TEST(BooleanExpression, and_goes_before_or) {

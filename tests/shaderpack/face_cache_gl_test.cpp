@@ -13,10 +13,8 @@
 namespace orris::test {
 namespace {
 
-constexpr int kVolume = 32;
-
-OptionValues options(OptionValues more = {}) {
-  more.insert({{"GI_METHOD", "FACE_CACHE"}, {"VOXEL_SIZE", std::to_string(kVolume)}});
+OptionValues cacheOptions(OptionValues more = {}) {
+  more.insert({{"GI_METHOD", "FACE_CACHE"}, {"VOXEL_SIZE", std::to_string(kFaceVolume)}});
   return more;
 }
 
@@ -32,12 +30,12 @@ std::string room(const std::string& wall, glm::ivec3 inside, const std::string& 
       end.x + 1, end.y + 1, end.z + 1, wall, end.x, end.y, end.z, (end.x) / 2, (end.z) / 2, events);
 }
 
-constexpr double kLamp = 16;  // radiance of glowstone, red: EMISSION_STRENGTH
+constexpr double kGlowstone = 16;  // its radiance, red: EMISSION_STRENGTH
 
 /// Albedo of a block as the voxels have it, red.
 double albedo(PackSession& pack, glm::ivec3 block, glm::ivec3 eye) {
   const float stored =
-      pack.voxels({.volume = kVolume, .columns = 32}).red(cellOf(block, eye, kVolume));
+      pack.voxels({.volume = kFaceVolume, .columns = 32}).red(cellOf(block, eye, kFaceVolume));
   return stored * stored;
 }
 
@@ -78,7 +76,7 @@ double meanOfShafts(const FaceField& field, glm::ivec3 offset, Face face) {
 // Six faces see each other, one of them a lamp: a system of two unknowns by symmetry.
 TEST(face_cache, one_cell_room_is_the_radiosity_solution) {
   PackSession pack(shafts("white_concrete", 1),
-                   options({{"FACE_SHARE", "1"}, {"FACE_WINDOW", "128"}}));
+                   cacheOptions({{"FACE_SHARE", "1"}, {"FACE_WINDOW", "128"}}));
   pack.renderFrames(300);
   const double rho = albedo(pack, {7, 0, 7}, {7, 1, 7});
   const double opposite = oppositeSquares(1), beside = (1 - opposite) / 4;
@@ -86,12 +84,12 @@ TEST(face_cache, one_cell_room_is_the_radiosity_solution) {
   // wall = beside lamp + beside rho floor + (opposite + 2 beside) rho wall
   const double inner = 1 - (opposite + 2 * beside) * rho;
   const double wall =
-      (beside + beside * rho * opposite) * kLamp / (inner - 4 * beside * beside * rho * rho);
-  const double floor = opposite * kLamp + 4 * beside * rho * wall;
+      (beside + beside * rho * opposite) * kGlowstone / (inner - 4 * beside * beside * rho * rho);
+  const double floor = opposite * kGlowstone + 4 * beside * rho * wall;
   double floorMean = 0, wallMean = 0;
   for (int i = 0; i < 4; ++i) {
     pack.renderFrames(100);
-    const FaceField field = faceField(pack, kVolume);
+    const FaceField field = faceField(pack, kFaceVolume);
     floorMean += meanOfShafts(field, {0, 0, 0}, kUp) / 4;
     wallMean += (meanOfShafts(field, {-1, 1, 0}, kEast) + meanOfShafts(field, {1, 1, 0}, kWest) +
                  meanOfShafts(field, {0, 1, -1}, kSouth) + meanOfShafts(field, {0, 1, 1}, kNorth)) /
@@ -127,15 +125,16 @@ TEST(face_cache, lamps_at_any_distance_give_their_form_factor) {
     for (int i = 0; i < 9; ++i)
       world += fmt::format(R"(, {{"block": "glowstone", "at": [{}, {}, {}]}})", 4 + i % 3 * 2,
                            height + 1, 4 + i / 3 * 2);
-    PackSession pack(world + "]}",
-                     options({{"FACE_SHARE", "1"}, {"FACE_WINDOW", "128"}, {"FACE_GAIN", "1.0"}}));
+    PackSession pack(
+        world + "]}",
+        cacheOptions({{"FACE_SHARE", "1"}, {"FACE_WINDOW", "128"}, {"FACE_GAIN", "1.0"}}));
     pack.renderFrames(400);
     double expected = 0;
     for (int i = 0; i < 9 * 81; ++i)
       expected +=
-          kLamp / 81 *
+          kGlowstone / 81 *
           squaresAcross(height, 4 + i % 3 * 2 - (2 + i / 9 % 9), 4 + i / 3 % 3 * 2 - (2 + i / 81));
-    const double mean = faceField(pack, kVolume).meanRed({2, 0, 2}, {10, 0, 10}, kUp);
+    const double mean = faceField(pack, kFaceVolume).meanRed({2, 0, 2}, {10, 0, 10}, kUp);
     EXPECT_NEAR(mean / expected, 1, .015) << height;
   }
 }
@@ -144,9 +143,9 @@ TEST(face_cache, removed_lamp_fades_and_a_placed_one_fills_the_room) {
   PackSession pack(room("white_concrete", {12, 12, 12},
                         R"({"frame": 100, "set": {"at": [6, 13, 6], "block": "white_concrete"}},
                            {"frame": 250, "set": {"at": [6, 13, 6], "block": "glowstone"}})"),
-                   options());
+                   cacheOptions());
   const auto floor = [&pack] {
-    return faceField(pack, kVolume).meanRed({1, 0, 1}, {12, 0, 12}, kUp);
+    return faceField(pack, kFaceVolume).meanRed({1, 0, 1}, {12, 0, 12}, kUp);
   };
   pack.renderFrames(100);
   const double lit = floor();
@@ -169,7 +168,7 @@ TEST(face_cache, removed_lamp_fades_and_a_placed_one_fills_the_room) {
 TEST(face_cache, picture_follows_a_removed_lamp) {
   const std::string event = R"({"frame": 130, "set": {"at": [6, 13, 6], "block": "air"}})";
   PackSession pack(room("light_gray_concrete", {12, 12, 12}, event),
-                   options({{"AMBIENT_MINIMUM", "0.0"}}));
+                   cacheOptions({{"AMBIENT_MINIMUM", "0.0"}}));
   pack.renderFrames(130);
   const double lit = pack.meanRadiance().r;
   pack.renderFrames(60);
@@ -185,9 +184,9 @@ TEST(face_cache, closed_wall_lets_nothing_through) {
     "cameras": [{"name": "eye", "position": [9.5, 3.5, 3.5]}],
     "environment": {"time": 18000}
   })";
-  PackSession pack(world, options());
+  PackSession pack(world, cacheOptions());
   pack.renderFrames(60);
-  const FaceField field = faceField(pack, kVolume);
+  const FaceField field = faceField(pack, kFaceVolume);
   EXPECT_GT(field.meanRed({6, 1, 1}, {6, 6, 6}, kWest), 0.1);
   EXPECT_EQ(field.meanRed({6, 1, 1}, {6, 6, 6}, kEast), 0);
   EXPECT_EQ(field.meanRed({7, 0, 1}, {11, 0, 6}, kUp), 0);
@@ -196,7 +195,7 @@ TEST(face_cache, closed_wall_lets_nothing_through) {
 
 // The picture of the dark one of two rooms: black, while the one beside it is lit.
 TEST(face_cache, picture_of_a_dark_room_behind_a_wall_is_black) {
-  const OptionValues plain = options({{"AMBIENT_MINIMUM", "0.0"}, {"VOXEL_SIZE", "64"}});
+  const OptionValues plain = cacheOptions({{"AMBIENT_MINIMUM", "0.0"}, {"VOXEL_SIZE", "64"}});
   PackSession pack = PackSession::ofWorld("h5_two_rooms", plain, 32, 18);
   pack.renderFrames(40);
   EXPECT_GT(pack.meanRadiance().r, .05) << "the lit room";
@@ -219,9 +218,9 @@ TEST(face_cache, opened_wall_lights_the_dark_room) {
                {"frame": 280, "set": {"at": [13, 7, 6], "block": "air"}},
                {"frame": 280, "set": {"at": [13, 7, 7], "block": "air"}}]
   })";
-  PackSession pack(world, options({{"FACE_SHARE", "1"}}), 8, 8);
+  PackSession pack(world, cacheOptions({{"FACE_SHARE", "1"}}), 8, 8);
   const auto floor = [&pack] {
-    return faceField(pack, kVolume).meanRed({14, 0, 1}, {25, 0, 12}, kUp);
+    return faceField(pack, kFaceVolume).meanRed({14, 0, 1}, {25, 0, 12}, kUp);
   };
   pack.renderFrames(280);
   EXPECT_EQ(floor(), 0);
@@ -252,11 +251,11 @@ const char* const kTwoRooms = R"({
 })";
 
 TEST(face_cache, teleport_leaves_no_old_light) {
-  PackSession pack(kTwoRooms, options({{"SKY_STRENGTH", "0.0"}, {"SUN_STRENGTH", "2.0"}}));
+  PackSession pack(kTwoRooms, cacheOptions({{"SKY_STRENGTH", "0.0"}, {"SUN_STRENGTH", "2.0"}}));
   pack.renderFrames(40);
-  EXPECT_GT(faceField(pack, kVolume).meanRed({1, 0, 1}, {8, 0, 8}, kUp), 0.1);
+  EXPECT_GT(faceField(pack, kFaceVolume).meanRed({1, 0, 1}, {8, 0, 8}, kUp), 0.1);
   pack.renderFrames(1);
-  const FaceField field = faceField(pack, kVolume);
+  const FaceField field = faceField(pack, kFaceVolume);
   EXPECT_EQ(field.meanRed({33, 2, 1}, {40, 2, 8}, kUp), 0);
   EXPECT_EQ(field.updates({36, 2, 4}, kUp), 1) << "new faces are all updated";
   EXPECT_LT(field.brightest(), 0.01f) << "buried faces too; outside is the moon";
@@ -278,7 +277,8 @@ TEST(face_cache, faces_keep_their_light_while_the_volume_moves) {
                                         events);
   // 48 does not divide 2^32, so that a remainder of negative cells must be right.
   constexpr int kOdd = 48;
-  PackSession pack(world, options({{"FACE_SHARE", "1"}, {"VOXEL_SIZE", std::to_string(kOdd)}}));
+  PackSession pack(world,
+                   cacheOptions({{"FACE_SHARE", "1"}, {"VOXEL_SIZE", std::to_string(kOdd)}}));
   pack.renderFrames(60);
   const FaceField before = faceField(pack, kOdd);
   pack.renderFrames(12);
@@ -303,7 +303,7 @@ TEST(face_cache, edits_are_noticed_while_the_volume_moves) {
                {"frame": 20, "set": {"at": [6, 1, 3], "block": "red_concrete"}},
                {"frame": 30, "set": {"at": [6, 1, 3], "block": "lime_concrete"}}]
   })";
-  PackSession pack(world, options());
+  PackSession pack(world, cacheOptions());
   pack.renderFrames(20);
   const int before = lastEdit(pack);
   pack.renderFrames(1);
@@ -317,7 +317,7 @@ TEST(face_cache, edits_are_noticed_while_the_volume_moves) {
 
 TEST(face_cache, only_a_share_of_the_faces_is_updated_while_nothing_changes) {
   const std::string event = R"({"frame": 70, "set": {"at": [2, 1, 2], "block": "oak_stairs"}})";
-  PackSession pack(room("white_concrete", {6, 6, 6}, event), options({{"FACE_SHARE", "4"}}));
+  PackSession pack(room("white_concrete", {6, 6, 6}, event), cacheOptions({{"FACE_SHARE", "4"}}));
   pack.renderFrames(30);
   const int all = updatedFaces(pack);
   EXPECT_EQ(all, 6 * 6 * 6 + 6 * 8 * 8 - 2) << "both sides of the walls but those of the lamp";
@@ -340,12 +340,12 @@ TEST(face_cache, settled_light_hardly_changes) {
   for (int i = 0; i < 9; ++i)
     world += fmt::format(R"(, {{"block": "glowstone", "at": [{}, {}, {}]}})", 3 + i % 3 * 3,
                          2 + i % 2 * 3, 3 + i / 3 * 3);
-  PackSession pack(world + "]}", options({{"FACE_SHARE", "1"}, {"FACE_GAIN", "1.0"}}), 8, 8);
+  PackSession pack(world + "]}", cacheOptions({{"FACE_SHARE", "1"}, {"FACE_GAIN", "1.0"}}), 8, 8);
   FaceBoiling boiling({0, 0, 0}, {14, 8, 14});
   pack.renderFrames(150);
   for (int i = 0; i < 24; ++i) {
     pack.renderFrames(8);
-    boiling.add(faceField(pack, kVolume));
+    boiling.add(faceField(pack, kFaceVolume));
   }
   EXPECT_EQ(boiling.faces(), 12 * 12 * 2 + 12 * 6 * 4);
   RecordProperty("boiling", fmt::format("{:.4f}", boiling.ofFaces()));
@@ -355,7 +355,7 @@ TEST(face_cache, settled_light_hardly_changes) {
 
 TEST(face_cache, repeated_runs_give_the_same_bits) {
   const auto picture = [] {
-    PackSession pack = PackSession::ofWorld("corridor", options(), 48, 27);
+    PackSession pack = PackSession::ofWorld("corridor", cacheOptions(), 48, 27);
     pack.renderFrames(40);
     return pack.dump("colortex0").pixels;
   };

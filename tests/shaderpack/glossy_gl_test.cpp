@@ -9,7 +9,7 @@
 namespace orris::test {
 namespace {
 
-OptionValues options(const char* glossy) {
+OptionValues glossyOptions(const char* glossy) {
   return {{"GI_METHOD", "FACE_CACHE"},
           {"VOXEL_SIZE", "32"},
           {"GI_FILTER", "false"},
@@ -35,7 +35,7 @@ double linear(float stored) { return std::pow(double(stored), 2.2); }
 // From 3 blocks above and 4 behind, the mirror image of the wall's middle: cosine 3/5.
 TEST(glossy, metal_shows_the_lamps_that_it_mirrors_in_its_own_colour) {
   // Lamps all about: the lobe's tail is wider than one wall.
-  PackSession pack(hall("gold_block", "glowstone"), options("true"));
+  PackSession pack(hall("gold_block", "glowstone"), glossyOptions("true"));
   pack.look(kEye, kFloor);
   pack.renderFrames(100);
   const ImageF albedo = pack.dump("colortex1");
@@ -54,7 +54,7 @@ TEST(glossy, metal_shows_the_lamps_that_it_mirrors_in_its_own_colour) {
 
 TEST(glossy, a_polished_floor_mirrors_a_little_over_its_matt_ground) {
   const auto floor = [](const char* glossy) {
-    PackSession pack(hall("polished_diorite"), options(glossy));
+    PackSession pack(hall("polished_diorite"), glossyOptions(glossy));
     pack.look(kEye, kFloor);
     pack.renderFrames(100);
     return pack.meanRadiance().r;
@@ -64,7 +64,7 @@ TEST(glossy, a_polished_floor_mirrors_a_little_over_its_matt_ground) {
 }
 
 TEST(glossy, what_was_mirrored_is_gone_when_the_eye_moves) {
-  PackSession pack(hall("iron_block"), options("true"));
+  PackSession pack(hall("iron_block"), glossyOptions("true"));
   pack.look(kEye, kFloor);
   pack.renderFrames(60);
   ASSERT_GT(pack.meanRadiance().r, 3);
@@ -81,7 +81,7 @@ TEST(glossy, only_mirrors_need_a_target) {
   for (const auto& [glossy, method, there] : {std::tuple("false", "FACE_CACHE", false),
                                               {"true", "BOUNCE_1", false},
                                               {"true", "FACE_CACHE", true}}) {
-    OptionValues values = options(glossy);
+    OptionValues values = glossyOptions(glossy);
     values["GI_METHOD"] = method;
     PackSession pack(hall("stone"), values);
     EXPECT_EQ(bool(pack.session().renderer().schedule().target(false, 8)), there) << method;

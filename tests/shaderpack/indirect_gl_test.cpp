@@ -10,11 +10,9 @@
 namespace orris::test {
 namespace {
 
-constexpr int kVolume = 32;
-
-OptionValues options(OptionValues more = {}) {
+OptionValues indirectOptions(OptionValues more = {}) {
   more.insert({{"GI_METHOD", "FACE_CACHE"},
-               {"VOXEL_SIZE", std::to_string(kVolume)},
+               {"VOXEL_SIZE", std::to_string(kFaceVolume)},
                {"GI_FILTER", "false"},
                {"AMBIENT_MINIMUM", "0.0"}});
   return more;
@@ -34,8 +32,9 @@ TEST(indirect, small_lamps_light_the_floor_that_they_stand_on) {
   std::string rods = R"({"block": "end_rod[facing=up]", "at": [)";
   for (int i = 0; i < 9; ++i)
     rods += fmt::format("{}[{}, 1, {}]", i > 0 ? ", " : "", 2 + i % 3 * 2, 2 + i / 3 * 2);
-  PackSession pack(darkRoom(rods + "]}"),
-                   options({{"FACE_SHARE", "1"}, {"FACE_WINDOW", "128"}, {"FACE_GAIN", "1.0"}}));
+  PackSession pack(
+      darkRoom(rods + "]}"),
+      indirectOptions({{"FACE_SHARE", "1"}, {"FACE_WINDOW", "128"}, {"FACE_GAIN", "1.0"}}));
   pack.renderFrames(130);
   double form = 0, found = 0;
   constexpr int kSteps = 32;
@@ -43,7 +42,7 @@ TEST(indirect, small_lamps_light_the_floor_that_they_stand_on) {
     const double x = (i % kSteps + .5) / kSteps - .5, z = (i / kSteps + .5) / kSteps - .5;
     form += .5 / std::pow(x * x + z * z + .25, 1.5) / 16 / (kSteps * kSteps);
   }
-  const FaceField field = faceField(pack, kVolume);
+  const FaceField field = faceField(pack, kFaceVolume);
   for (int i = 0; i < 9; ++i) found += field.red({2 + i % 3 * 2, 0, 2 + i / 3 * 2}, kUp) / 9;
   const double lamp = 5 * 16 * 14 * 14 / 225.0;
   EXPECT_NEAR(found / (lamp * form), 1, .2);
@@ -53,18 +52,20 @@ TEST(indirect, small_lamps_light_the_floor_that_they_stand_on) {
 // glass on its way, in the cell where it begins.
 TEST(indirect, glass_takes_light_where_a_ray_begins) {
   const auto floorLight = [](const std::string& filling) {
-    PackSession pack(fmt::format(R"({{"size": [9, 7, 9],
+    PackSession pack(
+        fmt::format(R"({{"size": [9, 7, 9],
         "blocks": [{{"box": "black_concrete", "min": [0, 0, 0], "max": [8, 3, 8]}},
                    {{"block": "glowstone", "at": [4, 3, 4]}}, {{"block": "air", "at": [4, 2, 4]}},
                    {{"block": "{}", "at": [4, 1, 4]}}],
         "cameras": [{{"name": "eye", "position": [4.5, 4.5, 6.5]}}],
         "environment": {{"time": 18000}}}})",
-                                 filling),
-                     options({{"FACE_SHARE", "1"}, {"FACE_WINDOW", "128"}, {"FACE_GAIN", "1.0"}}));
+                    filling),
+        indirectOptions({{"FACE_SHARE", "1"}, {"FACE_WINDOW", "128"}, {"FACE_GAIN", "1.0"}}));
     pack.renderFrames(150);
-    const float stored =
-        pack.voxels({.volume = kVolume, .columns = 32}).red(cellOf({4, 1, 4}, {4, 4, 6}, kVolume));
-    return std::pair(double(faceField(pack, kVolume).red({4, 0, 4}, kUp)), double(stored * stored));
+    const float stored = pack.voxels({.volume = kFaceVolume, .columns = 32})
+                             .red(cellOf({4, 1, 4}, {4, 4, 6}, kFaceVolume));
+    return std::pair(double(faceField(pack, kFaceVolume).red({4, 0, 4}, kUp)),
+                     double(stored * stored));
   };
   const auto [clear, none] = floorLight("air");
   const auto [tinted, color] = floorLight("light_gray_stained_glass");
@@ -76,7 +77,7 @@ TEST(indirect, glass_takes_light_where_a_ray_begins) {
 
 /// Mean of a narrow view, over frames after the cache has settled.
 glm::dvec3 seen(const std::string& world, const OptionValues& more, glm::dvec3 eye, glm::dvec3 at) {
-  PackSession pack(world, options(more));
+  PackSession pack(world, indirectOptions(more));
   pack.look(eye, at);
   pack.renderFrames(90);
   return pack.meanRadiance();
@@ -101,9 +102,9 @@ TEST(indirect, deep_water_takes_light_by_the_way_through_it) {
   const auto bed = [](const std::string& water) {
     PackSession pack(
         darkRoom(R"({"box": "glowstone", "min": [1, 6, 1], "max": [7, 6, 7]})" + water),
-        options({{"FACE_SHARE", "1"}, {"FACE_WINDOW", "128"}, {"FACE_GAIN", "1.0"}}));
+        indirectOptions({{"FACE_SHARE", "1"}, {"FACE_WINDOW", "128"}, {"FACE_GAIN", "1.0"}}));
     pack.renderFrames(130);
-    return double(faceField(pack, kVolume).at({4, 0, 4}, kUp)[2]);
+    return double(faceField(pack, kFaceVolume).at({4, 0, 4}, kUp)[2]);
   };
   const double dry = bed("");
   const double shallow = bed(R"(,{"box": "water", "min": [1, 1, 1], "max": [7, 1, 7]})") / dry;
@@ -149,7 +150,7 @@ TEST(indirect, plants_pass_light) {
 std::pair<double, double> floorOverFrames(const std::string& lamps) {
   PackSession pack(darkRoom(R"({"box": "stone", "min": [1, 0, 1], "max": [7, 0, 7]},
                                {"block": "glowstone", "at": [4, 5, 4]}, {"block": "lantern", "at": [6, 1, 2]})"),
-                   options({{"GI_LAMPS", lamps}, {"TEMPORAL_ACCUMULATION", "false"}}));
+                   indirectOptions({{"GI_LAMPS", lamps}, {"TEMPORAL_ACCUMULATION", "false"}}));
   pack.look({4.5, 4.5, 7.0}, {3.5, 1, 4});
   pack.renderFrames(60);
   double sum = 0, squares = 0;

@@ -32,11 +32,26 @@ def run(command, folder):
                           stderr=subprocess.STDOUT, check=False)
 
 
+def compiled_with(build, source, changed):
+    """How the file that has `source` in it is compiled, and the file to compile so instead: `changed`,
+    or where several sources are compiled at once, a copy of the file that includes them."""
+    entries = compile_commands(build)
+    if str(source) in entries:
+        return entries[str(source)], changed
+    line = f'#include "{source}"'
+    for file, entry in entries.items():
+        if "Unity" in pathlib.Path(file).parts and line in pathlib.Path(file).read_text():
+            unit = changed.with_suffix(".cxx")
+            unit.write_text(pathlib.Path(file).read_text().replace(line, f'#include "{changed}"'))
+            return entry, unit
+    raise KeyError(f"{source} is no part of the build")
+
+
 def build_tests(build, program, source, changed, target):
     """Compiles `changed` as if it were `source` and links `program` with it. '' or what went wrong."""
-    entry = compile_commands(build)[str(source)]
+    entry, unit = compiled_with(build, source, changed)
     made = changed.with_suffix(".o")
-    words = [str(changed) if word == entry["file"] else word.replace(entry["output"], str(made))
+    words = [str(unit) if word == entry["file"] else word.replace(entry["output"], str(made))
              for word in shlex.split(entry["command"]) if word != "-Werror"]
     done = run(words, build)
     if done.returncode != 0:

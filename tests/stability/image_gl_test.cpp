@@ -10,8 +10,6 @@
 namespace orris::test {
 namespace {
 
-constexpr const char* kLampBlock = R"({"block": "glowstone", "at": [16, 16, 16]})";
-
 Lab labOf(LabSetup setup, const char* storage) {
   setup.options["FLOODFILL_STORAGE"] = storage;
   return Lab(setup);

@@ -8,6 +8,8 @@
 namespace orris::test {
 
 constexpr int kLabSize = 32;
+/// A lamp in the middle.
+constexpr const char* kLampBlock = R"({"block": "glowstone", "at": [16, 16, 16]})";
 /// SKY_STRENGTH that makes the night's zenith 1 in red.
 constexpr const char* kSkyOfOne = "500.0";
 

@@ -12,8 +12,6 @@ namespace orris::test {
 namespace {
 
 const glm::ivec3 kLamp(16, 16, 16);
-const char* const kLampBlock = R"({"block": "glowstone", "at": [16, 16, 16]})";
-
 glm::ivec3 east(int distance) { return kLamp + glm::ivec3(distance, 0, 0); }
 
 /// The first step, counted from now, after which `done` holds; 0: not within `most`.

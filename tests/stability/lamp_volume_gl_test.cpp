@@ -9,10 +9,8 @@
 namespace orris::test {
 namespace {
 
-constexpr double kEdgeShare = 0.002;
-
 /// Two lamps over a floor with pillars, slabs and leaves; slabs end in the plane of the first lamp.
-constexpr const char* kScene = R"({"block": "glowstone", "at": [[12, 6, 12]]},
+constexpr const char* kLampScene = R"({"block": "glowstone", "at": [[12, 6, 12]]},
   {"block": "shroomlight", "at": [[14, 8, 9]]},
   {"box": "stone", "min": [9, 2, 9], "max": [9, 7, 9]},
   {"box": "stone", "min": [15, 2, 11], "max": [15, 6, 13]},
@@ -21,7 +19,7 @@ constexpr const char* kScene = R"({"block": "glowstone", "at": [[12, 6, 12]]},
   {"box": "oak_leaves", "min": [12, 3, 8], "max": [13, 4, 9]})";
 
 VolumeSetup setupOf(const std::string& method, const std::string& lamps = "2") {
-  return {.blocks = kScene,
+  return {.blocks = kLampScene,
           .method = method,
           .size = 128,
           .box = {24, 14, 24},

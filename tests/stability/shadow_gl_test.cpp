@@ -14,8 +14,6 @@
 namespace orris::test {
 namespace {
 
-constexpr double kTexel = 0.125;  // 2 * 64 / 1024
-constexpr double kDepth = 256 - 0.05;
 constexpr int kRadius = 1;
 const char* const kShadow = "/include/lighting/shadow.glsl";
 // Across the sun's way, in the middle of the floor.

@@ -8,6 +8,9 @@
 
 namespace orris::test {
 
+/// Blocks of a texel of the map, 2 * 64 / 1024, and of its depth.
+inline constexpr double kTexel = 0.125, kDepth = 256 - 0.05;
+
 struct ShadowSetup {
   /// Text of a whole world.json instead, whose `"time": 700` is set by `sun`; else:
   std::string world = {};

@@ -16,8 +16,6 @@
 namespace orris::test {
 namespace {
 
-constexpr double kTexel = 0.125;  // 2 * 64 / 1024
-constexpr double kDepth = 256 - 0.05;
 constexpr int kSide = 96;  // points along a side of the probe
 
 /// worlds/pillars without what has holes: there a map and whole faces mean different shadows.

@@ -11,8 +11,6 @@ namespace orris::test {
 namespace {
 
 constexpr float kLargest = 65504;  // half float
-const char* const kLampBlock = R"({"block": "glowstone", "at": [16, 16, 16]})";
-
 /// Values that no light may have.
 int countBad(const CellField& light) {
   int bad = 0;

@@ -8,7 +8,6 @@
 namespace orris::test {
 namespace {
 
-constexpr double kEdgeShare = 0.002;
 /// A tower beside a roof on a post.
 constexpr const char* kScene = R"({"box": "stone", "min": [12, 2, 12], "max": [13, 9, 13]},
   {"box": "stone", "min": [18, 8, 10], "max": [24, 8, 20]},

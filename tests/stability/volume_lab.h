@@ -8,6 +8,9 @@
 
 namespace orris::test {
 
+/// Pixels on edges may differ, but no larger share of all than this.
+inline constexpr double kEdgeShare = 0.002;
+
 struct VolumeSetup {
   std::string blocks;  ///< list of a world.json
   int time = 6000;

@@ -38,7 +38,7 @@ TEST(LocatedJson, byte_order_mark_is_skipped) {
   EXPECT_EQ(root->find("a")->offset, text.find('1'));
 }
 
-std::string errorOf(const std::string& text) {
+std::string syntaxErrorOf(const std::string& text) {
   Diagnostics diagnostics;
   EXPECT_FALSE(parseLocatedJson({text, "w.json"}, diagnostics));
   EXPECT_EQ(diagnostics.size(), 1u);
@@ -46,11 +46,11 @@ std::string errorOf(const std::string& text) {
 }
 
 TEST(LocatedJson, syntax_errors_point_at_the_place) {
-  EXPECT_EQ(errorOf("{\n  \"a\": 1,\n  \"a\": 2}"),
+  EXPECT_EQ(syntaxErrorOf("{\n  \"a\": 1,\n  \"a\": 2}"),
             "w.json:3:3: error: the key \"a\" is given twice\n"
             "    \"a\": 2}\n"
             "    ^");
-  EXPECT_EQ(errorOf("{\n  \"a\" 1}"),
+  EXPECT_EQ(syntaxErrorOf("{\n  \"a\" 1}"),
             "w.json:2:7: error: syntax error while parsing object separator - unexpected number "
             "literal; expected ':'\n"
             "    \"a\" 1}\n"
@@ -58,14 +58,14 @@ TEST(LocatedJson, syntax_errors_point_at_the_place) {
 }
 
 TEST(LocatedJson, numbers_too_large_for_a_double_are_errors) {
-  EXPECT_EQ(errorOf("{\"a\": 1e999}"),
+  EXPECT_EQ(syntaxErrorOf("{\"a\": 1e999}"),
             "w.json:1:11: error: number overflow parsing '1e999'\n"
             "  {\"a\": 1e999}\n"
             "            ^");
 }
 
 TEST(LocatedJson, nesting_is_limited) {
-  EXPECT_NE(errorOf(std::string(100000, '[')).find("nested deeper than 32 levels"),
+  EXPECT_NE(syntaxErrorOf(std::string(100000, '[')).find("nested deeper than 32 levels"),
             std::string::npos);
 }
 

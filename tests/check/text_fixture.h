@@ -1,0 +1,25 @@
+// Texts of small packs, and those of files.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace orris {
+
+using Files = std::map<std::string, std::string>;  ///< by path in the pack
+using Lines = std::vector<std::string>;
+
+inline const std::string kVersion = "#version 330 compatibility\n";
+
+inline const std::string kVertexStage = kVersion + "void main() { gl_Position = ftransform(); }\n";
+
+inline std::string textOf(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace orris
