@@ -21,7 +21,7 @@ class ReferenceFile : public testing::Test {
   std::string path_;
 };
 
-ImageF flat(float r, float g, float b) {
+ImageF flatColour(float r, float g, float b) {
   ImageF image(4, 3, 3);
   for (std::size_t i = 0; i < image.pixels.size(); i += 3) {
     image.pixels[i] = r;
@@ -32,7 +32,8 @@ ImageF flat(float r, float g, float b) {
 }
 
 TEST_F(ReferenceFile, KeepsBothHalves) {
-  const ReferencePicture written{flat(2, 4, 6), flat(1, 3, 5), flat(3, 5, 7), true};
+  const ReferencePicture written{flatColour(2, 4, 6), flatColour(1, 3, 5), flatColour(3, 5, 7),
+                                 true};
   Diagnostics diagnostics;
   ASSERT_TRUE(writeReference(path_, written, diagnostics));
   const auto read = readReference(path_, diagnostics);
@@ -45,7 +46,8 @@ TEST_F(ReferenceFile, KeepsBothHalves) {
 }
 
 TEST_F(ReferenceFile, NineOtherChannelsAreNoHalves) {
-  const ReferencePicture written{flat(9, 4, 6), flat(1, 3, 5), flat(3, 5, 7), true};
+  const ReferencePicture written{flatColour(9, 4, 6), flatColour(1, 3, 5), flatColour(3, 5, 7),
+                                 true};
   Diagnostics diagnostics;
   ASSERT_TRUE(writeReference(path_, written, diagnostics));
   const auto read = readReference(path_, diagnostics);
@@ -56,7 +58,7 @@ TEST_F(ReferenceFile, NineOtherChannelsAreNoHalves) {
 }
 
 TEST_F(ReferenceFile, WhatIsNoNumberIsRefused) {
-  ImageF image = flat(1, 1, 1);
+  ImageF image = flatColour(1, 1, 1);
   image.pixels[4] = std::numeric_limits<float>::infinity();
   Diagnostics diagnostics;
   ASSERT_TRUE(writeImage(path_, image, diagnostics));
@@ -66,12 +68,13 @@ TEST_F(ReferenceFile, WhatIsNoNumberIsRefused) {
 }
 
 TEST(ReferencePicture, NoiseFloorIsHalfTheDifferenceOfTheHalvesOverTheMean) {
-  const ReferencePicture reference{flat(2, 2, 2), flat(1, 1, 1), flat(3, 3, 3), true};
+  const ReferencePicture reference{flatColour(2, 2, 2), flatColour(1, 1, 1), flatColour(3, 3, 3),
+                                   true};
   EXPECT_NEAR(noiseFloor(reference), 0.5, 1e-6);
 }
 
 TEST(Display, BrightReferencesAreBroughtBelowWhite) {
-  const ImageF bright = flat(4, 4, 4), dim = flat(0.5f, 0.5f, 0.5f);
+  const ImageF bright = flatColour(4, 4, 4), dim = flatColour(0.5f, 0.5f, 0.5f);
   EXPECT_NEAR(displayExposure({bright, bright, bright}), 0.25, 1e-6);
   EXPECT_EQ(displayExposure({dim, dim, dim}), 1);
   EXPECT_EQ(displayed(bright, 0.25f).pixels[0], 255);
@@ -80,9 +83,9 @@ TEST(Display, BrightReferencesAreBroughtBelowWhite) {
 }
 
 TEST(Display, TooBrightIsRedAndTooDarkIsBlue) {
-  const ImageF reference = flat(1, 1, 1);
+  const ImageF reference = flatColour(1, 1, 1);
   const auto pixel = [&](float value) {
-    const Image8 image = signedDifference(flat(value, value, value), reference);
+    const Image8 image = signedDifference(flatColour(value, value, value), reference);
     return std::vector<int>(image.pixels.begin(), image.pixels.begin() + 3);
   };
   EXPECT_THAT(pixel(1), testing::ElementsAre(255, 255, 255));
