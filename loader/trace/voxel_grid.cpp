@@ -122,11 +122,9 @@ glm::vec4 VoxelGrid::texel(const TraceQuad& quad, const glm::vec2& at,
          tint;
 }
 
-// GL leaves the measure free between the largest component and the sum; Mesa takes the former. Of
-// the way from one level to the next Mesa's software rasteriser blends the second half of the
-// mantissa, which it scales so that the middle of the blend is at the middle of the way.
+// As GL 4.5, section 8.14: log2 of the longer of the ways in texels to the pixel beside and to the one below.
+// Mesa's software rasteriser takes the logarithm of the square by exponent and mantissa alone.
 TextureLevel VoxelGrid::textureLevel(std::uint32_t quad, const PixelFootprint* footprint) const {
-  constexpr float kScale = 3.5f / (2 * 1.41421356f);
   if (footprint == nullptr) return {};
   const QuadPlane& plane = planes_[quad];
   std::array<glm::vec2, 3> texels;
@@ -138,13 +136,14 @@ TextureLevel VoxelGrid::textureLevel(std::uint32_t quad, const PixelFootprint* f
     texels[i] = quads_[quad].uvU * (glm::dot(point, plane.alongU) - plane.startU) +
                 quads_[quad].uvV * (glm::dot(point, plane.alongV) - plane.startV);
   }
-  const glm::vec2 across = glm::abs(texels[1] - texels[0]), down = glm::abs(texels[2] - texels[0]);
-  const float largest = std::max(std::max(across.x, across.y), std::max(down.x, down.y));
+  const glm::vec2 across = texels[1] - texels[0], down = texels[2] - texels[0];
+  const float squared = std::max(glm::dot(across, across), glm::dot(down, down));
   int power = 0;
-  const float mantissa = 2 * std::frexp(std::min(largest, 1e6f) * kScale, &power);
-  if (!(mantissa >= 1) || power < 1) return {};
-  if (power - 1 >= TraceTexture::kLevels - 1) return {TraceTexture::kLevels - 1, 0};
-  return {power - 1, std::max(0.0f, 2 * mantissa - 3)};
+  const float mantissa = 2 * std::frexp(std::min(squared, 1e12f), &power);
+  const float level = 0.5f * (float(power - 1) + mantissa - 1);
+  if (!(level > 0)) return {};
+  const int lower = std::min(int(level), TraceTexture::kLevels - 1);
+  return {lower, lower < TraceTexture::kLevels - 1 ? level - float(lower) : 0};
 }
 
 }  // namespace orris
