@@ -1,4 +1,5 @@
-// Rays and the face cache on blocks that fill a part of their cell: stairs, slabs, doors.
+// Rays and the face cache on blocks that fill a part of their cell: stairs, slabs, doors,
+// fences, walls, chests.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -142,13 +143,64 @@ TEST(shapes, posts_are_lit_on_their_own_sides) {
   EXPECT_NEAR(meanOfCells(field, 1, kSouth) / side, 1, .1);
 }
 
+// The top is two sixteenths below the cell's, and smaller than the lamp a block above it.
+TEST(shapes, chests_are_lit_on_their_tops) {
+  PackSession pack(cells("chest", 3), options());
+  pack.renderFrames(140);
+  const double top = meanOfCells(faceField(pack, kVolume), 1, kUp);
+  const double asLarge = kLamp * oppositeRectangles(1 / 1.125, 1 / 1.125);
+  EXPECT_GT(top, asLarge);
+  EXPECT_LT(top, 1.1 * asLarge);
+}
+
+TEST(shapes, chests_shade_the_wall_beside_them) {
+  const auto wall = [](const std::string& block) {
+    PackSession pack(cells(block, 2), options());
+    pack.renderFrames(60);
+    const FaceField field = faceField(pack, kVolume);
+    double sum = 0;
+    for (int i = 0; i < 49; ++i) sum += field.red({i % 7 * 2, 1, 1 + i / 7 * 2}, kEast);
+    return sum;
+  };
+  EXPECT_LT(wall("chest"), .7 * wall("air"));
+}
+
+// A window that two chests fill lets light pass between them, one that a large chest fills does not.
+TEST(shapes, halves_of_a_chest_leave_no_gap) {
+  const auto beyond = [](const std::string& left, const std::string& right) {
+    PackSession pack(fmt::format(R"({{"size": [8, 5, 7],
+        "cameras": [{{"name": "eye", "position": [3.5, 2.5, 5.5]}}], "environment": {{"time": 18000}},
+        "blocks": [{{"hollow": "black_concrete", "min": [0, 0, 0], "max": [7, 4, 6]}},
+                   {{"box": "black_concrete", "min": [0, 0, 3], "max": [7, 4, 3]}},
+                   {{"block": "chest[facing=north,{}]", "at": [3, 2, 3]}},
+                   {{"block": "chest[facing=north,{}]", "at": [4, 2, 3]}},
+                   {{"box": "glowstone", "min": [3, 2, 1], "max": [4, 2, 1]}}]}})",
+                                 left, right),
+                     options());
+    pack.renderFrames(300);
+    return faceField(pack, kVolume).meanRed({1, 1, 6}, {6, 3, 6}, kNorth);
+  };
+  EXPECT_LT(beyond("type=left", "type=right"), .85 * beyond("type=single", "type=single"));
+}
+
+// A quarter of an oak trapdoor is open, a square in each of its quarters. What of the lamp the floor sees
+// through them, of all that it sees without: (1/r^4 over the rays that pass) by integration.
+TEST(shapes, light_passes_the_holes_of_trapdoors) {
+  const auto floor = [](const std::string& block) {
+    PackSession pack(cells(block, 2), options());
+    pack.renderFrames(140);
+    return meanOfCells(faceField(pack, kVolume), 0, kUp);
+  };
+  EXPECT_NEAR(floor("oak_trapdoor[half=top]") / floor("air"), .322, .015);
+}
+
 TEST(shapes, shut_doors_let_nothing_through) {
   PackSession pack(R"({"size": [13, 6, 7],
       "cameras": [{"name": "eye", "position": [9.5, 2.5, 3.5]}], "environment": {"time": 18000},
       "blocks": [{"hollow": "white_concrete", "min": [0, 0, 0], "max": [12, 5, 6]},
                  {"box": "white_concrete", "min": [6, 0, 0], "max": [6, 5, 6]},
                  {"block": "oak_door[half=lower,facing=east]", "at": [6, 1, 3]},
-                 {"block": "oak_door[half=upper,facing=east]", "at": [6, 2, 3]},
+                 {"block": "oak_door[half=lower,facing=east]", "at": [6, 2, 3]},
                  {"block": "glowstone", "at": [3, 5, 3]}]})",
                    options());
   pack.renderFrames(40);

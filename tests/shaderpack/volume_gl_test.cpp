@@ -12,6 +12,8 @@ struct Expected {
   int code;  // include/voxel/voxel.glsl
 };
 
+void PrintTo(const Expected& expected, std::ostream* stream) { *stream << expected.state; }
+
 class BlockVoxel : public testing::TestWithParam<Expected> {};
 
 TEST_P(BlockVoxel, has_the_code_of_its_class) {
@@ -32,14 +34,18 @@ TEST_P(BlockVoxel, has_the_code_of_its_class) {
 
 INSTANTIATE_TEST_SUITE_P(
     volume, BlockVoxel,
-    testing::Values(Expected{"minecraft:stone", 1}, Expected{"minecraft:oak_slab[type=bottom]", 2},
-                    Expected{"minecraft:oak_slab[type=top]", 3},
-                    Expected{"minecraft:oak_slab[type=double]", 1},
-                    Expected{"minecraft:red_stained_glass", 4}, Expected{"minecraft:water", 5},
-                    Expected{"minecraft:glass", 0}, Expected{"minecraft:glowstone", 16 + 15},
-                    Expected{"minecraft:torch", 32 + 14}, Expected{"minecraft:soul_torch", 32 + 10},
-                    Expected{"minecraft:dandelion", 0}, Expected{"minecraft:oak_fence_gate", 0},
-                    Expected{"minecraft:oak_fence", 7}, Expected{"minecraft:stone_brick_wall", 8}));
+    testing::Values(
+        Expected{"minecraft:stone", 1}, Expected{"minecraft:oak_slab[type=bottom]", 2},
+        Expected{"minecraft:oak_slab[type=top]", 3}, Expected{"minecraft:oak_slab[type=double]", 1},
+        Expected{"minecraft:red_stained_glass", 4}, Expected{"minecraft:water", 5},
+        Expected{"minecraft:glass", 0}, Expected{"minecraft:glowstone", 16 + 15},
+        Expected{"minecraft:torch", 32 + 14}, Expected{"minecraft:soul_torch", 32 + 10},
+        Expected{"minecraft:dandelion", 0}, Expected{"minecraft:oak_fence_gate", 0},
+        Expected{"minecraft:oak_fence", 7}, Expected{"minecraft:stone_brick_wall", 8},
+        Expected{"minecraft:chest[facing=east]", 9}, Expected{"minecraft:white_shulker_box", 9},
+        Expected{"minecraft:red_bed", 2}, Expected{"minecraft:oak_trapdoor", 12},
+        Expected{"minecraft:oak_door[half=lower]", 10}, Expected{"minecraft:oak_sign", 0},
+        Expected{"minecraft:white_banner", 0}, Expected{"minecraft:conduit", 32 + 15}));
 
 TEST(volume, red_concrete_becomes_a_red_voxel) {
   PackSession pack(R"({

@@ -7,9 +7,11 @@ const int block_leaves = 11;
 const int block_open = 12;         // thin shapes: drawn, but light passes
 const int block_slab_bottom = 13;
 const int block_slab_top = 14;
-const int block_stairs = 15;       // and what else fills some of the eighths of its cell
+const int block_stairs = 15;       // what fills some of the eighths of its cell
 const int block_fence = 16;        // posts with arms
 const int block_wall = 17;
+const int block_chest = 18;        // chests, shulker boxes, pots
+const int block_plate = 19;        // doors, trapdoors
 const int block_water = 20;
 const int block_translucent = 21;  // stained glass, ice, slime
 const int block_polished = 30;     // full blocks with a smooth coat
@@ -19,6 +21,9 @@ const int block_small_lamp = 200;  // torches and the like, 200 + colour
 const int block_spot_lamp = 300;   // small ones that shine one way, 300 + 10 * direction + colour:
                                    // towards -x +x -y +y -z +z
 const int block_lamps_end = 360;
+
+/// Does block.properties list it? What it does not is 65535, 0 or -1.
+bool is_block_class(int id) { return id >= block_plant && id < block_lamps_end; }
 
 bool is_lamp(int id) { return id >= block_lamp && id < block_lamps_end; }
 

@@ -46,7 +46,7 @@ layout(r32ui) uniform readonly uimage2D face_tally;
 
 #if GI_METHOD == BOUNCE_4
 const int gi_bounces = 4;
-#elif GI_METHOD == BOUNCE_2
+#elif GI_METHOD == BOUNCE_2 || FACES
 const int gi_bounces = 2;
 #else
 const int gi_bounces = 1;
@@ -102,8 +102,14 @@ void leave_leaves(vec3 origin, vec3 direction, vec3 light, float sky, inout vec3
     throughput *= mix(side.voxel.color, vec3(1.0), leaf_holes);
 }
 
+#if FACES
+/// Which point of the pixel's sequence a sample takes. A picture at rest draws one frame of four, and of every
+/// fourth point the first coordinate hardly moves; of every fifth both do.
+int point_of_sample(int index) { return (frameCounter + frameCounter / 4) * GI_SAMPLES + index; }
+#endif
+
 /// One sample of the mean incoming radiance.
-vec3 gather(Surface s, vec3 light) {
+vec3 gather(Surface s, vec3 light, int index) {
     vec3 normal = s.normal;
     vec3 throughput = choose_side(s, normal);
     vec3 origin = to_volume(s.player) + normal * ray_offset;
@@ -112,10 +118,15 @@ vec3 gather(Surface s, vec3 light) {
     radiance += throughput * lamp_sample(Receiver(origin, normal));
 #endif
     for (int bounce = 0; bounce < gi_bounces; ++bounce) {
-        vec3 direction = cosine_direction(normal, next_random().xy);
+        vec2 u = next_random().xy;
+#if FACES
+        if (bounce == 0) u = spread_point(ivec2(gl_FragCoord.xy), point_of_sample(index));
+#endif
+        vec3 direction = cosine_direction(normal, u);
         if (s.thin && bounce == 0)
             leave_leaves(origin, direction, light, s.light.y, throughput, radiance);
-        Hit hit = trace_from_face(origin, direction);
+        vec3 from = origin;
+        Hit hit = trace_from_face(from, direction);
         throughput *= hit.transmittance;
         if (!hit.found) {
             radiance += throughput * sky_beyond(direction, s.light.y);
@@ -138,8 +149,17 @@ vec3 gather(Surface s, vec3 light) {
         radiance += throughput * light_at_face(hit.position, normal, next_random().xy) *
                     FLOODFILL_STRENGTH;
 #elif FACES
+        // From so near the mean of a face is not what is seen of it: gathered anew, as final gathering with photon
+        // maps does (Jensen 2001, "Realistic Image Synthesis Using Photon Mapping").
+        if (bounce == 0 && distance(hit.position, from) < FACE_NEAR) {
+#if LAMP_RAYS
+            radiance += throughput * lamp_sample(Receiver(origin, normal));
+#endif
+            continue;
+        }
         radiance += throughput *
                     trusted(imageLoad(face_light, face_texel(hit.cell, face_of_hit(hit)))).rgb;
+        break;
 #endif
     }
     return radiance;
@@ -209,7 +229,7 @@ void main() {
     vec3 radiance = vec3(0.0);
     // Of the sky no ray is sent: a loop without turns costs nothing, a branch may.
     int samples = s.sky ? 0 : GI_SAMPLES;
-    for (int i = 0; i < samples; ++i) radiance += gather(s, light);
+    for (int i = 0; i < samples; ++i) radiance += gather(s, light, i);
     radiance /= float(GI_SAMPLES);
 
     out_radiance = vec4(radiance, 1.0);

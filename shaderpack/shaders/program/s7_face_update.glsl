@@ -57,7 +57,10 @@ uint octants_at(ivec3 cell) { return octants_of(voxel_at(cell).code, cell); }
 vec3 point_of(ivec3 cell, int face, vec2 at) {
     int code = voxel_at(cell).code;
     if (is_post(code)) return point_of_post(cell, code, face, at);
-    return point_of_face(cell, octants_of(code, cell), octants_at(cell + ivec3(face_normal(face))), face, at);
+    ivec3 before = cell + ivec3(face_normal(face));
+    vec3 point = point_of_face(cell, octants_of(code, cell), octants_at(before), face, at);
+    int code_before = voxel_at(ivec3(floor(point))).code;
+    return is_plate(code_before) ? point_beside_plate(point, code_before, kept_shape(ivec3(floor(point)))) : point;
 }
 
 vec4 updated(uint entry, vec3 light) {

@@ -26,8 +26,8 @@ out float vertex_id;
 out float vertex_emission;
 out vec3 vertex_normal;
 out float vertex_sky;  // level 0..15
-#if NOTICE_CHANGES
-out vec3 vertex_offset;  // from the middle of the block
+#if VOXELS || LAMPS
+out vec3 vertex_player;
 #endif
 
 void main() {
@@ -36,13 +36,14 @@ void main() {
     vertex_uv = (gl_TextureMatrix[0] * gl_MultiTexCoord0).xy;
     vertex_mid_uv = mc_midTexCoord;
     vertex_tint = gl_Color.rgb;
-    vertex_center = (shadowModelViewInverse * view).xyz + at_midBlock.xyz / 64.0;
+    vec3 player = (shadowModelViewInverse * view).xyz;
+    vertex_center = player + at_midBlock.xyz / 64.0;
     vertex_id = mc_Entity.x;
     vertex_emission = block_emission(int(floor(mc_Entity.x + 0.5)), at_midBlock.w);
     vertex_normal = mat3(shadowModelViewInverse) * (gl_NormalMatrix * gl_Normal);
     vertex_sky = (gl_TextureMatrix[1] * gl_MultiTexCoord1).y * 16.0 - 0.5;
-#if NOTICE_CHANGES
-    vertex_offset = -at_midBlock.xyz / 64.0;
+#if VOXELS || LAMPS
+    vertex_player = player;
 #endif
 }
 
@@ -59,8 +60,8 @@ in float vertex_id[];
 in float vertex_emission[];
 in vec3 vertex_normal[];
 in float vertex_sky[];
-#if NOTICE_CHANGES
-in vec3 vertex_offset[];
+#if VOXELS || LAMPS
+in vec3 vertex_player[];
 #endif
 
 out vec2 uv;
@@ -70,10 +71,35 @@ flat out vec4 voxel;  // a 0: part of the shadow map
 
 uniform sampler2D gtexture;
 
+uniform int blockEntityId;
+
 /// Quads of blocks, once: they arrive as pairs of triangles.
 bool is_new_quad() {
-    return (gl_PrimitiveIDIn & 1) == 0 && renderStage != MC_RENDER_STAGE_ENTITIES &&
-           renderStage != MC_RENDER_STAGE_BLOCK_ENTITIES;
+    return (gl_PrimitiveIDIn & 1) == 0 && renderStage != MC_RENDER_STAGE_ENTITIES;
+}
+
+/// What a quad tells of its block.
+struct Block {
+    vec3 middle;  // player space
+    int id;
+    float emission;
+};
+
+vec3 quad_low() { return min(vertex_player[0], min(vertex_player[1], vertex_player[2])); }
+
+vec3 quad_high() { return max(vertex_player[0], max(vertex_player[1], vertex_player[2])); }
+
+/// Vertices of block entities (chests, beds) tell nothing: their id is the draw's. What is not listed counts
+/// as open, as do small parts (locks, legs), which have neither the shape nor the colour of the block.
+Block block_of_quad() {
+    if (renderStage != MC_RENDER_STAGE_BLOCK_ENTITIES)
+        return Block(vertex_center[0], int(floor(vertex_id[0] + 0.5)), vertex_emission[0]);
+    vec3 size = quad_high() - quad_low();
+    bool told = is_block_class(blockEntityId) && max(size.x, max(size.y, size.z)) > 0.3;
+    vec3 inside = 0.5 * (quad_low() + quad_high()) - 0.01 * vertex_normal[0];
+    vec3 cell = floor(inside + cameraPositionFract);
+    return Block(cell + 0.5 - cameraPositionFract, told ? blockEntityId : block_open,
+                 told ? lamp_level(blockEntityId) : 0.0);
 }
 
 /// As bright as a colour of that hue can be.
@@ -87,9 +113,10 @@ vec3 brightest(vec3 color) { return color / max(max(color.r, color.g), max(color
 
 void emit_lamp() {
     if (!is_new_quad()) return;
-    int level = int(clamp(vertex_emission[0], 0.0, 15.0) + 0.5);
+    Block block = block_of_quad();
+    int level = int(clamp(block.emission, 0.0, 15.0) + 0.5);
     vec3 own = to_linear(textureLod(gtexture, vertex_mid_uv[0], 4.0).rgb) * to_linear(vertex_tint[0]);
-    list_lamp(vertex_center[0], int(floor(vertex_id[0] + 0.5)), level, brightest(own));
+    list_lamp(block.middle, block.id, level, brightest(own));
 }
 #endif
 
@@ -106,9 +133,9 @@ void emit_lamp() {
 #include "/include/faces/face_list.glsl"
 #endif
 
-/// Mean linear colour of the quad, weighted by alpha: 16 taps over its part of the atlas, in the level
-/// that has 16 texels a tile.
-vec3 face_color() {
+/// Mean linear colour of the quad, weighted by alpha, and the mean of that: 16 taps over its part of the atlas,
+/// in the level that has 16 texels a tile.
+vec4 face_color() {
     vec2 mid = vertex_mid_uv[0];
     vec2 half_size = abs(vertex_uv[0] - mid);
     half_size = max(half_size, max(abs(vertex_uv[1] - mid), abs(vertex_uv[2] - mid)));
@@ -118,12 +145,13 @@ vec3 face_color() {
         vec4 texel = textureLod(gtexture, mid + tap * half_size, 2.0);
         sum += vec4(to_linear(texel.rgb), 1.0) * texel.a;
     }
-    return sum.rgb / max(sum.a, 1e-3) * to_linear(vertex_tint[0]);
+    return vec4(sum.rgb / max(sum.a, 1e-3) * to_linear(vertex_tint[0]), sum.a / 16.0);
 }
 
 /// What the block is to the voxels; a 0: nothing.
 vec4 block_voxel(int id, float emission, vec3 normal) {
-    vec3 color = face_color();
+    vec4 face = face_color();
+    vec3 color = face.rgb;
     int level = int(clamp(emission, 0.0, 15.0) + 0.5);
     if (level > 0) {
         vec3 listed = is_lamp(id) ? lamp_color(id) : vec3(0.0);
@@ -139,18 +167,22 @@ vec4 block_voxel(int id, float emission, vec3 normal) {
     if (id == block_slab_top) return encode_voxel(color, voxel_slab_top);
 #if NOTICE_CHANGES
     if (id == block_stairs) return encode_voxel(color, voxel_stairs);
+    int holes = clamp(int((1.0 - face.a) * 8.0 + 0.5), 0, 5);
+    if (id == block_plate) return encode_voxel(color, voxel_plate + holes);
     if (id == block_fence) return encode_voxel(color, voxel_fence);
     if (id == block_wall) return encode_voxel(color, voxel_wall);
+    if (id == block_chest) return encode_voxel(color, voxel_chest);
 #else
-    if (id == block_fence || id == block_wall) return vec4(0.0);
+    if (id == block_fence || id == block_wall || id == block_chest) return vec4(0.0);
 #endif
     return encode_voxel(color, voxel_solid);
 }
 
 void emit_voxel() {
-    ivec3 cell = ivec3(floor(to_volume(vertex_center[0])));
+    Block block = block_of_quad();
+    ivec3 cell = ivec3(floor(to_volume(block.middle)));
     if (!is_new_quad() || !in_volume(cell)) return;
-    voxel = block_voxel(int(floor(vertex_id[0] + 0.5)), vertex_emission[0], vertex_normal[0]);
+    voxel = block_voxel(block.id, block.emission, vertex_normal[0]);
     if (voxel.a == 0.0) return;
 #if NOTICE_CHANGES
     count_voxel();
@@ -159,20 +191,22 @@ void emit_voxel() {
     add_to_brick(cell, face, code, vertex_mid_uv[0]);
     if (code == voxel_water_surface) note_lake();
     if (code == voxel_stairs || is_post(code)) {
-        vec3 low = min(vertex_offset[0], min(vertex_offset[1], vertex_offset[2]));
-        vec3 high = max(vertex_offset[0], max(vertex_offset[1], vertex_offset[2]));
-        add_octants(cell, is_post(code) ? part_of_quad(code, low, high)
-                                        : octants_behind(low, high, round(vertex_normal[0])));
+        vec3 low = quad_low() - block.middle;
+        vec3 high = quad_high() - block.middle;
+        vec3 normal = round(vertex_normal[0]);
+        add_octants(cell, is_post(code) ? part_of_quad(code, low, high, normal)
+                                        : octants_behind(low, high, normal));
     }
 #endif
 #if FACES
     // What is thinner than half a block counts as half of it.
-    bool inner = has_octants(code) && dot(vertex_offset[0], vertex_normal[0]) < 0.375;
+    bool inner = has_octants(code) && dot(vertex_player[0] - block.middle, vertex_normal[0]) < 0.25;
     list_face(cell, inner ? face + face_inner : face, code, int(clamp(vertex_sky[0], 0.0, 15.0) + 0.5));
 #endif
 
-    // The faces of a block share one texel; depth lets the top face win whatever the order.
-    float depth = vertex_normal[0].y > 0.5 ? -0.5 : 0.0;
+    // The faces of a block share one texel; depth lets the one with the largest holes win, and the top of those
+    // that are alike, whatever the order.
+    float depth = -hole_share(code) - (vertex_normal[0].y > 0.5 ? 0.1 : 0.0);
     // A right angle at the texel's corner that holds its centre and no other.
     vec2 corner = vec2(atlas_texel(cell));
     const vec2 legs[3] = vec2[3](vec2(0.0), vec2(1.5, 0.0), vec2(0.0, 1.5));

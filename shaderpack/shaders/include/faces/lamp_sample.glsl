@@ -50,11 +50,18 @@ vec3 point_of_face(ivec3 cell, uint octants, uint before, int face, vec2 at) {
     return point_of_side(cell, normal, at) - inward * normal;
 }
 
-/// Point of the post of a fence or wall.
+/// Point of a side of a post, chest or plate.
 vec3 point_of_post(ivec3 cell, int code, int face, vec2 at) {
-    vec3 from_middle = point_of_side(ivec3(0), face_normal(face), at) - 0.5;
-    float width = 2.0 * post_radius(code);
-    return vec3(cell) + 0.5 + from_middle * vec3(width, 1.0, width);
+    Box post = main_box(code, kept_shape(cell));
+    return vec3(cell) + 0.5 + mix(post.low, post.high, point_of_side(ivec3(0), face_normal(face), at));
+}
+
+/// A point of a face that looks into the cell of a plate, moved out of what the plate covers of it.
+vec3 point_beside_plate(vec3 point, int code, uint parts) {
+    Box plate = main_box(code, parts);
+    vec3 covered = plate_thickness * vec3(lessThan(plate.high - plate.low, vec3(0.5)));
+    vec3 first = covered * vec3(lessThan(plate.low, vec3(0.0)));
+    return floor(point) + first + fract(point) * (1.0 - covered);
 }
 
 uint listed_lamps() { return min(imageLoad(face_tally, tally_lamps).r, lamp_capacity); }

@@ -51,7 +51,7 @@ void add_octants(ivec3 cell, uint octants) {
 layout(r32ui) uniform readonly uimage2D voxel_sums;
 #endif
 
-/// The byte that stairs, fences and walls have.
+/// The byte that stairs and posts have.
 uint kept_shape(ivec3 cell) {
 #if NOTICE_CHANGES
     return imageLoad(voxel_sums, octants_texel(cell)).r >> uint(octants_shift(cell)) & all_octants;
@@ -62,7 +62,8 @@ uint kept_shape(ivec3 cell) {
 
 /// Of what stops light; none of what lets it pass, of balls of lamps, and outside of the volume.
 uint octants_of(int code, ivec3 cell) {
-    uint octants = is_opaque_voxel(code) && code < voxel_small_lamp ? all_octants : 0u;
+    bool full = is_opaque_voxel(code) && code < voxel_small_lamp && !is_plate(code);
+    uint octants = full ? all_octants : 0u;
     octants = code == voxel_slab_bottom ? lower_octants : octants;
     octants = code == voxel_slab_top ? upper_octants : octants;
 #if NOTICE_CHANGES

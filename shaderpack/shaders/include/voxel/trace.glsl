@@ -117,11 +117,19 @@ Meeting meet_octants(Walk walk, uint octants, vec2 ways) {
     return Meeting(way <= max(ways.x, ways.y), way, way < at.w ? axis : vec3(0.0));
 }
 
-/// The first box of a fence or wall that the ray comes into from outside.
+/// Is this point of a block's side in one of its holes? Where they are in its texture is not known: a square
+/// in each quarter, as large as what the texture leaves open. `within`: from the lower end of the cell;
+/// `axis`: that of the side.
+bool in_hole(int code, vec3 within, vec3 axis) {
+    vec3 off = abs(fract(2.0 * within) - 0.5) * (1.0 - axis);
+    return max(off.x, max(off.y, off.z)) < 0.5 * sqrt(hole_share(code));
+}
+
+/// The first box of a fence, wall or chest that the ray comes into from outside.
 Meeting meet_post(Walk walk, int code) {
     Meeting met = Meeting(false, 1e9, vec3(0.0));
     uint parts = post_boxes(code) > 0 ? kept_shape(cell_of(walk)) : 0u;
-    vec3 from = walk.origin - walk.cell - 0.5;
+    vec3 from = walk.origin - walk.cell - 0.5;  // the middle of the cell
     for (int i = 0; i < post_boxes(code); ++i) {
         Box box = post_box(code, i);
         vec3 a = (box.low - from) * walk.inverse;
@@ -129,11 +137,13 @@ Meeting meet_post(Walk walk, int code) {
         vec3 near = min(a, b);
         vec3 far = max(a, b);
         float way = max(near.x, max(near.y, near.z));
-        bool hit = has_part(parts, i) && way > 0.0 && way <= min(far.x, min(far.y, far.z));
+        bool hit = has_part(code, parts, i) && way > 0.0 && way <= min(far.x, min(far.y, far.z));
         if (!hit || way >= met.way) continue;
         bool x = way == near.x;
         bool y = !x && way == near.y;
-        met = Meeting(true, way, vec3(x, y, !x && !y));
+        vec3 axis = vec3(x, y, !x && !y);
+        if (in_hole(code, from + walk.direction * way + 0.5, axis)) continue;
+        met = Meeting(true, way, axis);
     }
     return met;
 }

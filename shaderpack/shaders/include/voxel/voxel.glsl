@@ -12,6 +12,8 @@ const int voxel_water_surface = 5;  // translucent up to water_height
 const int voxel_stairs = 6;  // fills a part of its cell: include/voxel/octants.glsl
 const int voxel_fence = 7;   // posts with arms: include/voxel/posts.glsl
 const int voxel_wall = 8;
+const int voxel_chest = 9;
+const int voxel_plate = 10;  // .. 15: doors and trapdoors, with holes of 0..5 eighths
 const int voxel_lamp = 16;        // + light level 1..15, fills the cell
 const int voxel_small_lamp = 32;  // + light level 1..15, a ball in the cell
 
@@ -43,9 +45,14 @@ bool is_filter_voxel(int code) {
 
 bool is_lamp_voxel(int code) { return code >= voxel_lamp; }
 
+bool is_plate(int code) { return code >= voxel_plate && code < voxel_lamp; }
+
+/// What holes take of a side of the block.
+float hole_share(int code) { return is_plate(code) ? float(code - voxel_plate) / 8.0 : 0.0; }
+
 /// Light of the propagation does not pass; slabs leave half of their cell open.
 bool is_opaque_voxel(int code) {
-    return code == voxel_solid || code == voxel_stairs || is_lamp_voxel(code);
+    return code == voxel_solid || code == voxel_stairs || is_plate(code) || is_lamp_voxel(code);
 }
 
 /// Radiance of a lamp, as a block that fills its cell.
