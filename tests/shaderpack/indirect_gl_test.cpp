@@ -154,7 +154,7 @@ std::pair<double, double> floorOverFrames(const std::string& lamps) {
   pack.look({4.5, 4.5, 7.0}, {3.5, 1, 4});
   pack.renderFrames(60);
   double sum = 0, squares = 0;
-  constexpr int kFrames = 12;
+  constexpr int kFrames = 96;
   int count = 0;
   for (int i = 0; i < kFrames; ++i) {
     pack.renderFrames(1);

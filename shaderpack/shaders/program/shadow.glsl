@@ -206,7 +206,7 @@ void emit_voxel() {
 
     // The faces of a block share one texel; depth lets the one with the largest holes win, and the top of those
     // that are alike, whatever the order.
-    float depth = -hole_share(code) - (vertex_normal[0].y > 0.5 ? 0.1 : 0.0);
+    float depth = -hole_share(int(voxel.a * 255.0 + 0.5)) - (vertex_normal[0].y > 0.5 ? 0.1 : 0.0);
     // A right angle at the texel's corner that holds its centre and no other.
     vec2 corner = vec2(atlas_texel(cell));
     const vec2 legs[3] = vec2[3](vec2(0.0), vec2(1.5, 0.0), vec2(0.0, 1.5));
