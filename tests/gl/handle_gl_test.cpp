@@ -86,7 +86,7 @@ GLboolean isVertexArray(GLuint id) {
   return alive ? GL_TRUE : GL_FALSE;
 }
 
-GLboolean isSampler(GLuint id) {
+GLboolean isSamplerObject(GLuint id) {
   BindSampler(0, id);
   const bool alive = GetError() == GL_NO_ERROR;
   BindSampler(0, 0);
@@ -103,7 +103,7 @@ TEST_F(HandleTest, owns_every_kind_of_object) {
   CreateVertexArrays(1, &id);
   expectOwned<deleteVertexArray>(id, isVertexArray);
   CreateSamplers(1, &id);
-  expectOwned<deleteSampler>(id, isSampler);
+  expectOwned<deleteSampler>(id, isSamplerObject);
   expectOwned<deleteProgram>(CreateProgram(), isProgram);
   expectOwned<deleteShader>(CreateShader(GL_VERTEX_SHADER), isShader);
   context_->takeErrors();  // asking for what is gone is an error, and the point
