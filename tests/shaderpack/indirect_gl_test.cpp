@@ -175,5 +175,46 @@ TEST(indirect, rays_to_lamps_count_each_once_and_take_away_noise) {
   EXPECT_LT(sampledNoise, .4 * hitNoise);
 }
 
+// On the foot of a wall, beside a lamp in it: the floor there is far darker than the mean of its block's face.
+TEST(indirect, corners_beside_a_lamp_are_as_dark_as_with_more_bounces) {
+  const auto foot = [](OptionValues more) {
+    more.insert({{"TEMPORAL_FRAMES", "1024"}, {"GI_SAMPLES", "4"}});
+    PackSession pack(darkRoom(R"({"box": "white_concrete", "min": [1, 0, 1], "max": [7, 0, 7]},
+                                 {"box": "white_concrete", "min": [0, 1, 1], "max": [0, 5, 7]},
+                                 {"block": "glowstone", "at": [0, 1, 4]})"),
+                     indirectOptions(std::move(more)), 16, 16);
+    pack.look({1.5, 1.1, 5.5}, {1, 1.05, 5.5});
+    pack.renderFrames(300);
+    return pack.meanRadiance().g;
+  };
+  const double truth = foot({{"GI_METHOD", "BOUNCE_4"}});
+  EXPECT_GT(foot({{"FACE_NEAR", "0.0"}}) / truth, 1.15);
+  EXPECT_NEAR(foot({}) / truth, 1, .1);
+}
+
+// Under the sky alone both gather the same light, and keep the same means over frames.
+TEST(indirect, rays_of_a_pixel_are_spread_over_frames) {
+  const auto noise = [](const char* method) {
+    PackSession pack(R"({"size": [32, 1, 32],
+        "blocks": [{"box": "white_concrete", "min": [0, 0, 0], "max": [31, 0, 31]}],
+        "cameras": [{"name": "eye", "position": [16.5, 6.5, 16.5]}], "environment": {"time": 3000}})",
+                     indirectOptions({{"GI_METHOD", method}, {"DIRECT_LIGHT", "NONE"}}));
+    pack.look({16.5, 6.5, 16.5}, {15.5, 1, 16});
+    pack.renderFrames(160);
+    const ImageF image = pack.dump("colortex3");
+    double sum = 0, squares = 0;
+    const auto step = std::size_t(image.channels);
+    for (std::size_t p = 0; p < image.pixels.size(); p += step) {
+      sum += image.pixels[p];
+      squares += double(image.pixels[p]) * image.pixels[p];
+    }
+    const double count = double(image.pixels.size() / step), mean = sum / count;
+    return std::sqrt(squares / count - mean * mean) / mean;
+  };
+  const double independent = noise("BOUNCE_1");
+  EXPECT_GT(independent, .01);
+  EXPECT_LT(noise("FACE_CACHE"), .4 * independent);
+}
+
 }  // namespace
 }  // namespace orris::test

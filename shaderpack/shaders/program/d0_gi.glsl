@@ -6,7 +6,16 @@
 
 #include "/include/lighting/rest.glsl"
 
-void main() { gl_Position = drawn_corner(ftransform()); }
+#if FACES
+flat out int drawing;
+#endif
+
+void main() {
+    gl_Position = drawn_corner(ftransform());
+#if FACES
+    drawing = number_of_drawing();
+#endif
+}
 
 #else
 
@@ -50,6 +59,10 @@ const int gi_bounces = 4;
 const int gi_bounces = 2;
 #else
 const int gi_bounces = 1;
+#endif
+
+#if FACES
+flat in int drawing;
 #endif
 
 uniform sampler2D colortex3;
@@ -102,12 +115,6 @@ void leave_leaves(vec3 origin, vec3 direction, vec3 light, float sky, inout vec3
     throughput *= mix(side.voxel.color, vec3(1.0), leaf_holes);
 }
 
-#if FACES
-/// Which point of the pixel's sequence a sample takes. A picture at rest draws one frame of four, and of every
-/// fourth point the first coordinate hardly moves; of every fifth both do.
-int point_of_sample(int index) { return (frameCounter + frameCounter / 4) * GI_SAMPLES + index; }
-#endif
-
 /// One sample of the mean incoming radiance.
 vec3 gather(Surface s, vec3 light, int index) {
     vec3 normal = s.normal;
@@ -120,7 +127,7 @@ vec3 gather(Surface s, vec3 light, int index) {
     for (int bounce = 0; bounce < gi_bounces; ++bounce) {
         vec2 u = next_random().xy;
 #if FACES
-        if (bounce == 0) u = spread_point(ivec2(gl_FragCoord.xy), point_of_sample(index));
+        if (bounce == 0) u = spread_point(ivec2(gl_FragCoord.xy), drawing * GI_SAMPLES + index);
 #endif
         vec3 direction = cosine_direction(normal, u);
         if (s.thin && bounce == 0)

@@ -33,8 +33,13 @@ vec4 drawn_corner(vec4 corner) {
     if (picture_rests()) corner.y = (corner.y + 1.0) / 4.0 + band / 2.0 - 1.0;
     return corner;
 }
+
+/// Counts the frames in which a pixel is drawn.
+int number_of_drawing() { return picture_rests() ? frameCounter / 4 : frameCounter; }
 #else
 vec4 drawn_corner(vec4 corner) { return corner; }
+
+int number_of_drawing() { return frameCounter; }
 #endif
 
 #endif
