@@ -60,6 +60,19 @@ TEST(volume, red_concrete_becomes_a_red_voxel) {
   EXPECT_GT(texel[0], 2 * texel[2]);
 }
 
+// Its lock, of iron, has a top as well.
+TEST(volume, chest_becomes_a_voxel_of_its_wood) {
+  PackSession pack(R"({
+    "size": [1, 1, 1],
+    "blocks": [{"block": "chest[facing=south]", "at": [0, 0, 0]}],
+    "cameras": [{"name": "eye", "position": [0.5, 0.5, 4.5], "yaw": 180}]
+  })",
+                   {{"VOXEL_SIZE", "32"}});
+  pack.renderFrames(1);
+  const auto texel = pack.voxels({32, 32}).at(cellOf({0, 0, 0}, {0, 0, 4}, 32));
+  EXPECT_GT(texel[0], 1.5 * texel[2]);
+}
+
 // Water between water has no faces. The lake lies in stone and a slab stands in it.
 TEST(volume, lakes_are_filled_down_to_their_bed) {
   PackSession pack(R"({
