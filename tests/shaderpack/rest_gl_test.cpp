@@ -1,4 +1,4 @@
-// Of a picture at rest a quarter is drawn; of one that changes all.
+// Of a picture at rest an eighth is drawn; of one that changes all.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -9,6 +9,7 @@ namespace orris::test {
 namespace {
 
 constexpr int kSide = 32;
+constexpr int kBands = 8;  // include/lighting/rest.glsl
 
 // Until means of ten frames are full: 48 frames after the first blocks, and thrice ten.
 constexpr int kRestsFrom = 80;
@@ -36,17 +37,17 @@ std::set<int> changedRows(PackSession& pack, const std::string& buffer) {
   return rows;
 }
 
-TEST(rest, a_frame_draws_a_quarter_of_what_is_settled) {
+TEST(rest, a_frame_draws_an_eighth_of_what_is_settled) {
   for (const char* buffer : {"colortex3", "colortex6"}) {
     PackSession pack = restingRoom();
     pack.renderFrames(40);
     EXPECT_EQ(changedRows(pack, buffer).size(), kSide) << "while the cache fills";
     pack.renderFrames(kRestsFrom - 41);
     std::set<int> all;
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < kBands; ++i) {
       const std::set<int> rows = changedRows(pack, buffer);
-      EXPECT_EQ(rows.size(), kSide / 4) << buffer;
-      EXPECT_EQ(*rows.rbegin() - *rows.begin(), kSide / 4 - 1) << "a band";
+      EXPECT_EQ(rows.size(), kSide / kBands) << buffer;
+      EXPECT_EQ(*rows.rbegin() - *rows.begin(), kSide / kBands - 1) << "a band";
       all.insert(rows.begin(), rows.end());
     }
     EXPECT_EQ(all.size(), kSide) << "in turn";
@@ -57,7 +58,7 @@ TEST(rest, ends_with_the_frame_of_an_edit) {
   PackSession pack =
       restingRoom(R"({"frame": 100, "set": {"at": [1, 1, 7], "block": "glowstone"}})");
   pack.renderFrames(99);
-  EXPECT_EQ(changedRows(pack, "colortex3").size(), kSide / 4);
+  EXPECT_EQ(changedRows(pack, "colortex3").size(), kSide / kBands);
   EXPECT_EQ(changedRows(pack, "colortex3").size(), kSide);
   EXPECT_EQ(changedRows(pack, "colortex3").size(), kSide);
 }
@@ -65,12 +66,12 @@ TEST(rest, ends_with_the_frame_of_an_edit) {
 TEST(rest, ends_as_the_eye_moves) {
   PackSession pack = restingRoom();
   pack.renderFrames(kRestsFrom);
-  EXPECT_EQ(changedRows(pack, "colortex3").size(), kSide / 4);
+  EXPECT_EQ(changedRows(pack, "colortex3").size(), kSide / kBands);
   pack.look({4.5, 3.5, 6}, {4, 2, 0});
   EXPECT_EQ(changedRows(pack, "colortex3").size(), kSide);
   pack.renderFrames(28);
   EXPECT_EQ(changedRows(pack, "colortex3").size(), kSide);
-  EXPECT_EQ(changedRows(pack, "colortex3").size(), kSide / 4);
+  EXPECT_EQ(changedRows(pack, "colortex3").size(), kSide / kBands);
 }
 
 }  // namespace
