@@ -43,15 +43,23 @@ std::string_view lastWord(std::string_view text) {
   return text.substr(begin);
 }
 
+/// `type` without the array sizes at its end: "vec4[2]" is "vec4". A ']' without its '[' stays.
+std::string_view withoutArraySizes(std::string_view type) {
+  while (type.ends_with(']')) {
+    const std::size_t open = type.rfind('[');
+    if (open == std::string_view::npos) break;
+    type = trim(type.substr(0, open));
+  }
+  return type;
+}
+
 /// Is `name`, which stands at `at` in `line`, declared or defined there? `inBlock`: within braces.
 bool definesAt(std::string_view line, std::size_t at, std::string_view name, bool inBlock) {
   if (const auto rest = afterDirective(line, "define")) return leadingWord(trim(*rest)) == name;
   if (trim(line).starts_with('#')) return false;
   const std::string_view before = trim(line.substr(0, at));
   const std::string_view after = trim(line.substr(at + name.size()));
-  std::string_view type = before;
-  while (type.ends_with(']')) type = trim(type.substr(0, type.rfind('[')));
-  const std::string_view word = lastWord(type);
+  const std::string_view word = lastWord(withoutArraySizes(before));
   if (word == "struct") return true;
   if (word.empty() || isStatementWord(word) || (word[0] >= '0' && word[0] <= '9')) return false;
   if (after.starts_with('(')) return before.find_first_of("=(,") == std::string_view::npos;

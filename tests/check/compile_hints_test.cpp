@@ -75,6 +75,13 @@ TEST(CompileHints, a_name_that_no_file_resembles_may_be_the_mods_that_takes_the_
               Contains(HasSubstr("warning: 'tintign' : undeclared identifier | did you mean")));
 }
 
+TEST(CompileHints, a_bracket_that_nothing_opens_ends_the_search_for_a_definition) {
+  const Lines lines = compile(
+      {{"/composite.fsh", kVersion + "void main() { gl_FragColor = vec4(fog); }"},
+       {"/lib.glsl", "float] fog = 1.0;\n] fog;\nconst float[2] fog = float[](1.0, 2.0);\n"}});
+  EXPECT_THAT(lines, Contains(HasSubstr("/composite.fsh:2:35: error: 'fog' : undeclared")));
+}
+
 TEST(CompileHints, a_missing_include_is_placed_as_a_similar_file_has_it) {
   const std::string top = kVersion + "// top\n", rest = "// rest\n#include \"/b.glsl\"\n";
   const std::string body = "void main() { gl_FragColor = shade(1.0); }\n";
