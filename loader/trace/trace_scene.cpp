@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "trace/scene_quads.h"
-#include "world/block_faces.h"
+#include "trace/shown_area.h"
 
 namespace orris {
 namespace {
@@ -79,17 +79,6 @@ class SceneBuilder {
   std::vector<LampFace> lamps_;
 };
 
-/// Area that all faces of a block show, whether another block hides some or not.
-float drawnArea(const BlockFacts& facts, const BlockAtlas& atlas) {
-  if (facts.fluid || facts.boxes.empty()) return 6;
-  float area = 0;
-  for (const BlockFace& face : makeBlockFaces(facts, atlas).faces) {
-    area += glm::length(face.corners[3] - face.corners[0]) *
-            glm::length(face.corners[1] - face.corners[0]);
-  }
-  return std::max(area, 1e-3f);
-}
-
 // The pack gives a block the colour of its top face; so do lamps and filters here.
 void SceneBuilder::describeStates() {
   states_.resize(input_.facts.size());
@@ -107,9 +96,9 @@ void SceneBuilder::describeStates() {
     state.gloss = std::uint8_t(lighting_->gloss(id));
     if (placed.quad.emission > 0) {
       const LampLight light = lighting_->lampLight(id, placed.quad.emission, glm::vec3(mean));
-      const float shown = drawnArea(facts, input_.atlas) * std::max(mean.w, 0.1f);
       state.ball = light.radius;
-      state.radiance = light.radiance * (light.radius > 0 ? 1 : light.area / shown);
+      state.radiance =
+          light.radiance * (light.radius > 0 ? 1 : light.area / shownArea(facts, input_.atlas));
       state.emits = true;
     } else if (placed.quad.translucent && (facts.fluid || isWhole(facts)) &&
                filters_.size() < 254) {
@@ -163,7 +152,7 @@ void SceneBuilder::addCells() {
 void SceneBuilder::addCell(glm::ivec3 cell, std::size_t first, std::size_t end) {
   TraceCell& made = cells_.emplace_back();
   made.firstQuad = std::uint32_t(quads_.size());
-  made.quadCount = std::uint8_t(std::min(end - first, std::size_t(255)));
+  made.quadCount = std::uint16_t(std::min(end - first, std::size_t(65535)));
   made.filter = filterAt(cell);
   made.cube = first < end && input_.facts[input_.blocks.indexAt(cell)].fullOpaqueCube &&
               !anyOf(placed_, first, end, [](const PlacedQuad& placed) {

@@ -26,6 +26,20 @@ QuadPlane planeOf(const TraceQuad& quad) {
   return plane;
 }
 
+/// Are the two one rectangle, seen from its two sides?
+bool areTwins(const TraceQuad& a, const TraceQuad& b) {
+  constexpr float kNear = 1e-4f;
+  if (glm::dot(a.normal, b.normal) > -1 + kNear || a.alphaTested != b.alphaTested ||
+      a.translucent != b.translucent)
+    return false;
+  const auto isCorner = [&](const glm::vec3& p) {
+    for (const glm::vec3& offset : {glm::vec3(0), b.edgeU, b.edgeV, b.edgeU + b.edgeV})
+      if (glm::distance(p, b.corner + offset) < kNear) return true;
+    return false;
+  };
+  return isCorner(a.corner) && isCorner(a.corner + a.edgeU) && isCorner(a.corner + a.edgeV);
+}
+
 }  // namespace
 
 VoxelGrid::VoxelGrid(glm::ivec3 size, const std::vector<std::uint32_t>& offsets,
@@ -45,10 +59,21 @@ VoxelGrid::VoxelGrid(glm::ivec3 size, const std::vector<std::uint32_t>& offsets,
     const auto first = quads_.begin() + cell.firstQuad, end = first + cell.quadCount;
     cell.stops = std::any_of(
         first, end, [](const TraceQuad& quad) { return !quad.translucent || quad.filters; });
+    if (!cell.cube && !cell.hollow) pairTwins(cell);
   }
   for (const TraceQuad& quad : quads_) planes_.push_back(planeOf(quad));
   boxes_ = measureOpenBoxes(size_, cellAt_);
   floodFromOutside();
+}
+
+// Surfaces of fluids, fire and plants are drawn as two quads in one place, one for each side.
+void VoxelGrid::pairTwins(const TraceCell& cell) {
+  for (std::uint32_t i = cell.firstQuad; i < cell.firstQuad + cell.quadCount; ++i)
+    for (std::uint32_t j = i + 1; j < cell.firstQuad + cell.quadCount; ++j) {
+      if (quads_[i].twin != kNoQuad || !areTwins(quads_[i], quads_[j])) continue;
+      quads_[i].twin = j;
+      quads_[j].twin = i;
+    }
 }
 
 bool VoxelGrid::contains(glm::ivec3 cell) const {

@@ -25,6 +25,7 @@ struct TraceQuad {
   bool translucent = false;               ///< blended; rays pass
   bool filters = false;    ///< translucent and no block of it: tints rays that meet its front
   bool thin = false;       ///< lit from both sides
+  std::uint32_t twin = kNoQuad;  ///< the same rectangle seen from behind; set by the grid
   std::uint8_t gloss = 0;  ///< class of the pack's mirrors; 0: matt
   bool water = false;      ///< mirrors at grazing angles
 };
@@ -56,7 +57,7 @@ inline constexpr FaceRanks kFaceRanks = makeFaceRanks();
 /// What a cell does to a ray.
 struct TraceCell {
   std::uint32_t firstQuad = 0;
-  std::uint8_t quadCount = 0;
+  std::uint16_t quadCount = 0;
   std::uint8_t faces = 0;   ///< full sides: bit by FaceDirection; quads are sorted by it
   std::uint8_t filter = 0;  ///< index in `filters`, 0 none
   bool cube = false;        ///< full and opaque
@@ -139,6 +140,7 @@ class VoxelGrid {
  private:
   template <bool kCamera>
   class Walk;
+  void pairTwins(const TraceCell& cell);
   void floodFromOutside();
   std::size_t offset(glm::ivec3 p) const {
     return std::size_t(p.x) +

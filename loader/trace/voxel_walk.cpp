@@ -195,6 +195,8 @@ void VoxelGrid::Walk<kCamera>::meetQuads(const TraceCell& cell) {
                        glm::dot(point, plane.alongV) - plane.startV);
     if (!(at.x >= 0 && at.x <= 1 && at.y >= 0 && at.y <= 1)) continue;
     const TraceQuad& quad = grid_.quads_[i];
+    // Of two quads in one place a ray meets the front; what left either leaves both.
+    if (quad.twin != kNoQuad && (slope > 0 || quad.twin == ray_.ignore)) continue;
     if (!kCamera && quad.translucent) {
       if (quad.filters && slope < 0)
         depth_ += glm::log(glm::max(glm::vec3(grid_.texel(quad, at)), 1e-6f));
