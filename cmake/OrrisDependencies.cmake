@@ -7,6 +7,5 @@ find_package(ZLIB REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(Threads REQUIRED)
 find_package(PkgConfig REQUIRED)
-# By pkg-config: the CMake files of both name things that Debian does not install with them.
+# By pkg-config: its CMake files name things that Debian does not install with them.
 pkg_check_modules(libzip REQUIRED IMPORTED_TARGET libzip)
-pkg_check_modules(OpenImageIO REQUIRED IMPORTED_TARGET OpenImageIO)

@@ -1,4 +1,4 @@
-// Pixels in memory and their files; OpenImageIO stays behind this header.
+// Pixels in memory and their files. OpenImageIO stays in a module (image/codecs) of its own.
 #pragma once
 
 #include <cstdint>

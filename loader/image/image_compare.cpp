@@ -1,7 +1,5 @@
 #include "image/image_compare.h"
 
-#include <OpenImageIO/imagebuf.h>
-#include <OpenImageIO/imagebufalgo.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +7,8 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+
+#include "image/codecs/image_codecs.h"
 
 namespace orris {
 namespace {
@@ -25,12 +25,6 @@ int colourChannels(const ImageF& image) {
 bool allFinite(const ImageF& image) {
   return std::all_of(image.pixels.begin(), image.pixels.end(),
                      [](float value) { return std::isfinite(value); });
-}
-
-OIIO::ImageBuf wrap(const ImageF& image) {
-  const OIIO::ImageSpec spec(image.width, image.height, image.channels, OIIO::TypeDesc::FLOAT);
-  // OpenImageIO only reads these pixels, but its wrapper takes no const pointer.
-  return OIIO::ImageBuf(spec, const_cast<float*>(image.pixels.data()));
 }
 
 ImageF colourOnly(const ImageF& image) {
@@ -156,11 +150,12 @@ std::optional<ImageDifference> compareImages(const ImageF& image, const ImageF& 
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     return ImageDifference{kInfinity, kInfinity, kInfinity, 1, 0};
   }
-  const OIIO::ImageBufAlgo::CompareResults compared =
-      OIIO::ImageBufAlgo::compare(wrap(a), wrap(b), threshold, threshold, OIIO::ROI(), 1);
-  result.rmse = compared.rms_error;
-  result.maxAbsolute = compared.maxerror;
-  result.fractionAbove = double(compared.nfail) / (double(a.width) * a.height);
+  const ImageCodecs* codecs = imageCodecs("", diagnostics);
+  if (!codecs) return std::nullopt;
+  const PictureComparison compared = codecs->compare(a, b, threshold);
+  result.rmse = compared.rms;
+  result.maxAbsolute = compared.maximum;
+  result.fractionAbove = double(compared.pixelsAbove) / (double(a.width) * a.height);
   result.relMse = relativeError(a, b);
   result.ssim = structuralSimilarity(a, b);
   return result;

@@ -1,5 +1,3 @@
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <string_view>
 
 #include "core/replace_file.h"
+#include "image/codecs/image_codecs.h"
 #include "image/image.h"
 #include "image/image_size.h"
 
@@ -27,12 +26,6 @@ bool fail(Diagnostics& diagnostics, const char* id, const std::string& file, std
   diagnostic.hint = std::move(hint);
   diagnostics.push_back(std::move(diagnostic));
   return false;
-}
-
-/// The first line of OpenImageIO's text; its further lines repeat the first.
-std::string firstLine(std::string text) {
-  if (const size_t end = text.find('\n'); end != std::string::npos) text.resize(end);
-  return text.empty() ? "unknown reason" : text;
 }
 
 /// Format of an image by its first bytes; the name decides only for TGA, which has no signature.
@@ -67,23 +60,16 @@ bool isWholePng(std::string_view bytes) {
   return false;
 }
 
-bool sizeAllowed(const OIIO::ImageSpec& spec, const std::string& name, Diagnostics& diagnostics) {
-  const bool allowed = spec.width > 0 && spec.height > 0 && spec.depth <= 1 &&
-                       spec.width <= kMaxSide && spec.height <= kMaxSide &&
-                       std::int64_t(spec.width) * spec.height <= kMaxFilePixels &&
-                       spec.nchannels > 0 && spec.nchannels <= kMaxChannels;
+bool sizeAllowed(const PictureReader& picture, const std::string& name, Diagnostics& diagnostics) {
+  const bool allowed = picture.width > 0 && picture.height > 0 && picture.depth <= 1 &&
+                       picture.width <= kMaxSide && picture.height <= kMaxSide &&
+                       std::int64_t(picture.width) * picture.height <= kMaxFilePixels &&
+                       picture.channels > 0 && picture.channels <= kMaxChannels;
   if (allowed) return true;
   return fail(diagnostics, "image-size", name,
-              fmt::format("image of {}x{} with {} channels is outside the limits", spec.width,
-                          spec.height, spec.nchannels),
+              fmt::format("image of {}x{} with {} channels is outside the limits", picture.width,
+                          picture.height, picture.channels),
               fmt::format("at most {0}x{0}, {1} pixels in all", kMaxSide, kMaxFilePixels));
-}
-
-/// Values as stored: OpenImageIO otherwise multiplies colour by alpha when it reads.
-OIIO::ImageSpec asStored() {
-  OIIO::ImageSpec config;
-  config.attribute("oiio:UnassociatedAlpha", 1);
-  return config;
 }
 
 Image8 toRgba(const Image8& source) {
@@ -108,51 +94,32 @@ std::string lowerExtension(const std::string& path) {
 }
 
 /// Integer pixels for formats meant for display, float for the rest.
-OIIO::TypeDesc storedType(const std::string& extension, bool fromInteger) {
+bool storesBytes(const std::string& extension, bool fromBytes) {
   static constexpr std::array<std::string_view, 5> kDisplay{".png", ".jpg", ".jpeg", ".tga",
                                                             ".bmp"};
-  if (std::find(kDisplay.begin(), kDisplay.end(), extension) != kDisplay.end())
-    return OIIO::TypeDesc::UINT8;
+  if (std::find(kDisplay.begin(), kDisplay.end(), extension) != kDisplay.end()) return true;
   const bool floatOnly = extension == ".exr" || extension == ".pfm" || extension == ".hdr";
-  return fromInteger && !floatOnly ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT;
+  return fromBytes && !floatOnly;
 }
 
-bool writeTo(OIIO::ImageOutput& output, const std::string& path, const OIIO::ImageSpec& spec,
-             OIIO::TypeDesc type, const void* pixels) {
-  return output.open(path, spec) && output.write_image(type, pixels) && output.close();
-}
-
-bool writePixels(const std::string& path, int width, int height, int channels, OIIO::TypeDesc type,
-                 const void* pixels, const std::vector<std::string>& names,
-                 Diagnostics& diagnostics) {
+bool writePicture(const std::string& path, PictureToWrite picture, Diagnostics& diagnostics) {
+  const ImageCodecs* codecs = imageCodecs(path, diagnostics);
+  if (!codecs) return false;
   const std::string extension = lowerExtension(path);
-  auto output = OIIO::ImageOutput::create(extension.empty() ? "" : extension.substr(1));
-  if (!output) {
-    OIIO::geterror();
+  if (!codecs->canWrite(extension)) {
     return fail(diagnostics, "image-format", path,
                 fmt::format("no image format has the extension \"{}\"", extension),
                 "use .png for display or .exr for linear values");
   }
-  OIIO::ImageSpec spec(width, height, channels,
-                       storedType(extension, type == OIIO::TypeDesc::UINT8));
-  spec.attribute("oiio:UnassociatedAlpha", 1);
-  if (!names.empty()) {
-    spec.channelnames = names;
-    spec.alpha_channel = -1;
-  }
-  // The OpenEXR writer stamps the present time unless it is given one.
-  spec.attribute("DateTime", "1970:01:01 00:00:00");
-  if (extension == ".png") spec.erase_attribute("DateTime");
-
-  std::string reason;
+  picture.storeBytes = storesBytes(extension, picture.bytes != nullptr);
+  std::optional<std::string> reason;
   const std::error_code error = replaceFile(path, [&](const std::string& partial) {
-    const bool written = writeTo(*output, partial, spec, type, pixels);
-    if (!written) reason = firstLine(output->geterror());
-    return written;
+    reason = codecs->write(partial, extension, picture);
+    return !reason;
   });
   if (!error) return true;
-  if (reason.empty()) reason = error.message();
-  return fail(diagnostics, "image-write", path, fmt::format("cannot write the image: {}", reason),
+  return fail(diagnostics, "image-write", path,
+              fmt::format("cannot write the image: {}", reason.value_or(error.message())),
               "check that the folder exists and is writable");
 }
 
@@ -171,61 +138,64 @@ std::optional<Image8> decodeImage(const std::string& bytes, const std::string& n
          "save the image again");
     return std::nullopt;
   }
-  OIIO::Filesystem::IOMemReader reader(bytes.data(), bytes.size());
-  auto input = OIIO::ImageInput::create(format);
-  OIIO::ImageSpec spec;
-  const bool opened = input && input->supports("ioproxy") && input->set_ioproxy(&reader) &&
-                      input->open("memory." + format, spec, asStored());
-  if (!opened) {
-    fail(diagnostics, "image-decode", name,
-         fmt::format("cannot read the image: {}",
-                     firstLine(input ? input->geterror() : OIIO::geterror())));
+  const ImageCodecs* codecs = imageCodecs(name, diagnostics);
+  if (!codecs) return std::nullopt;
+  std::string reason;
+  const auto picture = codecs->open(bytes, format, reason);
+  if (!picture) {
+    fail(diagnostics, "image-decode", name, fmt::format("cannot read the image: {}", reason));
     return std::nullopt;
   }
-  if (!sizeAllowed(spec, name, diagnostics)) return std::nullopt;
-  Image8 stored(spec.width, spec.height, spec.nchannels);
-  if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, stored.pixels.data())) {
-    fail(diagnostics, "image-decode", name,
-         fmt::format("cannot read the image: {}", firstLine(input->geterror())));
+  if (!sizeAllowed(*picture, name, diagnostics)) return std::nullopt;
+  Image8 stored(picture->width, picture->height, picture->channels);
+  if (const auto failure = picture->read(stored.pixels.data())) {
+    fail(diagnostics, "image-decode", name, fmt::format("cannot read the image: {}", *failure));
     return std::nullopt;
   }
-  return spec.nchannels == 4 ? std::move(stored) : toRgba(stored);
+  return stored.channels == 4 ? std::move(stored) : toRgba(stored);
 }
 
 std::optional<ImageF> readImage(const std::string& path, Diagnostics& diagnostics) {
-  const OIIO::ImageSpec config = asStored();
-  auto input = OIIO::ImageInput::open(path, &config);
-  if (!input) {
-    fail(diagnostics, "image-read", path,
-         fmt::format("cannot open the image: {}", firstLine(OIIO::geterror())),
+  const ImageCodecs* codecs = imageCodecs(path, diagnostics);
+  if (!codecs) return std::nullopt;
+  std::string reason;
+  const auto picture = codecs->open(path, reason);
+  if (!picture) {
+    fail(diagnostics, "image-read", path, fmt::format("cannot open the image: {}", reason),
          "give an existing PNG, EXR or other image file");
     return std::nullopt;
   }
-  const OIIO::ImageSpec spec = input->spec();
-  if (!sizeAllowed(spec, path, diagnostics)) return std::nullopt;
-  ImageF image(spec.width, spec.height, spec.nchannels);
-  if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.pixels.data())) {
-    fail(diagnostics, "image-read", path,
-         fmt::format("cannot read the image: {}", firstLine(input->geterror())));
+  if (!sizeAllowed(*picture, path, diagnostics)) return std::nullopt;
+  ImageF image(picture->width, picture->height, picture->channels);
+  if (const auto failure = picture->read(image.pixels.data())) {
+    fail(diagnostics, "image-read", path, fmt::format("cannot read the image: {}", *failure));
     return std::nullopt;
   }
   return image;
 }
 
 bool writeImage(const std::string& path, const Image8& image, Diagnostics& diagnostics) {
-  return writePixels(path, image.width, image.height, image.channels, OIIO::TypeDesc::UINT8,
-                     image.pixels.data(), {}, diagnostics);
+  return writePicture(path,
+                      {.width = image.width,
+                       .height = image.height,
+                       .channels = image.channels,
+                       .bytes = image.pixels.data()},
+                      diagnostics);
 }
 
 bool writeImage(const std::string& path, const ImageF& image, Diagnostics& diagnostics) {
-  return writePixels(path, image.width, image.height, image.channels, OIIO::TypeDesc::FLOAT,
-                     image.pixels.data(), {}, diagnostics);
+  return writeImage(path, image, {}, diagnostics);
 }
 
 bool writeImage(const std::string& path, const ImageF& image,
                 const std::vector<std::string>& channelNames, Diagnostics& diagnostics) {
-  return writePixels(path, image.width, image.height, image.channels, OIIO::TypeDesc::FLOAT,
-                     image.pixels.data(), channelNames, diagnostics);
+  return writePicture(path,
+                      {.width = image.width,
+                       .height = image.height,
+                       .channels = image.channels,
+                       .floats = image.pixels.data(),
+                       .channelNames = channelNames},
+                      diagnostics);
 }
 
 }  // namespace orris

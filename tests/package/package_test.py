@@ -8,7 +8,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-EXPECTED = ["./usr/bin/orris", "./usr/share/man/man1/orris.1.gz",
+EXPECTED = ["./usr/bin/orris", "./usr/lib/orris/orris-image-codecs.so",
+            "./usr/share/man/man1/orris.1.gz",
             "./usr/share/bash-completion/completions/orris", "./usr/share/doc/orris/copyright",
             "./usr/share/doc/orris/changelog.gz", "./usr/share/doc/orris/checks.md",
             "./usr/share/doc/orris/ci.md", "./usr/share/doc/orris/schema/validate.schema.json",
