@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -72,7 +71,7 @@ int runChart(const StudyOptions& options, Report& report, nlohmann::json& result
   noteUnfinished(*study, report);
   if (!writeChart(chart, files, report, status)) return status;
   result = describe(chart, *study);
-  if (!options.output.json && !options.output.quiet) std::cout << summaryTable(chart);
+  if (!options.output.json && !options.output.quiet) printText(summaryTable(chart));
   return status;
 }
 

@@ -4,7 +4,6 @@
 
 #include <chrono>
 #include <filesystem>
-#include <iostream>
 #include <optional>
 
 #include "app/child_process.h"
@@ -69,7 +68,7 @@ bool writeGraph(const ShaderPack& pack, const std::string& title, const std::str
   PassGraph graph = passGraph(pack, schedule);
   graph.pack = title;
   if (path == "-") {
-    std::cout << form(graph);
+    printText(form(graph));
     return true;
   }
   if (!checkWritable(path, report, status)) return false;

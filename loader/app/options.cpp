@@ -3,7 +3,6 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
-#include <iostream>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -112,21 +111,21 @@ void printOption(const ShaderPack& pack, const Option& option, const Reach& reac
   text += fmt::format("  reaches  {}\n", programs == reach.end()
                                              ? "no program of this folder"
                                              : fmt::format("{}", fmt::join(programs->second, " ")));
-  std::cout << text;
+  printText(text);
 }
 
-void printText(const ShaderPack& pack) {
+void printPack(const ShaderPack& pack) {
   const Reach reach = reachOf(pack);
   for (const auto& [name, option] : pack.options.all()) printOption(pack, option, reach);
   const std::string current = pack.currentProfile();
   for (const Profile& profile : pack.properties.profiles) {
-    std::cout << "profile " << profile.name << (profile.name == current ? " (current)" : "");
-    for (const auto& [name, value] : profile.values) std::cout << ' ' << name << '=' << value;
-    std::cout << '\n';
+    std::string text = "profile " + profile.name + (profile.name == current ? " (current)" : "");
+    for (const auto& [name, value] : profile.values) text += fmt::format(" {}={}", name, value);
+    printText(text + '\n');
   }
   for (const Screen& screen : pack.properties.screens) {
-    std::cout << "screen " << (screen.name.empty() ? "(main)" : screen.name) << ": "
-              << join(screen.entries, " ") << '\n';
+    printText(fmt::format("screen {}: {}\n", screen.name.empty() ? "(main)" : screen.name,
+                          join(screen.entries, " ")));
   }
 }
 
@@ -153,7 +152,7 @@ int runOptions(const OptionsOptions& options) {
     if (!writeGraph(*pack, titleOf(options.pack.path), options.graph, report, status))
       return status;
   } else if (!options.output.json) {
-    printText(*pack);
+    printPack(*pack);
   }
   printJson(toJson(*pack), report);
   return report.status();

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <iostream>
 
+#include "core/printable.h"
+
 namespace orris {
 namespace {
 
@@ -36,7 +38,7 @@ void Progress::advanceTo(int done) {
 void Progress::print() {
   constexpr int kWidth = 30;
   const int filled = total_ > 0 ? kWidth * done_ / total_ : 0;
-  std::cerr << fmt::format("\r{} [{:<{}}] {}/{}", what_, std::string(filled, '#'), kWidth, done_,
+  std::cerr << fmt::format("\r{} [{:<{}}] {}/{}", printable(what_), std::string(filled, '#'), kWidth, done_,
                            total_)
             << std::flush;
   shown_ = true;

@@ -5,6 +5,8 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "core/printable.h"
+
 namespace orris {
 namespace {
 
@@ -89,10 +91,18 @@ nlohmann::json toJson(const Diagnostics& diagnostics) {
   return list;
 }
 
-void printJson(const nlohmann::json& result) {
+void printText(std::string_view text) { std::cout << printableLines(text) << std::flush; }
+
+std::string jsonText(const nlohmann::json& value) {
   // Packs are untrusted: bytes that are not UTF-8 must not end the program.
-  std::cout << result.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+  std::string text = value.dump(2, ' ', true, nlohmann::json::error_handler_t::replace);
+  // Some runners of CI services look for "##[command]" anywhere in a line.
+  for (std::size_t at = 0; (at = text.find("##", at)) != std::string::npos; ++at)
+    text.replace(at + 1, 1, "\\u0023");
+  return text + '\n';
 }
+
+void printJson(const nlohmann::json& result) { std::cout << jsonText(result); }
 
 void printJson(nlohmann::json result, const Report& report) {
   if (!report.output().json) return;

@@ -5,6 +5,7 @@
 #include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <set>
+#include <string_view>
 #include <vector>
 
 #include "app/common.h"
@@ -52,8 +53,13 @@ class Report {
 /// Whether the flags ask to print a problem of this severity.
 bool isShown(Severity severity, const OutputOptions& output);
 
+/// Prints lines on standard output. They may quote a stranger's text: printableLines() of them.
+void printText(std::string_view text);
+
 nlohmann::json toJson(const SourceLocation& location);
 nlohmann::json toJson(const Diagnostics& diagnostics);
+/// JSON in ASCII, indented, with a final line feed: any bytes in its texts are safe to print.
+std::string jsonText(const nlohmann::json& value);
 /// Prints one JSON value on standard output.
 void printJson(const nlohmann::json& result);
 /// Prints `result` with the member "diagnostics" of `report` added, if --json was given.

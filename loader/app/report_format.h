@@ -34,7 +34,4 @@ std::string messagesOf(const PackResult& pack, const OutputOptions& output, bool
 /// The counts of one pack, as they go to standard output.
 std::string summaryOf(const PackResult& pack);
 
-/// Every byte sequence that is not UTF-8 replaced by U+FFFD: packs are untrusted, formats are not.
-std::string validUtf8(std::string_view text);
-
 }  // namespace orris

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "app/report_format.h"
+#include "core/printable.h"
 
 namespace orris {
 namespace {
@@ -20,8 +21,7 @@ std::string replaced(std::string text, std::string_view from, std::string_view t
 
 /// The runner reads up to the end of the line.
 std::string escapedData(std::string_view text) {
-  std::string result = replaced(validUtf8(text), "%", "%25");
-  return replaced(replaced(std::move(result), "\r", "%0D"), "\n", "%0A");
+  return replaced(replaced(printableLines(text), "%", "%25"), "\n", "%0A");
 }
 
 std::string escapedProperty(std::string_view text) {

@@ -56,7 +56,7 @@ std::string writeJson(const ValidateResult& result) {
   if (result.baseline) {
     root["baseline"] = {{"known", result.baseline->taken()}, {"gone", result.baseline->left()}};
   }
-  return root.dump(2, ' ', false, json::error_handler_t::replace) + '\n';
+  return jsonText(root);
 }
 
 }  // namespace orris

@@ -7,6 +7,7 @@
 
 #include "app/report_format.h"
 #include "core/pack_path.h"
+#include "core/printable.h"
 
 namespace orris {
 namespace {
@@ -40,6 +41,10 @@ std::string escaped(std::string_view text) {
       case '\t':
       case '\r':
         result += fmt::format("&#{};", int(c));
+        break;
+      case '#':
+        // Standard output may be a CI service's log: "##[command]".
+        result += result.ends_with('#') ? "&#35;" : "#";
         break;
       default:
         result += static_cast<unsigned char>(c) < 0x20 || c == 0x7F ? '?' : c;

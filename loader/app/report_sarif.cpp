@@ -127,7 +127,7 @@ std::string writeSarif(const ValidateResult& result) {
   const json log = {{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
                     {"version", "2.1.0"},
                     {"runs", {run}}};
-  return log.dump(2, ' ', false, json::error_handler_t::replace) + '\n';
+  return jsonText(log);
 }
 
 }  // namespace orris

@@ -3,7 +3,6 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
-#include <iostream>
 #include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -165,7 +164,7 @@ int runTune(const TuneOptions& options, Report& report, nlohmann::json& result) 
             {"tried", found.chart.points.size()},
             {"settings", study->settings().size()}};
   if (!options.study.output.json && !options.study.output.quiet)
-    std::cout << explanation(found.chart, chosen, goal);
+    printText(explanation(found.chart, chosen, goal));
   return status;
 }
 

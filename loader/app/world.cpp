@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -73,7 +72,7 @@ nlohmann::json toJson(const World& world, const WorldFacts& facts) {
           {"cameras", cameras}};
 }
 
-void printText(const World& world, const WorldFacts& facts) {
+void printWorld(const World& world, const WorldFacts& facts) {
   const glm::ivec3 origin = world.blocks.origin(), size = world.blocks.size();
   std::string text = fmt::format("{}\n", world.name);
   if (!world.exercises.empty()) text += fmt::format("  {}\n", world.exercises);
@@ -91,7 +90,7 @@ void printText(const World& world, const WorldFacts& facts) {
                         camera.position.x, camera.position.y, camera.position.z, camera.yaw,
                         camera.pitch);
   }
-  std::cout << text;
+  printText(text);
 }
 
 int runWorld(const WorldOptions& options) {
@@ -106,7 +105,7 @@ int runWorld(const WorldOptions& options) {
   const SceneData scene = buildScene(std::move(*world), {}, diagnostics);
   report.add(diagnostics);
   const WorldFacts facts = gatherFacts(scene);
-  if (!options.output.json) printText(scene.world, facts);
+  if (!options.output.json) printWorld(scene.world, facts);
   printJson(toJson(scene.world, facts), report);
   return report.status();
 }

@@ -6,24 +6,26 @@
 #include <set>
 #include <tuple>
 
+#include "core/printable.h"
+
 namespace orris {
 namespace {
 
 std::string formatLocation(const SourceLocation& at) {
-  if (at.line <= 0) return at.file;
-  if (at.column <= 0) return fmt::format("{}:{}", at.file, at.line);
-  return fmt::format("{}:{}:{}", at.file, at.line, at.column);
+  const std::string file = printable(at.file);
+  if (at.line <= 0) return file;
+  if (at.column <= 0) return fmt::format("{}:{}", file, at.line);
+  return fmt::format("{}:{}:{}", file, at.line, at.column);
 }
 
 // Blanks up to the column, tabs kept so that the caret stands under its character whatever the tab
 // width; bytes that continue a UTF-8 character take no cell.
 std::string caretLine(const std::string& line, int column) {
   std::string caret;
-  const std::size_t end = std::min(line.size(), static_cast<std::size_t>(column - 1));
-  for (std::size_t i = 0; i < end; ++i) {
-    const auto byte = static_cast<unsigned char>(line[i]);
-    if ((byte & 0xC0) == 0x80) continue;
-    caret += line[i] == '\t' ? '\t' : ' ';
+  const std::string before = printable(line.substr(0, static_cast<std::size_t>(column - 1)));
+  for (const char c : before) {
+    if ((static_cast<unsigned char>(c) & 0xC0) == 0x80) continue;
+    caret += c == '\t' ? '\t' : ' ';
   }
   return caret + '^';
 }
@@ -50,18 +52,18 @@ bool hasErrors(const Diagnostics& diagnostics) {
 std::string formatDiagnostic(const Diagnostic& diagnostic) {
   std::string text = formatLocation(diagnostic.at);
   if (!text.empty()) text += ": ";
-  text += fmt::format("{}: {}", severityName(diagnostic.severity), diagnostic.message);
+  text += fmt::format("{}: {}", severityName(diagnostic.severity), printable(diagnostic.message));
   for (const SourceLocation& site : diagnostic.includedFrom) {
     text += "\n  included from " + formatLocation(site);
   }
   if (!diagnostic.sourceLine.empty()) {
-    text += "\n  " + diagnostic.sourceLine;
+    text += "\n  " + printable(diagnostic.sourceLine);
     if (diagnostic.at.column > 0) {
       text += "\n  " + caretLine(diagnostic.sourceLine, diagnostic.at.column);
     }
   }
-  for (const std::string& note : diagnostic.notes) text += "\n  note: " + note;
-  if (!diagnostic.hint.empty()) text += "\n  hint: " + diagnostic.hint;
+  for (const std::string& note : diagnostic.notes) text += "\n  note: " + printable(note);
+  if (!diagnostic.hint.empty()) text += "\n  hint: " + printable(diagnostic.hint);
   return text;
 }
 

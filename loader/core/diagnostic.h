@@ -36,7 +36,7 @@ using Diagnostics = std::vector<Diagnostic>;
 bool hasErrors(const Diagnostics& diagnostics);
 
 /// "file:line:column: error: message", then include chain, source line with caret, notes, hint;
-/// lines joined by '\n', no trailing newline.
+/// lines joined by '\n', no trailing newline. Each of these texts is printable().
 std::string formatDiagnostic(const Diagnostic& diagnostic);
 
 /// Removes exact repetitions (same severity, place and message), keeping the first of each.
