@@ -26,7 +26,7 @@ std::optional<std::vector<PatchedShader>> readPatched(const std::string& folder,
   std::error_code error;
   for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
     if (!it->is_regular_file(error)) continue;
-    const auto text = readWholeFile(it->path(), report, status);
+    const auto text = readWholeFileBelow(folder, it->path().filename(), report, status);
     if (text) files.push_back({it->path().filename(), *text});
   }
   if (error) {

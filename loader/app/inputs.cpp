@@ -4,11 +4,12 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
+#include <iostream>
 #include <map>
 #include <set>
 #include <sstream>
 
+#include "core/read_file.h"
 #include "core/replace_file.h"
 
 namespace orris {
@@ -52,9 +53,21 @@ std::string dimensionName(const std::string& request) {
 }
 
 void reportUnwritable(const std::string& path, Report& report, int& status) {
-  report.error("file-unwritable", "cannot be written",
+  const std::string problem = outputProblem(path);
+  report.error("file-unwritable", problem.empty() ? "cannot be written" : problem,
                "name a file in a folder that exists and may be written", path);
   status = kUsage;
+}
+
+void reportUnreadable(const std::string& path, ReadFault fault, Report& report, int& status) {
+  report.error("file-unreadable", describe(fault), "", path);
+  status = kUsage;
+}
+
+/// Written as the streams they are: beside them is no place for a temporary file.
+std::ostream* streamOf(const std::string& path) {
+  if (path == "/dev/stdout") return &std::cout;
+  return path == "/dev/stderr" ? &std::cerr : nullptr;
 }
 
 std::optional<Camera> parseCamera(const std::string& text) {
@@ -142,24 +155,24 @@ std::optional<Camera> chooseCamera(const World& world, const std::string& reques
 }
 
 std::optional<std::string> readWholeFile(const std::string& path, Report& report, int& status) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  // Reading an empty file sets failbit, reading a folder does too: ask for the folder by itself.
-  if (!file || std::filesystem::is_directory(path) || (text << file.rdbuf()).bad()) {
-    report.error("file-unreadable", "cannot be read", "", path);
-    status = kUsage;
-    return std::nullopt;
-  }
-  return std::move(text).str();
+  ReadFault fault{};
+  std::optional<std::string> text = readFile(path, kMaxTextBytes, fault);
+  if (!text) reportUnreadable(path, fault, report, status);
+  return text;
+}
+
+std::optional<std::string> readWholeFileBelow(const std::string& folder, const std::string& name,
+                                              Report& report, int& status) {
+  ReadFault fault{};
+  std::optional<std::string> text = readFileBelow(folder, name, kMaxTextBytes, fault);
+  if (!text) reportUnreadable((std::filesystem::path(folder) / name).string(), fault, report, status);
+  return text;
 }
 
 bool checkWritable(const std::string& path, Report& report, int& status) {
-  const std::string temporary = path + ".part";
-  std::error_code error;
-  const bool written = !std::filesystem::is_directory(path) && std::ofstream(temporary).good();
-  std::filesystem::remove(temporary, error);
-  if (!written) reportUnwritable(path, report, status);
-  return written;
+  if (streamOf(path) != nullptr || outputProblem(path).empty()) return true;
+  reportUnwritable(path, report, status);
+  return false;
 }
 
 bool checkPicturePath(const std::string& path, Report& report, int& status) {
@@ -174,13 +187,8 @@ bool checkPicturePath(const std::string& path, Report& report, int& status) {
 }
 
 bool writeWholeFile(const std::string& path, const std::string& text, Report& report, int& status) {
-  const std::error_code error = replaceFile(path, [&](const std::string& partial) {
-    std::ofstream file(partial, std::ios::binary);
-    file << text;
-    file.close();
-    return bool(file);
-  });
-  if (!error) return true;
+  if (std::ostream* stream = streamOf(path)) return bool(*stream << text << std::flush);
+  if (!replaceFile(path, text)) return true;
   reportUnwritable(path, report, status);
   return false;
 }

@@ -42,13 +42,18 @@ std::optional<Camera> chooseCamera(const World& world, const std::string& reques
 /// Reads a whole file; nullopt: reported, `status` is set.
 std::optional<std::string> readWholeFile(const std::string& path, Report& report, int& status);
 
-/// Can a file be created at `path`? Asked before long work, so that it is not lost. Otherwise
+/// The same for a file of a folder, which no link may lead out of.
+std::optional<std::string> readWholeFileBelow(const std::string& folder, const std::string& name,
+                                              Report& report, int& status);
+
+/// Can a file be created at `path`? Nothing is changed there. Asked before long work, so that it is not lost. Otherwise
 /// reported, `status` is set.
 bool checkWritable(const std::string& path, Report& report, int& status);
 /// The same for a picture, whose extension must be one that writeImage knows.
 bool checkPicturePath(const std::string& path, Report& report, int& status);
 
-/// Writes a whole file by way of a temporary one, so that no partial file is ever left.
+/// Writes a whole file by way of a temporary one, so that no partial file is ever left; /dev/stdout and
+/// /dev/stderr as they are.
 bool writeWholeFile(const std::string& path, const std::string& text, Report& report, int& status);
 
 }  // namespace orris

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "app/inputs.h"
+#include "core/read_file.h"
 
 namespace orris {
 namespace {
@@ -23,10 +24,17 @@ bool forEachStage(const ShaderPack& pack, const WriteStage& write) {
   return true;
 }
 
-void createFolder(const std::string& folder) {
+/// `inside` is `folder` or a folder of it; what is there may be no link to elsewhere.
+bool createFolder(const std::string& folder, const std::string& inside, Report& report,
+                  int& status) {
   // A folder that cannot be made shows when its first file is written.
   std::error_code error;
-  std::filesystem::create_directories(folder, error);
+  std::filesystem::create_directories(inside, error);
+  if (error || liesBelow(folder, inside)) return true;
+  report.error("file-unwritable", "leads out of the folder that --patched names",
+               "remove this link, or name another folder", inside);
+  status = kUsage;
+  return false;
 }
 
 std::string pathOf(const std::string& folder, const std::string& name, const StageText& stage) {
@@ -54,8 +62,8 @@ std::string mapOf(const MappedText& text) {
 }  // namespace
 
 bool writePatched(const std::string& folder, const ShaderPack& pack, Report& report, int& status) {
-  createFolder(folder);
-  return forEachStage(pack, [&](const std::string& name, const StageText& stage) {
+  return createFolder(folder, folder, report, status) &&
+         forEachStage(pack, [&](const std::string& name, const StageText& stage) {
     return writeWholeFile(pathOf(folder, name, stage), stage.text.text, report, status);
   });
 }
@@ -63,8 +71,8 @@ bool writePatched(const std::string& folder, const ShaderPack& pack, Report& rep
 bool writePatchedWithMap(const std::string& folder, const ShaderPack& pack, Report& report,
                          int& status) {
   const std::string inside = pack.folder == "/" ? folder : folder + pack.folder;
-  createFolder(inside);
-  return forEachStage(pack, [&](const std::string& name, const StageText& stage) {
+  return createFolder(folder, inside, report, status) &&
+         forEachStage(pack, [&](const std::string& name, const StageText& stage) {
     const std::string path = pathOf(inside, name, stage);
     return writeWholeFile(path, stage.text.text, report, status) &&
            writeWholeFile(path + ".map", mapOf(stage.text), report, status);

@@ -6,6 +6,7 @@
 
 #include "app/inputs.h"
 #include "chart/setting.h"
+#include "core/read_file.h"
 
 namespace orris {
 namespace {
@@ -24,9 +25,13 @@ void note(Report& report, Severity severity, const std::string& path, std::strin
 
 bool StudyFiles::create(Report& report, int& status) const {
   std::error_code error;
-  std::filesystem::create_directories(std::filesystem::path(folder_) / "settings", error);
-  if (!error) return true;
-  report.error("file-unwritable", "the folder cannot be made: " + error.message(),
+  const std::string settings = (std::filesystem::path(folder_) / "settings").string();
+  std::filesystem::create_directories(settings, error);
+  const bool outside = !error && !liesBelow(folder_, settings);
+  if (!error && !outside) return true;
+  report.error("file-unwritable",
+               outside ? "its folder settings is a link that leads out of it"
+                       : "the folder cannot be made: " + error.message(),
                "name a folder in a place that may be written", folder_);
   status = kUsage;
   return false;

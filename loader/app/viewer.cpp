@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <csignal>
 #include <filesystem>
-#include <iostream>
 #include <thread>
 #include <utility>
 
 #include "app/inputs.h"
+#include "core/read_file.h"
 #include "frame/counters.h"
 #include "image/image.h"
 
@@ -133,7 +133,9 @@ bool Viewer::openSession(World world, const Camera& camera) {
 // The command line's choices with those of the option file as it is now; a pack need not have one.
 std::optional<LoadRequest> Viewer::readChoices(bool withOptionFile) {
   PackOptions pack = options_.pack;
-  const bool wanted = withOptionFile && (!pack.settingsFile.empty() || fs::exists(optionFile_));
+  // Beside a pack lies what came with it: a link there may not lead out of the folder.
+  const fs::path folder = fs::absolute(optionFile_).parent_path();
+  const bool wanted = withOptionFile && (!pack.settingsFile.empty() || liesBelow(folder, optionFile_));
   pack.settingsFile = wanted ? optionFile_ : "";
   const auto files = openPackFiles(pack.path, report_, status_);
   if (!files) return std::nullopt;
@@ -292,7 +294,7 @@ void Viewer::saveScreenshot(const std::string& path) {
 }
 
 void Viewer::say(const std::string& line) const {
-  if (!options_.output.quiet) std::cout << line << std::endl;
+  if (!options_.output.quiet) printText(line + "\n");
 }
 
 }  // namespace orris

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 
 #include "core/pack_path.h"
+#include "core/read_file.h"
 #include "core/zip_source.h"
 
 namespace orris {
@@ -49,16 +49,8 @@ class FolderSource : public FileSource {
 
   std::optional<std::string> read(std::string_view path) const override {
     if (!contains(path)) return std::nullopt;
-    std::ifstream file(root_ / path.substr(1), std::ios::binary);
-    if (!file) return std::nullopt;
-    std::string bytes;
-    char block[1 << 16];
-    while (file.read(block, sizeof block), file.gcount() > 0) {
-      bytes.append(block, static_cast<size_t>(file.gcount()));
-      // The file may have grown since it was listed.
-      if (bytes.size() > limits_.fileBytes) return std::nullopt;
-    }
-    return bytes;
+    ReadFault ignored{};
+    return readFileBelow(root_.string(), std::string(path.substr(1)), limits_.fileBytes, ignored);
   }
 
   const std::vector<std::string>& files() const override { return paths_; }
@@ -88,7 +80,7 @@ class FolderSource : public FileSource {
   bool scanEntry(const std::string& path, const fs::directory_entry& entry, int depth,
                  Diagnostics& diagnostics) {
     std::error_code error;
-    if (entry.is_symlink(error) && !staysInside(entry.path())) {
+    if (entry.is_symlink(error) && !liesBelow(root_.string(), entry.path().string())) {
       diagnostics.push_back(
           {.severity = Severity::Warning,
            .id = "symlink-outside",
@@ -108,14 +100,6 @@ class FolderSource : public FileSource {
     paths_.push_back(path);
     return paths_.size() <= limits_.files ||
            tooLarge(path, "more than {} files", limits_.files, diagnostics);
-  }
-
-  bool staysInside(const fs::path& link) const {
-    std::error_code error;
-    const fs::path target = fs::canonical(link, error);
-    if (error) return false;
-    const auto mismatch = std::mismatch(root_.begin(), root_.end(), target.begin(), target.end());
-    return mismatch.first == root_.end();
   }
 
   template <typename Limit>
@@ -170,6 +154,9 @@ std::unique_ptr<FileSource> openPack(const std::string& path, Diagnostics& diagn
     return refuse(path, "no such shader pack", "give a folder or a .zip", diagnostics);
   }
   if (!fs::is_directory(path, error)) {
+    if (!fs::is_regular_file(path, error))
+      return refuse(path, "no shader pack: neither a folder nor a file",
+                    "give a folder or a .zip", diagnostics);
     auto files = readZip(path, limits, diagnostics);
     return files ? memorySource(std::move(*files)) : nullptr;
   }
@@ -177,6 +164,13 @@ std::unique_ptr<FileSource> openPack(const std::string& path, Diagnostics& diagn
   if (!root) {
     return refuse(path, "no shader pack: the folder has no folder named shaders",
                   "give the folder that holds shaders/", diagnostics);
+  }
+  // A path that the user wrote may be a link to anywhere; what a pack brings along may not.
+  if (!liesBelow(path, root->string())) {
+    return refuse((fs::path(path) / "shaders").string(),
+                  "this symbolic link leads out of the pack; it is not followed",
+                  "put the folder itself into the pack, or give the folder that it leads to",
+                  diagnostics);
   }
   auto source = std::make_unique<FolderSource>(*root, limits);
   return source->scan(diagnostics) ? std::move(source) : nullptr;

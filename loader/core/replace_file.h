@@ -1,16 +1,25 @@
-// Writing a file whole or not at all.
+// Writing a file whole or not at all, and never through a link or onto a device.
 #pragma once
 
 #include <functional>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 namespace orris {
 
+/// Why no file can be written at `path`, to be put behind its name; "" when one can. What is there must
+/// be a regular file or nothing: a link that somebody left is not written through, a device not replaced.
+std::string outputProblem(const std::string& path);
+
 /// Lets `write` fill a file beside `path` and then puts that in its place, so that whoever reads sees
-/// the old file or the whole new one. `write` gets the path to fill and returns whether it could. On an
-/// error nothing is left beside `path`, and what was there stays; io_error when `write` failed.
+/// the old file or the whole new one, also after a loss of power. `write` gets the path to fill, an empty
+/// file of a random name, and returns whether it could. On an error nothing is left beside `path`, and
+/// what was there stays; io_error when `write` failed, not_supported for an outputProblem().
 std::error_code replaceFile(const std::string& path,
                             const std::function<bool(const std::string& partial)>& write);
+
+/// The same for bytes at hand.
+std::error_code replaceFile(const std::string& path, std::string_view bytes);
 
 }  // namespace orris

@@ -118,8 +118,9 @@ bool writePicture(const std::string& path, PictureToWrite picture, Diagnostics& 
     return !reason;
   });
   if (!error) return true;
+  const std::string problem = reason.value_or(outputProblem(path));
   return fail(diagnostics, "image-write", path,
-              fmt::format("cannot write the image: {}", reason.value_or(error.message())),
+              fmt::format("cannot write the image: {}", problem.empty() ? error.message() : problem),
               "check that the folder exists and is writable");
 }
 

@@ -4,9 +4,8 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
+#include "core/read_file.h"
 #include "world/block_facts.h"
 #include "world/schematic.h"
 #include "world/world_json.h"
@@ -16,29 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t kMaxFileBytes = std::uintmax_t(1) << 28;
-
-std::optional<std::string> readWholeFile(const fs::path& path) {
-  std::error_code problem;
-  if (!fs::is_regular_file(path, problem) || fs::file_size(path, problem) > kMaxFileBytes) {
-    return std::nullopt;
-  }
-  std::ifstream stream(path, std::ios::binary);
-  std::ostringstream bytes;
-  if (!stream || !(bytes << stream.rdbuf())) return std::nullopt;
-  return bytes.str();
-}
-
-/// Reads `path` inside `folder`; a link that leads outside is not followed.
-std::optional<std::string> readInside(const fs::path& folder, const std::string& path) {
-  std::error_code problem;
-  const fs::path root = fs::canonical(folder, problem);
-  const fs::path file = fs::canonical(folder / path, problem);
-  if (problem) return std::nullopt;
-  const fs::path relative = file.lexically_relative(root);
-  if (relative.empty() || *relative.begin() == "..") return std::nullopt;
-  return readWholeFile(file);
-}
+constexpr std::size_t kMaxFileBytes = std::size_t(1) << 28;
 
 void addError(Diagnostics& diagnostics, const std::string& file, std::string message,
               std::string hint) {
@@ -66,9 +43,11 @@ void completePalette(World& world) {
 }
 
 std::optional<World> loadSchematic(const fs::path& path, Diagnostics& diagnostics) {
-  const std::optional<std::string> bytes = readWholeFile(path);
+  ReadFault fault{};
+  const std::optional<std::string> bytes = readFile(path.string(), kMaxFileBytes, fault);
   if (!bytes) {
-    addError(diagnostics, path.string(), "cannot read this schematic", "");
+    addError(diagnostics, path.string(),
+             fmt::format("this schematic {}", describe(fault)), "");
     return std::nullopt;
   }
   std::optional<BlockWorld> blocks = parseSchematic(*bytes, path.string(), diagnostics);
@@ -82,10 +61,12 @@ std::optional<World> loadSchematic(const fs::path& path, Diagnostics& diagnostic
   return world;
 }
 
-std::optional<World> loadJson(const fs::path& path, unsigned seed, Diagnostics& diagnostics) {
-  const std::optional<std::string> text = readWholeFile(path);
+/// `text`: what was read of `path`, or nothing because of `fault`.
+std::optional<World> loadJson(const fs::path& path, const std::optional<std::string>& text,
+                              ReadFault fault, unsigned seed, Diagnostics& diagnostics) {
   if (!text) {
-    addError(diagnostics, path.string(), "cannot read this world",
+    addError(diagnostics, path.string(),
+             fmt::format("this world {}", describe(fault)),
              "WORLD is a folder with world.json, a world.json or a Sponge .schem");
     return std::nullopt;
   }
@@ -96,7 +77,10 @@ std::optional<World> loadJson(const fs::path& path, unsigned seed, Diagnostics& 
   json.file = path.string();
   json.defaultName = fs::weakly_canonical(folder, problem).filename().string();
   json.seed = seed;
-  json.readFile = [&](const std::string& name) { return readInside(folder, name); };
+  json.readFile = [&](const std::string& name) { 
+    ReadFault ignored{};
+    return readFileBelow(folder.string(), name, kMaxFileBytes, ignored);
+  };
   std::optional<World> world = parseWorldJson(json, diagnostics);
   if (world) completePalette(*world);
   return world;
@@ -114,10 +98,17 @@ const Camera* World::camera(std::string_view cameraName) const {
 std::optional<World> loadWorld(const std::string& path, unsigned seed, Diagnostics& diagnostics) {
   std::error_code problem;
   const fs::path given(path);
-  if (fs::is_directory(given, problem)) return loadJson(given / "world.json", seed, diagnostics);
+  ReadFault fault{};
+  if (fs::is_directory(given, problem)) {
+    const auto text = readFileBelow(path, "world.json", kMaxFileBytes, fault);
+    return loadJson(given / "world.json", text, fault, seed, diagnostics);
+  }
   const std::string extension = given.extension().string();
   if (extension == ".schem" || extension == ".schematic") return loadSchematic(given, diagnostics);
-  if (extension == ".json") return loadJson(given, seed, diagnostics);
+  if (extension == ".json") {
+    const auto text = readFile(path, kMaxFileBytes, fault);
+    return loadJson(given, text, fault, seed, diagnostics);
+  }
   addError(diagnostics, path, fs::exists(given, problem) ? "not a world" : "no such file or folder",
            "WORLD is a folder with world.json, a world.json or a Sponge .schem");
   return std::nullopt;

@@ -1,0 +1,29 @@
+// Reading files whose place or content a stranger may have chosen: never more than was asked for, never
+// what is no file, never outside of the folder in which they are looked for.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+namespace orris {
+
+/// Enough for every text that a person names: option files, baselines, logs, results.
+constexpr std::size_t kMaxTextBytes = std::size_t{64} << 20;
+
+enum class ReadFault { Missing, Unreadable, NoFile, TooLarge, Outside };
+/// "is a folder, device or pipe", to be put behind the name of the file.
+const char* describe(ReadFault fault);
+
+/// The bytes of a regular file, at most `limit`; else nullopt and why. Never waits for a writer. Links
+/// are followed. Below /dev, which no checkout can fill, pipes and devices are read, too.
+std::optional<std::string> readFile(const std::string& path, std::size_t limit, ReadFault& fault);
+
+/// The same for `path` seen from `folder`. Neither it nor a folder of it may be a link out of `folder`.
+std::optional<std::string> readFileBelow(const std::string& folder, const std::string& path,
+                                         std::size_t limit, ReadFault& fault);
+
+/// Whether `path`, which exists, lies in `folder` after all links are resolved.
+bool liesBelow(const std::string& folder, const std::string& path);
+
+}  // namespace orris
