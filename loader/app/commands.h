@@ -8,8 +8,11 @@ class App;
 
 namespace orris {
 
+struct FolderConfig;
+
 void addRenderCommand(CLI::App& app, int& status);
-void addValidateCommand(CLI::App& app, int& status);
+/// `folder`: what orris.toml of the working folder asks for; kept until the command has run.
+void addValidateCommand(CLI::App& app, int& status, const FolderConfig& folder);
 void addOptionsCommand(CLI::App& app, int& status);
 void addWorldCommand(CLI::App& app, int& status);
 void addCompareCommand(CLI::App& app, int& status);

@@ -4,21 +4,32 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <csignal>
 #include <exception>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/commands.h"
 #include "app/exit_status.h"
+#include "app/folder_config.h"
+#include "core/printable.h"
 
 namespace orris {
 namespace {
 
-using AddCommand = void (*)(CLI::App& app, int& status);
-constexpr AddCommand kCommands[] = {addRenderCommand, addValidateCommand, addOptionsCommand,
-                                    addWorldCommand,  addCompareCommand,  addViewCommand,
-                                    addTraceCommand,  addChartCommand,    addTuneCommand};
+void addCommands(CLI::App& app, int& status, const FolderConfig& folder) {
+  addRenderCommand(app, status);
+  addValidateCommand(app, status, folder);
+  addOptionsCommand(app, status);
+  addWorldCommand(app, status);
+  addCompareCommand(app, status);
+  addViewCommand(app, status);
+  addTraceCommand(app, status);
+  addChartCommand(app, status);
+  addTuneCommand(app, status);
+}
 
 // Flags that take several assignments: "--set A=1 B=2" is "--set A=1 --set B=2". Left to the parser,
 // such a flag would swallow the positional arguments behind it.
@@ -47,11 +58,28 @@ std::vector<std::string> repeatAssignmentFlags(int argc, char** argv) {
 int reportUsage(const CLI::App& app, const CLI::ParseError& error) {
   std::string name = "orris";
   for (const CLI::App* command : app.get_subcommands()) name += " " + command->get_name();
-  std::cerr << fmt::format("{}: error: {}\n  hint: {} --help\n", name, error.what(), name);
+  std::cerr << printableLines(
+      fmt::format("{}: error: {}\n  hint: {} --help\n", name, error.what(), name));
   return kUsage;
 }
 
+/// The file of the working folder, unless the command line says which file to read, or none.
+std::optional<FolderConfig> unaskedConfig(const std::vector<std::string>& arguments) {
+  const bool chosen = std::ranges::any_of(arguments, [](const std::string& word) {
+    return word == "--config" || word == "--no-config" || word.starts_with("--config=");
+  });
+  if (chosen) return FolderConfig{};
+  Diagnostics diagnostics;
+  auto config = readFolderConfig(".", diagnostics);
+  for (const Diagnostic& diagnostic : diagnostics)
+    std::cerr << formatDiagnostic(diagnostic) << '\n';
+  return config;
+}
+
 int run(int argc, char** argv) {
+  std::vector<std::string> arguments = repeatAssignmentFlags(argc, argv);
+  const std::optional<FolderConfig> folder = unaskedConfig(arguments);
+  if (!folder) return kUsage;
   CLI::App app("Hosts Iris-format shader packs without a game, a window or a GPU.", "orris");
   app.set_version_flag("--version", "orris " ORRIS_VERSION);
   app.require_subcommand(1);
@@ -59,17 +87,21 @@ int run(int argc, char** argv) {
       "Exit status: 0 clean, 1 problems found, 2 wrong usage or unreadable input, 3 the host "
       "failed.");
   int status = kClean;
-  for (const AddCommand add : kCommands) add(app, status);
+  addCommands(app, status, *folder);
   // CLI11 reads it for the main program only; a section for each command then names its flags.
-  app.set_config("--config", "orris.toml", "read flags from this file, in sections like [validate]")
+  app.set_config("--config", folder->present ? kFolderConfig : "",
+                 "read flags from this file, in sections like [validate]; default: what orris.toml "
+                 "of the working folder chooses without naming files")
       ->type_name("FILE");
+  // The value is looked up before the command line is parsed.
+  app.add_flag_function("--no-config", [](std::int64_t) {},
+                        "do not read orris.toml of the working folder");
   app.allow_config_extras(CLI::config_extras_mode::error);
   for (CLI::App* command : app.get_subcommands({})) {
     command->fallthrough();
     command->allow_config_extras(CLI::config_extras_mode::error);
   }
 
-  std::vector<std::string> arguments = repeatAssignmentFlags(argc, argv);
   std::reverse(arguments.begin(), arguments.end());  // the order CLI11 takes a vector in
   try {
     app.parse(arguments);
@@ -86,10 +118,11 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   int status = orris::kHostFailed;
+  std::signal(SIGXFSZ, SIG_IGN);  // a file over the limit is then an error of its writer
   try {
     status = orris::run(argc, argv);
   } catch (const std::exception& error) {
-    std::cerr << "orris: error: " << error.what() << '\n';
+    std::cerr << "orris: error: " << orris::printable(error.what()) << '\n';
   }
   std::cout.flush();
   if (!std::cout && status == orris::kClean) {

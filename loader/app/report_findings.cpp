@@ -109,6 +109,8 @@ class Judge {
   void applySeverity(Finding& finding) const {
     const auto chosen = options_.severities.find(finding.diagnostic.id);
     if (chosen == options_.severities.end()) return;
+    finding.milder = finding.silence == Silence::None &&
+                     (!chosen->second || *chosen->second < finding.diagnostic.severity);
     if (chosen->second)
       finding.diagnostic.severity = *chosen->second;
     else if (finding.silence == Silence::None)

@@ -21,6 +21,7 @@ struct Finding {
   std::string uri;                 ///< the file as the repository names it
   std::set<std::string> programs;  ///< "/world0/composite": those that it was met in
   Silence silence = Silence::None;
+  bool milder = false;  ///< turned off or lowered by --ignore or --severity
 };
 
 /// One pack, judged.

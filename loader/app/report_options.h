@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,7 @@ struct ReportOptions {
   bool strict = false;                                        ///< warnings make the exit status 1
   std::optional<std::string> sourceRoot;  ///< where the pack's files are, seen from the repository
   std::string baseline, writeBaseline;    ///< files
+  std::set<std::string> silencedUnasked;  ///< ids that the folder's own orris.toml judges
 };
 
 /// --format, --output, --report, --ignore, --severity, --strict, --source-root, --baseline

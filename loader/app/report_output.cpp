@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <iostream>
+#include <map>
 
+#include "app/folder_config.h"
 #include "app/inputs.h"
 
 namespace orris {
@@ -35,16 +37,33 @@ void ReportOutput::add(PackVerdict verdict, const Report& report) {
   result_.packs.push_back(judgePack(std::move(verdict), report, options_, baseline));
   const PackResult& pack = result_.packs.back();
   std::cerr << messagesOf(pack, output_, options_.strict) << std::flush;
-  if (options_.format == "text") std::cout << summaryOf(pack) << std::flush;
+  if (options_.format == "text") printText(summaryOf(pack));
   result_.status = std::max(result_.status, pack.verdict.status);
 }
 
+// A stranger's file was read unasked: what it kept from the report is said whatever the flags.
+void ReportOutput::sayWhatFolderSilenced() const {
+  std::map<std::string, int> counts;
+  for (const PackResult& pack : result_.packs) {
+    for (const Finding& finding : pack.findings) {
+      const std::string& id = finding.diagnostic.id;
+      if (finding.milder && options_.silencedUnasked.contains(id)) ++counts[id];
+    }
+  }
+  std::string list;
+  for (const auto& [id, count] : counts)
+    list += fmt::format("{}{} {}", list.empty() ? "" : ", ", count, id);
+  if (!list.empty())
+    std::cerr << fmt::format("{}: turned off or lowered: {}\n", kFolderConfig, list);
+}
+
 int ReportOutput::finish() {
+  sayWhatFolderSilenced();
   if (options_.format != "text") {
     std::cout << findReportFormat(options_.format)->write(result_);
   } else if (result_.baseline) {
-    std::cout << fmt::format("{}: {} known problems, {} gone\n", options_.baseline,
-                             result_.baseline->taken(), result_.baseline->left());
+    printText(fmt::format("{}: {} known problems, {} gone\n", options_.baseline,
+                          result_.baseline->taken(), result_.baseline->left()));
   }
   Report report(output_);
   int status = kClean;

@@ -20,6 +20,7 @@ class ReportOutput {
  private:
   bool readBaseline(Report& report);
   std::string baselineText() const;
+  void sayWhatFolderSilenced() const;
 
   const ReportOptions& options_;
   const OutputOptions& output_;

@@ -4,6 +4,7 @@
 
 #include "app/commands.h"
 #include "app/explain.h"
+#include "app/folder_config.h"
 #include "app/report_output.h"
 #include "app/validate_run.h"
 
@@ -37,7 +38,7 @@ int runValidate(const ValidateOptions& options) {
 
 }  // namespace
 
-void addValidateCommand(CLI::App& app, int& status) {
+void addValidateCommand(CLI::App& app, int& status, const FolderConfig& folder) {
   const auto options = std::make_shared<ValidateOptions>();
   CLI::App* command = app.add_subcommand("validate", "check shader packs without a world");
   command->add_option("pack", options->paths, "shader packs: folders or .zip files")
@@ -75,7 +76,8 @@ void addValidateCommand(CLI::App& app, int& status) {
   addMatrixFlags(*command, options->matrix);
   addReportFlags(*command, options->report);
   addOutputFlags(*command, options->output);
-  command->callback([options, &status] {
+  command->callback([options, &status, &folder] {
+    options->report.silencedUnasked = folder.silenced;
     settleReportFlags(options->report, options->output.json);
     status = options->explainLog.empty() ? runValidate(*options) : runExplain(*options);
   });

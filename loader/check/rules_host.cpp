@@ -12,6 +12,8 @@ std::span<const Rule> hostRules() {
        "a checkpoint of trace is damaged or belongs to another picture"},
       {"checkpoint-write", Severity::Error, "a checkpoint of trace cannot be written"},
       {"compare-size", Severity::Error, "two pictures of different sizes cannot be compared"},
+      {"config-refused", Severity::Error,
+       "orris.toml of the working folder names what only --config may name"},
       {"dump-unknown", Severity::Error, "--dump names no buffer of the frame"},
       {"file-unreadable", Severity::Error, "a file named on the command line cannot be read"},
       {"file-unwritable", Severity::Error, "an output file cannot be written"},

@@ -321,17 +321,24 @@ class Settings(unittest.TestCase):
         folder = Folder()
         (folder.path / "orris.toml").write_text(
             '[validate]\nignore = ["alpha-test", "ignore-unknown"]\n'
-            'severity = ["glsl-compile=warning"]\nreport = ["github=a.txt", "junit=b.xml"]\n')
+            'severity = ["glsl-compile=warning"]\n')
         self.assertIn("  2 warnings, 3 ignored\n", folder.validate(status=0).stdout)
-        self.assertTrue((folder.path / "a.txt").exists() and (folder.path / "b.xml").exists())
         self.assertNotIn("error", folder.validate("--strict").stderr)
+
+    def test_of_a_named_file_may_name_files(self):
+        folder = Folder()
+        (folder.path / "orris.toml").write_text(
+            '[validate]\nreport = ["github=a.txt", "junit=b.xml"]\n')
+        folder.validate("--config", "orris.toml")
+        self.assertTrue((folder.path / "a.txt").exists() and (folder.path / "b.xml").exists())
 
     def test_that_do_not_exist_are_refused(self):
         folder = Folder()
         for line in ("strct = true", 'ignore = ["no-such-check"]', 'severity = ["alpha-test=bad"]',
                      'report = ["pdf=x"]', 'format = "pdf"'):
             (folder.path / "orris.toml").write_text(f"[validate]\n{line}\n")
-            self.assertIn("orris validate: error: ", folder.validate(status=2).stderr)
+            self.assertIn("orris validate: error: ",
+                          folder.validate("--config", "orris.toml", status=2).stderr)
 
 
 if __name__ == "__main__":
