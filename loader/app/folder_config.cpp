@@ -12,15 +12,15 @@
 namespace orris {
 namespace {
 
-constexpr std::size_t kMaxBytes = std::size_t{64} << 10;
+constexpr std::size_t kMaxConfigBytes = std::size_t{64} << 10;
 
-bool isAllowed(const CLI::ConfigItem& item) {
+bool isFolderKey(const CLI::ConfigItem& item) {
   const auto& keys = folderConfigKeys();
   const bool sectionEdge = item.name == "++" || item.name == "--";
   return sectionEdge || std::find(keys.begin(), keys.end(), item.name) != keys.end();
 }
 
-Diagnostic problem(std::string message, std::string hint) {
+Diagnostic configProblem(std::string message, std::string hint) {
   Diagnostic diagnostic;
   diagnostic.id = "config-refused";
   diagnostic.at.file = kFolderConfig;
@@ -30,7 +30,7 @@ Diagnostic problem(std::string message, std::string hint) {
 }
 
 // The parser keeps no lines; a key that it takes from quotes or a dotted name has none here.
-void locate(Diagnostic& diagnostic, const std::string& key, const std::vector<std::string>& lines) {
+void placeKey(Diagnostic& diagnostic, const std::string& key, const std::vector<std::string>& lines) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const std::size_t begin = std::min(lines[i].find_first_not_of(" \t"), lines[i].size());
     if (lines[i].compare(begin, key.size(), key) != 0) continue;
@@ -44,23 +44,23 @@ void locate(Diagnostic& diagnostic, const std::string& key, const std::vector<st
 }
 
 Diagnostic refusal(const CLI::ConfigItem& item, const std::vector<std::string>& lines) {
-  Diagnostic diagnostic = problem(
+  Diagnostic diagnostic = configProblem(
       fmt::format("\"{}\" is not taken from a file that nobody named", item.name),
       fmt::format("if you trust this folder, say --config {}; otherwise --no-config. Unasked, only "
                   "these are read: {}",
                   kFolderConfig, joinNames(folderConfigKeys())));
-  locate(diagnostic, item.name, lines);
+  placeKey(diagnostic, item.name, lines);
   return diagnostic;
 }
 
 /// nullopt: the parser does not understand the text.
-std::optional<std::vector<CLI::ConfigItem>> itemsOf(const std::string& text,
+std::optional<std::vector<CLI::ConfigItem>> configItems(const std::string& text,
                                                     Diagnostics& diagnostics) {
   std::istringstream stream(text);
   try {
     return CLI::ConfigTOML().from_config(stream);
   } catch (const CLI::Error& error) {
-    diagnostics.push_back(problem(error.what(), ""));
+    diagnostics.push_back(configProblem(error.what(), ""));
     return std::nullopt;
   }
 }
@@ -82,18 +82,18 @@ const std::vector<std::string>& folderConfigKeys() {
 
 std::optional<FolderConfig> readFolderConfig(const std::string& folder, Diagnostics& diagnostics) {
   ReadFault fault{};
-  const auto text = readFileBelow(folder, kFolderConfig, kMaxBytes, fault);
+  const auto text = readFileBelow(folder, kFolderConfig, kMaxConfigBytes, fault);
   if (!text && fault == ReadFault::Missing) return FolderConfig{};
   if (!text) {
-    diagnostics.push_back(problem(describe(fault), "remove it, or say --no-config"));
+    diagnostics.push_back(configProblem(describe(fault), "remove it, or say --no-config"));
     return std::nullopt;
   }
-  const auto items = itemsOf(*text, diagnostics);
+  const auto items = configItems(*text, diagnostics);
   if (!items) return std::nullopt;
   FolderConfig config{.present = true};
   const std::vector<std::string> lines = splitLines(*text);
   for (const CLI::ConfigItem& item : *items) {
-    if (!isAllowed(item)) diagnostics.push_back(refusal(item, lines));
+    if (!isFolderKey(item)) diagnostics.push_back(refusal(item, lines));
     addSilenced(item, config.silenced);
   }
   return diagnostics.empty() ? std::optional(std::move(config)) : std::nullopt;
