@@ -14,17 +14,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::string_view kBesideShaders = "/../";
+
 class MemorySource : public FileSource {
  public:
   explicit MemorySource(std::map<std::string, std::string> files) {
     for (auto& [path, bytes] : files) {
-      if (const auto normal = resolvePackPath("/", path)) {
+      if (const auto normal = resolvePackPath("/", path, AboveRoot::Beside)) {
         files_.insert_or_assign(*normal, std::move(bytes));
       }
     }
-    for (const auto& entry : files_) paths_.push_back(entry.first);
+    for (const auto& entry : files_) {
+      if (!isBesideShaders(entry.first)) paths_.push_back(entry.first);
+    }
   }
   std::optional<std::string> read(std::string_view path) const override {
+    return isBesideShaders(path) ? std::nullopt : MemorySource::readResource(path);
+  }
+  std::optional<std::string> readResource(std::string_view path) const override {
     const auto found = files_.find(path);
     return found == files_.end() ? std::nullopt : std::optional(found->second);
   }
@@ -35,10 +42,28 @@ class MemorySource : public FileSource {
   std::vector<std::string> paths_;
 };
 
+/// A zip, whose files beside `shaders` are read when a texture names one.
+class ZipSource : public MemorySource {
+ public:
+  ZipSource(std::string zip, const PackLimits& limits, std::map<std::string, std::string> files)
+      : MemorySource(std::move(files)), zip_(std::move(zip)), limits_(limits) {}
+  std::optional<std::string> readResource(std::string_view path) const override {
+    return isBesideShaders(path) ? readBesideInZip(zip_, path, limits_)
+                                 : MemorySource::readResource(path);
+  }
+
+ private:
+  std::string zip_;
+  PackLimits limits_;
+};
+
 class FolderSource : public FileSource {
  public:
-  FolderSource(fs::path root, const PackLimits& limits)
-      : root_(fs::canonical(root)), limits_(limits) {}
+  /// `pack` holds `root`; empty when nothing beside `root` is of the pack.
+  FolderSource(const fs::path& root, const fs::path& pack, const PackLimits& limits)
+      : root_(fs::canonical(root)),
+        pack_(pack.empty() ? pack : fs::canonical(pack)),
+        limits_(limits) {}
 
   /// Lists all files; false and a diagnostic when a limit is passed.
   bool scan(Diagnostics& diagnostics) {
@@ -51,6 +76,16 @@ class FolderSource : public FileSource {
     if (!contains(path)) return std::nullopt;
     ReadFault ignored{};
     return readFileBelow(root_.string(), std::string(path.substr(1)), limits_.fileBytes, ignored);
+  }
+
+  std::optional<std::string> readResource(std::string_view path) const override {
+    if (!isBesideShaders(path)) return read(path);
+    // Whoever made the path may not have resolved it.
+    const auto normal = resolvePackPath("/", path, AboveRoot::Beside);
+    if (pack_.empty() || !normal || !isBesideShaders(*normal)) return std::nullopt;
+    ReadFault ignored{};
+    return readFileBelow(pack_.string(), normal->substr(kBesideShaders.size()), limits_.fileBytes,
+                         ignored);
   }
 
   const std::vector<std::string>& files() const override { return paths_; }
@@ -112,7 +147,7 @@ class FolderSource : public FileSource {
     return false;
   }
 
-  fs::path root_;
+  fs::path root_, pack_;
   PackLimits limits_;
   std::vector<std::string> paths_;
   size_t total_ = 0;
@@ -139,6 +174,12 @@ std::optional<fs::path> rootInside(const fs::path& folder) {
 
 }  // namespace
 
+bool isBesideShaders(std::string_view path) { return path.starts_with(kBesideShaders); }
+
+std::optional<std::string> FileSource::readResource(std::string_view path) const {
+  return isBesideShaders(path) ? std::nullopt : read(path);
+}
+
 bool FileSource::contains(std::string_view path) const {
   return std::binary_search(files().begin(), files().end(), path);
 }
@@ -158,7 +199,7 @@ std::unique_ptr<FileSource> openPack(const std::string& path, Diagnostics& diagn
       return refuse(path, "no shader pack: neither a folder nor a file",
                     "give a folder or a .zip", diagnostics);
     auto files = readZip(path, limits, diagnostics);
-    return files ? memorySource(std::move(*files)) : nullptr;
+    return files ? std::make_unique<ZipSource>(path, limits, std::move(*files)) : nullptr;
   }
   const auto root = rootInside(path);
   if (!root) {
@@ -172,7 +213,8 @@ std::unique_ptr<FileSource> openPack(const std::string& path, Diagnostics& diagn
                   "put the folder itself into the pack, or give the folder that it leads to",
                   diagnostics);
   }
-  auto source = std::make_unique<FolderSource>(*root, limits);
+  const bool given = fs::equivalent(*root, path, error);
+  auto source = std::make_unique<FolderSource>(*root, given ? fs::path() : fs::path(path), limits);
   return source->scan(diagnostics) ? std::move(source) : nullptr;
 }
 

@@ -23,7 +23,13 @@ class FileSource {
   /// All file paths, sorted.
   virtual const std::vector<std::string>& files() const = 0;
   bool contains(std::string_view path) const;
+  /// What a texture or buffer names (AboveRoot::Beside): as read(), and "/../assets/a.png" is a file
+  /// of the pack beside its `shaders` folder. files() lists none of those.
+  virtual std::optional<std::string> readResource(std::string_view path) const;
 };
+
+/// Is it a file beside the `shaders` folder, "/../assets/a.png"?
+bool isBesideShaders(std::string_view path);
 
 /// What openPack() accepts at most.
 struct PackLimits {
@@ -33,11 +39,12 @@ struct PackLimits {
   int folderDepth = 32;
 };
 
-/// Files held in memory. Paths that leave the root are left out.
+/// Files held in memory. Paths that leave the folder of the root are left out.
 std::unique_ptr<FileSource> memorySource(std::map<std::string, std::string> files);
 
 /// Opens a pack: a folder with `shaders/` inside (or that is itself named `shaders`), or a zip whose
-/// first directory named `shaders` is the root. Limits: 64 MiB a file, 1 GiB in all, 65536 files.
+/// first directory named `shaders` is the root. The pack is what holds `shaders/`; of a path that is
+/// itself the `shaders` folder nothing beside it is read. Limits: 64 MiB a file, 1 GiB in all, 65536 files.
 /// nullptr and a diagnostic when it cannot be opened.
 std::unique_ptr<FileSource> openPack(const std::string& path, Diagnostics& diagnostics,
                                      const PackLimits& limits = {});

@@ -4,6 +4,20 @@
 #include <vector>
 
 namespace orris {
+namespace {
+
+/// The folder that is the root, as the one that holds it knows it.
+constexpr std::string_view kRootName = "shaders";
+constexpr std::string_view kBeside = "..";
+
+/// "/../shaders/a" is "/a"; "/.." names no file.
+bool settleBeside(std::vector<std::string_view>& parts) {
+  if (parts.front() != kBeside) return true;
+  if (parts.size() > 1 && parts[1] == kRootName) parts.erase(parts.begin(), parts.begin() + 2);
+  return !parts.empty() && parts.back() != kBeside;
+}
+
+}  // namespace
 
 std::optional<std::string> resolvePackPath(std::string_view from, std::string_view path,
                                            AboveRoot aboveRoot) {
@@ -22,12 +36,15 @@ std::optional<std::string> resolvePackPath(std::string_view from, std::string_vi
     if (part.empty() || part == ".") continue;
     if (part != "..") {
       parts.push_back(part);
-    } else if (!parts.empty()) {
+    } else if (!parts.empty() && parts.back() != kBeside) {
       parts.pop_back();
-    } else if (aboveRoot == AboveRoot::Refuse) {
+    } else if (aboveRoot == AboveRoot::Beside && parts.empty()) {
+      parts.push_back(kBeside);
+    } else if (aboveRoot != AboveRoot::Stay) {
       return std::nullopt;
     }
   }
+  if (!parts.empty() && !settleBeside(parts)) return std::nullopt;
   std::string resolved;
   for (const std::string_view part : parts) resolved.append("/").append(part);
   return resolved.empty() ? "/" : resolved;

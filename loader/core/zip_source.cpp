@@ -67,6 +67,22 @@ std::optional<std::string> readEntry(zip_t* archive, zip_uint64_t index, size_t 
 
 }  // namespace
 
+std::optional<std::string> readBesideInZip(const std::string& zip, std::string_view path,
+                                           const PackLimits& limits) {
+  Diagnostics ignored;  // reported when the pack was opened
+  const Archive archive = openArchive(zip, ignored);
+  if (!archive) return std::nullopt;
+  const zip_int64_t count = zip_get_num_entries(archive.get(), 0);
+  const auto root = findRoot(archive.get(), count);
+  const auto wanted = root ? resolvePackPath(*root + "/", path.substr(1)) : std::nullopt;
+  for (zip_int64_t i = 0; wanted && i < count; ++i) {
+    const char* name = zip_get_name(archive.get(), static_cast<zip_uint64_t>(i), 0);
+    if (name && resolvePackPath("/", std::string("/") + name) == wanted)
+      return readEntry(archive.get(), static_cast<zip_uint64_t>(i), limits.fileBytes);
+  }
+  return std::nullopt;
+}
+
 std::optional<std::map<std::string, std::string>> readZip(const std::string& path,
                                                           const PackLimits& limits,
                                                           Diagnostics& diagnostics) {

@@ -16,4 +16,9 @@ std::optional<std::map<std::string, std::string>> readZip(const std::string& pat
                                                           const PackLimits& limits,
                                                           Diagnostics& diagnostics);
 
+/// Bytes of a file beside that folder, "/../assets/a.png". nullopt: there is none, or it exceeds the
+/// limits.
+std::optional<std::string> readBesideInZip(const std::string& zip, std::string_view path,
+                                           const PackLimits& limits);
+
 }  // namespace orris

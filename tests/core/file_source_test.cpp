@@ -54,6 +54,43 @@ TEST_F(FileSourceTest, folder_is_read_from_its_shaders_folder) {
   }
 }
 
+TEST_F(FileSourceTest, textures_of_the_pack_may_lie_beside_its_shaders_folder) {
+  write("pack/shaders/composite.fsh", "void main() {}");
+  write("pack/shaders/lib/a.bin", "a");
+  write("pack/assets/noise.png", "noise");
+  write("secret.txt", "secret");
+  fs::create_symlink(root_ / "secret.txt", root_ / "pack/assets/link.png");
+  fs::create_symlink("noise.png", root_ / "pack/assets/inside.png");
+  const auto source = open((root_ / "pack").string());
+  ASSERT_TRUE(source) << message();
+  EXPECT_EQ(source->readResource("/../assets/noise.png"), "noise");
+  EXPECT_EQ(source->readResource("/../assets/inside.png"), "noise");
+  EXPECT_EQ(source->readResource("/lib/a.bin"), "a");
+  EXPECT_EQ(source->read("/../assets/noise.png"), std::nullopt);
+  EXPECT_THAT(source->files(), ElementsAre("/composite.fsh", "/lib/a.bin"));
+  for (const char* outside : {"/../assets/link.png", "/../../secret.txt", "/../assets",
+                              "/../assets/../../secret.txt", "/../missing.png"}) {
+    EXPECT_EQ(source->readResource(outside), std::nullopt) << outside;
+  }
+  write("pack/long.bin", std::string(15, 'x'));
+  EXPECT_EQ(open((root_ / "pack").string(), {.fileBytes = 14})->readResource("/../long.bin"),
+            std::nullopt);
+  // Nobody said that what holds the folder is a pack.
+  EXPECT_EQ(open((root_ / "pack/shaders").string())->readResource("/../assets/noise.png"),
+            std::nullopt);
+}
+
+TEST_F(FileSourceTest, textures_in_a_zip_may_lie_beside_its_shaders_folder) {
+  for (const char* name : {"pack.zip", "nested.zip"}) {
+    const auto source = open((kData / name).string());
+    ASSERT_TRUE(source) << message();
+    EXPECT_EQ(source->readResource("/../readme.txt").value_or("").size(), 8u) << name;
+    EXPECT_EQ(source->read("/../readme.txt"), std::nullopt);
+    EXPECT_EQ(source->readResource("/../shaders"), std::nullopt);
+    EXPECT_EQ(source->readResource("/../../readme.txt"), std::nullopt);
+  }
+}
+
 TEST_F(FileSourceTest, folder_without_shaders_is_refused) {
   EXPECT_FALSE(open(root_.string()));
   EXPECT_EQ(message(), root_.string() +
