@@ -86,6 +86,7 @@ nlohmann::json toJson(const Diagnostics& diagnostics) {
     entry["sourceLine"] = diagnostic.sourceLine;
     entry["notes"] = diagnostic.notes;
     entry["hint"] = diagnostic.hint;
+    if (diagnostic.effect != Effect::Unstated) entry["effect"] = effectName(diagnostic.effect);
     list.push_back(std::move(entry));
   }
   return list;

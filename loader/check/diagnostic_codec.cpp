@@ -14,8 +14,8 @@ SourceLocation unpackLocation(const json& value) { return {value[0], value[1], v
 json pack(const Diagnostic& d) {
   json chain = json::array();
   for (const SourceLocation& at : d.includedFrom) chain.push_back(pack(at));
-  return json::array(
-      {int(d.severity), d.id, pack(d.at), d.message, chain, d.sourceLine, d.notes, d.hint});
+  return json::array({int(d.severity), d.id, pack(d.at), d.message, chain, d.sourceLine, d.notes,
+                      d.hint, effectName(d.effect)});
 }
 
 Diagnostic unpack(const json& value) {
@@ -28,6 +28,7 @@ Diagnostic unpack(const json& value) {
   d.sourceLine = value[5];
   d.notes = value[6].get<std::vector<std::string>>();
   d.hint = value[7];
+  d.effect = effectNamed(value[8].get<std::string>());
   return d;
 }
 

@@ -18,6 +18,22 @@ std::string formatLocation(const SourceLocation& at) {
   return fmt::format("{}:{}:{}", file, at.line, at.column);
 }
 
+struct EffectRow {
+  Effect effect;
+  const char* name;
+  const char* sentence;
+};
+constexpr EffectRow kEffects[] = {
+    {Effect::RefusesPack, "refuses-pack", "Iris refuses the whole pack"},
+    {Effect::RefusesProgram, "refuses-program", "Iris refuses the program"},
+    {Effect::IgnoresLine, "ignores-line", "Iris ignores this line"},
+    {Effect::Unstated, "", ""},
+};
+
+const EffectRow& rowOf(Effect effect) {
+  return *std::ranges::find(kEffects, effect, &EffectRow::effect);
+}
+
 // Blanks up to the column, tabs kept so that the caret stands under its character whatever the tab
 // width; bytes that continue a UTF-8 character take no cell.
 std::string caretLine(const std::string& line, int column) {
@@ -42,6 +58,24 @@ const char* severityName(Severity severity) {
       break;
   }
   return "error";
+}
+
+const char* effectName(Effect effect) { return rowOf(effect).name; }
+
+Effect effectNamed(std::string_view name) {
+  const auto* row = std::ranges::find(kEffects, name, &EffectRow::name);
+  return row == std::end(kEffects) ? Effect::Unstated : row->effect;
+}
+
+Diagnostic withEffect(Diagnostic diagnostic, Effect effect) {
+  diagnostic.effect = effect;
+  diagnostic.message += std::string("; ") + rowOf(effect).sentence;
+  return diagnostic;
+}
+
+bool refusesPack(const Diagnostics& diagnostics) {
+  return std::ranges::find(diagnostics, Effect::RefusesPack, &Diagnostic::effect) !=
+         diagnostics.end();
 }
 
 bool hasErrors(const Diagnostics& diagnostics) {

@@ -10,6 +10,11 @@ namespace orris {
 enum class Severity { Note, Warning, Error };
 const char* severityName(Severity severity);  ///< "note", "warning", "error"
 
+/// What the game does about a problem (Iris), where that is known.
+enum class Effect { Unstated, RefusesPack, RefusesProgram, IgnoresLine };
+const char* effectName(Effect effect);  ///< "refuses-pack", "refuses-program", "ignores-line", ""
+Effect effectNamed(std::string_view name);
+
 /// A place in a file as its author sees it. `file` is a pack path ("/lib/sky.glsl") or the path the
 /// user typed; `line` and `column` start at 1, 0 means unknown.
 struct SourceLocation {
@@ -22,18 +27,24 @@ struct SourceLocation {
 /// One problem. `message` says what was found and expected; `hint` says what to do (may be empty).
 struct Diagnostic {
   Severity severity = Severity::Error;
-  std::string id;                            ///< stable kebab-case identifier, "include-missing"
+  std::string id;  ///< stable kebab-case identifier, "include-missing"
   SourceLocation at;
   std::string message;
   std::vector<SourceLocation> includedFrom;  ///< innermost #include first
   std::string sourceLine;                    ///< the author's line, for the caret (may be empty)
   std::vector<std::string> notes;            ///< macro or option that led here
   std::string hint;
+  Effect effect = Effect::Unstated;  ///< stated in `message`, too: withEffect()
 };
 
 using Diagnostics = std::vector<Diagnostic>;
 
 bool hasErrors(const Diagnostics& diagnostics);
+/// Is there one for which Iris refuses the whole pack?
+bool refusesPack(const Diagnostics& diagnostics);
+
+/// The diagnostic with its effect, which the message states: "...; Iris ignores this line".
+Diagnostic withEffect(Diagnostic diagnostic, Effect effect);
 
 /// "file:line:column: error: message", then include chain, source line with caret, notes, hint;
 /// lines joined by '\n', no trailing newline. Each of these texts is printable().

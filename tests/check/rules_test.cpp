@@ -33,7 +33,8 @@ bool holdsOtherNames(const fs::path& path) {
 /// Every string of the sources that looks like an id.
 Ids idsInSources() {
   static const std::regex kId(R"re("([a-z][a-z0-9]*(?:-[a-z0-9]+)+)")re");
-  static const Ids kOtherStrings = {"built-in", "world-1"};
+  static const Ids kOtherStrings = {"built-in", "world-1", "refuses-pack", "refuses-program",
+                                    "ignores-line"};
   Ids ids;
   for (const auto& entry : fs::recursive_directory_iterator(ORRIS_SOURCE_DIR "/loader")) {
     const fs::path& path = entry.path();
