@@ -151,7 +151,9 @@ std::vector<MatrixAxis> matrixAxes(std::span<const ShaderPack> folders,
     axis.reach = use == uses.end() ? 0 : use->second.programs;
     axis.values.push_back(first.options.value(first.values, name));
     for (const std::string& value : option.values) {
-      if (std::find(axis.values.begin(), axis.values.end(), value) == axis.values.end()) {
+      // An empty value is two blanks in the list, and reported as such.
+      if (!value.empty() &&
+          std::find(axis.values.begin(), axis.values.end(), value) == axis.values.end()) {
         axis.values.push_back(value);
       }
     }

@@ -51,6 +51,13 @@ std::string_view badlyNumbered(std::string_view name) {
   return "";
 }
 
+/// "setup_a", "setup2_b"
+bool isLetteredSetup(std::string_view name) {
+  const std::string_view rest = name.starts_with("setup") ? name.substr(5) : "";
+  const size_t letter = rest.find_first_not_of("0123456789");
+  return letter != std::string_view::npos && rest.size() == letter + 2 && rest[letter] == '_';
+}
+
 class FileNames {
  public:
   FileNames(const ShaderPack& pack, Diagnostics& diagnostics)
@@ -85,14 +92,28 @@ class FileNames {
                     fmt::format("no program is called {}", name),
                     fmt::format("numbers go from {0}1 to {0}99, the first is {0}", group));
     }
+    if (isLetteredSetup(name)) {
+      return report(
+          Severity::Warning, "program-file-unknown", path,
+          fmt::format("Iris never runs {}: programs of setup have numbers, no letters", name),
+          "name it setup1.csh to setup99.csh");
+    }
     // A file that was renamed to take it out of use keeps its name within the new one.
     const bool renamed = std::any_of(names_.begin(), names_.end(), [&](const std::string& known) {
       return name.starts_with(known + "_");
     });
-    const std::string meant = renamed ? "" : likelyMeant(name, names_);
+    const std::string meant = renamed ? "" : meantProgram(name);
     report(meant.empty() ? Severity::Note : Severity::Warning, "program-file-unknown", path,
            fmt::format("no program is called {}", name),
            meant.empty() ? "" : fmt::format("did you mean {}?", meant));
+  }
+
+  /// "composite3" for "compsite3".
+  std::string meantProgram(const std::string& name) const {
+    const size_t digits = name.find_last_not_of("0123456789") + 1;
+    const std::string group = likelyMeant(name.substr(0, digits), names_);
+    const bool numbered = std::ranges::find(kNumberedGroups, group) != std::end(kNumberedGroups);
+    return numbered ? group + name.substr(digits) : likelyMeant(name, names_);
   }
 
   // Contract: README "Loading order" 6.

@@ -10,6 +10,7 @@
 #include "check/block_states.h"
 #include "check/lost_blocks.h"
 #include "check/pack_texts.h"
+#include "pack/id_lines.h"
 #include "pack/id_map.h"
 #include "pack/text.h"
 
@@ -26,7 +27,7 @@ IdFile readIdFile(const ShaderPack& pack, const std::string& file, std::string_v
   const std::string text = pack.source->read(file).value_or("");
   Diagnostics told;
   const std::string active = preprocessProperties(file, text, pack.propertyMacros, told);
-  IdFile read{parseProperties(file, active, Continuation::IdMap, text), Branches(text)};
+  IdFile read{parseIdLines(file, active, text, nullptr), Branches(text)};
   std::erase_if(read.entries, [&](auto& entry) { return !entry.key.starts_with(prefix); });
   return read;
 }

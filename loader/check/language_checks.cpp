@@ -7,6 +7,7 @@
 #include <map>
 #include <regex>
 #include <set>
+#include <span>
 
 #include "check/pack_texts.h"
 #include "pack/text.h"
@@ -15,6 +16,9 @@ namespace orris {
 namespace {
 
 using Names = std::set<std::string, std::less<>>;
+
+/// Of many findings of one file, how many are listed.
+constexpr size_t kMostListed = 20;
 
 /// "option.SSAO.comment" is {"option", "SSAO", "", true}; "value.MODE.0.5" is {"value", "MODE",
 /// "0.5"}.
@@ -92,6 +96,7 @@ class FileCheck {
       checkKey(entry, splitKey(entry.key));
     }
     reportTwice();
+    reportStale();
   }
 
  private:
@@ -142,10 +147,25 @@ class FileCheck {
             : likelyMeant(key.name, untranslated(known->second, translated_[key.group()]));
     if (meant.empty()) meant = optionOfValue(key);
     if (!meant.empty()) return misspelt(entry, key.name, meant);
-    report(
-        Severity::Note, "language-stale", entry,
+    stale_.emplace_back(
+        &entry,
         fmt::format("the pack has no {} {}",
                     key.kind == "screen" || key.kind == "profile" ? key.kind : "option", key.name));
+  }
+
+  /// All of a file are one finding: they are what is left of options that are gone.
+  void reportStale() {
+    if (stale_.empty()) return;
+    const auto& [entry, message] = stale_.front();
+    const std::string others =
+        stale_.size() > 1 ? fmt::format(", and {} more lines are for nothing", stale_.size() - 1)
+                          : "";
+    report(Severity::Warning, "language-stale", *entry, message + others,
+           "take lines away whose options are gone");
+    for (const auto& [other, reason] :
+         std::span(stale_).subspan(1).first(std::min(stale_.size() - 1, kMostListed))) {
+      diagnostics_.back().notes.push_back(fmt::format("line {}: {}", other->at.line, reason));
+    }
   }
 
   /// The option that has such a value without a text, for a name that stands in no other line.
@@ -171,8 +191,7 @@ class FileCheck {
             ? ""
             : likelyMeant(key.value, untranslated(values, translated_["value." + key.name]));
     if (!meant.empty()) return misspelt(entry, key.value, meant);
-    report(Severity::Note, "language-stale", entry,
-           fmt::format("{} has no value {}", key.name, key.value));
+    stale_.emplace_back(&entry, fmt::format("{} has no value {}", key.name, key.value));
   }
 
   static std::vector<std::string> untranslated(const Names& names, const Names& translated) {
@@ -201,6 +220,35 @@ class FileCheck {
   std::map<std::string, Names> translated_;
   std::map<std::string, const PropertyEntry*> first_;
   std::vector<std::pair<const PropertyEntry*, const PropertyEntry*>> twice_;
+  std::vector<std::pair<const PropertyEntry*, std::string>> stale_;
+};
+
+/// What the screens show and the English file has no text for.
+class Missing {
+ public:
+  explicit Missing(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+
+  void add(Diagnostic place, const std::string& key) {
+    if (!keys_.insert(key).second) return;
+    if (keys_.size() == 1) {
+      place.message = "en_us.lang has no text for " + key;
+      first_ = std::move(place);
+    } else if (first_.notes.size() < kMostListed) {
+      first_.notes.push_back(fmt::format("line {}: {}", place.at.line, key));
+    }
+  }
+
+  void report() {
+    if (keys_.empty()) return;
+    if (keys_.size() > 1)
+      first_.message += fmt::format(" and {} more that players see", keys_.size() - 1);
+    diagnostics_.push_back(std::move(first_));
+  }
+
+ private:
+  Diagnostics& diagnostics_;
+  Diagnostic first_;
+  Names keys_;
 };
 
 void checkFileName(const std::string& path, Diagnostics& diagnostics) {
@@ -239,19 +287,18 @@ void checkLanguageCover(std::span<const ShaderPack> folders, Diagnostics& diagno
   const auto missing = [&](const std::string& key) {
     return !key.empty() && !english->second.contains(key);
   };
+  Missing texts(diagnostics);
   for (const PropertyEntry& entry : originalProperties(pack)) {
-    if (entry.key.starts_with("profile.") && missing(entry.key)) {
-      diagnostics.push_back(propertyDiagnostic(Severity::Note, "language-missing", entry,
-                                               "en_us.lang has no text for " + entry.key));
-    }
+    if (entry.key.starts_with("profile.") && missing(entry.key))
+      texts.add(propertyDiagnostic(Severity::Warning, "language-missing", entry, ""), entry.key);
     if (!isScreenKey(entry.key)) continue;
     for (const PropertyWord& word : locatedWords(entry)) {
       const std::string key = keyOf(word.text, pack);
-      if (!missing(key)) continue;
-      diagnostics.push_back(wordDiagnostic(Severity::Note, "language-missing", word,
-                                           "en_us.lang has no text for " + key));
+      if (missing(key))
+        texts.add(wordDiagnostic(Severity::Warning, "language-missing", word, ""), key);
     }
   }
+  texts.report();
 }
 
 }  // namespace orris

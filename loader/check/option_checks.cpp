@@ -37,7 +37,32 @@ std::vector<std::string> listOf(const std::string& line) {
   return splitBlanks(std::string_view(line).substr(open + 1, close - open - 1));
 }
 
+/// What Iris makes of the characters between two values. Iris: StringOption.
+void checkSeparators(AuthorLines& lines, const Option& option, Diagnostics& diagnostics) {
+  const SourceLocation& place = option.at.front();
+  const auto report = [&](const char* id, std::string message, std::string hint) {
+    diagnostics.push_back(optionDiagnostic(lines, Severity::Warning, id, place, option.name,
+                                           std::move(message), std::move(hint)));
+  };
+  const auto comma = std::ranges::find_if(
+      option.values, [](const std::string& value) { return value.ends_with(','); });
+  if (comma != option.values.end()) {
+    report("option-list-commas",
+           fmt::format("values of {} end with a comma, \"{}\": Iris separates them by blanks alone",
+                       option.name, *comma),
+           "write [1 2 3]");
+  }
+  if (std::ranges::find(option.values, "") != option.values.end()) {
+    report("option-value-empty",
+           fmt::format("two blanks side by side, or one after the bracket, give {} an empty value "
+                       "that players can choose",
+                       option.name),
+           "write one blank between two values, and none after [");
+  }
+}
+
 void checkList(AuthorLines& lines, const Option& option, bool slider, Diagnostics& diagnostics) {
+  checkSeparators(lines, option, diagnostics);
   const SourceLocation& place = option.at.front();
   const std::vector<std::string> list = listOf(lines.at(place));
   std::set<std::string_view> seen;

@@ -36,7 +36,10 @@ constexpr WholePackCheck kWholePackChecks[] = {
     checkIdMaps,           //
     checkDirectiveNames,   //
     checkPropertiesTwice,  //
+    checkStrayLines,       //
+    checkDecimals,         //
     checkPropertyNames,    //
+    checkMacroNames,       //
     checkTexturesUsed,
 };
 

@@ -41,7 +41,52 @@ void reportTwice(const std::vector<PropertyEntry>& entries, const Branches& bran
   }
 }
 
+bool isList(std::string_view key) {
+  return key == "sliders" || key.starts_with("profile.") || isScreenKey(key);
+}
+
+/// Is the line a piece of `list` rather than a key: options, links, marks of screens?
+bool isPieceOf(const PropertyEntry& list, std::string_view line, const OptionSet& options) {
+  std::string_view word = trim(line);
+  word = word.substr(0, word.find_first_of(" \t"));
+  if (word.starts_with('<') || word.starts_with('[') || word == "*") return true;
+  const bool ofProfile = list.key.starts_with("profile.");
+  const bool hasSign = trim(line).find_first_of("=:") != std::string_view::npos;
+  if (hasSign && !ofProfile) return false;
+  return options.find(word.substr(0, word.find_first_of("=:"))) != nullptr;
+}
+
+/// Lines after one of a list that has lost its backslash.
+void reportStray(const std::vector<PropertyEntry>& entries, const OptionSet& options,
+                 Diagnostics& diagnostics) {
+  const PropertyEntry *list = nullptr, *before = nullptr;
+  for (const PropertyEntry& entry : entries) {
+    const bool next =
+        before && entry.at.line == before->at.line + static_cast<int>(before->lines.size());
+    before = &entry;
+    if (isList(entry.key)) {
+      list = &entry;
+    } else if (!list || !next || !isPieceOf(*list, entry.lines.front(), options)) {
+      list = nullptr;
+    } else {
+      diagnostics.push_back(withEffect(
+          propertyDiagnostic(Severity::Warning, "property-stray-line", entry,
+                             fmt::format("this line is no part of {}: the line before it does not "
+                                         "end in a backslash",
+                                         list->key),
+                             "end the line before it with a backslash"),
+          Effect::IgnoresLine));
+    }
+  }
+}
+
 }  // namespace
+
+void checkStrayLines(std::span<const ShaderPack> folders, Diagnostics& diagnostics) {
+  const ShaderPack& pack = folders.front();
+  if (const auto text = pack.source->read(kFile))
+    reportStray(parseProperties(kFile, *text, Continuation::Java), pack.options, diagnostics);
+}
 
 void checkPropertiesTwice(std::span<const ShaderPack> folders, Diagnostics& diagnostics) {
   const ShaderPack& pack = folders.front();

@@ -12,6 +12,7 @@ std::span<const Rule> interfaceRules() {
        "a name is unknown, and a file that defines it is not included"},
       {"name-misspelt", Severity::Warning,
        "a declaration that nothing uses is a slip away from a name that nothing declares"},
+      {"name-reserved", Severity::Error, "a name begins as those of Iris's own code do"},
       {"output-none", Severity::Warning, "a program writes nothing"},
       {"output-overlap", Severity::Error, "two outputs have the same location"},
       {"output-unlisted", Severity::Warning, "an output goes to no buffer"},

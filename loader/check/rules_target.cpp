@@ -9,6 +9,7 @@ std::span<const Rule> targetRules() {
   static const std::vector<Rule> kRules = {
       {"directive-misspelt", Severity::Warning,
        "a constant or comment has nearly the name of a directive"},
+      {"directive-slip", Severity::Warning, "a const directive means something else in Iris"},
       {"directive-value", Severity::Warning, "a const directive has a value that cannot be used"},
       {"format-unknown", Severity::Error, "a texture format does not exist"},
       {"render-target-limit", Severity::Error,

@@ -7,7 +7,9 @@ namespace orris {
 
 std::span<const Rule> textRules() {
   static const std::vector<Rule> kRules = {
+      {"byte-order-mark", Severity::Error, "a shader file begins with a byte-order mark"},
       {"comment-unclosed", Severity::Error, "a block comment is not closed"},
+      {"condition-decimal", Severity::Warning, "a condition compares with a decimal number"},
       {"condition-empty", Severity::Warning, "the condition of #if or #elif is empty"},
       {"condition-malformed", Severity::Warning,
        "the condition of #if or #elif cannot be computed"},
@@ -24,6 +26,7 @@ std::span<const Rule> textRules() {
       {"include-unused", Severity::Note, "no program includes a file"},
       {"macro-arguments", Severity::Error, "a macro is called with the wrong number of arguments"},
       {"macro-expansion-limit", Severity::Error, "a macro expands without bound"},
+      {"macro-never", Severity::Warning, "a condition asks for a macro that Iris never defines"},
       {"macro-unterminated", Severity::Error, "the call of a macro is not closed"},
       {"source-too-large", Severity::Error, "the includes of a program expand to too many lines"},
       {"version-malformed", Severity::Error, "#version has no number"},

@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "check/pack_texts.h"
+#include "glsl/token.h"
+#include "pack/text.h"
 
 namespace orris {
 namespace {
@@ -33,6 +35,47 @@ void checkConditionNames(const PropertyEntry& entry, const std::vector<std::stri
 }
 
 }  // namespace
+
+void checkMacroNames(std::span<const ShaderPack> folders, Diagnostics& diagnostics) {
+  constexpr std::string_view kMesa = "MC_GL_VENDOR_MESA";
+  for (const auto& [file, lines] : folders.front().files) {
+    for (size_t i = 0; i < lines.size(); ++i) {
+      const size_t at = lines[i].find(kMesa);
+      if (at == std::string::npos || !trim(lines[i]).starts_with("#")) continue;
+      diagnostics.push_back(
+          {.severity = Severity::Warning,
+           .id = "macro-never",
+           .at = {file, static_cast<int>(i) + 1, static_cast<int>(at) + 1},
+           .message =
+               fmt::format("Iris never defines {}: with Mesa it defines MC_GL_VENDOR_OTHER", kMesa),
+           .sourceLine = lines[i],
+           .hint = "ask for MC_GL_RENDERER_MESA, MC_GL_RENDERER_GALLIUM or MC_GL_VENDOR_OTHER"});
+      return;
+    }
+  }
+}
+
+void checkDecimals(std::span<const ShaderPack> folders, Diagnostics& diagnostics) {
+  for (const auto& [file, lines] : folders.front().files) {
+    for (size_t i = 0; i < lines.size(); ++i) {
+      const std::string_view line = trim(lines[i]);
+      if (!line.starts_with("#if ") && !line.starts_with("#elif ")) continue;
+      for (const Token& token : tokenize(lines[i])) {
+        if (token.kind == TokenKind::Comment) break;
+        if (token.kind != TokenKind::Number || token.text.find('.') == std::string::npos) continue;
+        const std::string whole = token.text.substr(0, token.text.find('.'));
+        diagnostics.push_back(
+            {.severity = Severity::Warning,
+             .id = "condition-decimal",
+             .at = {file, static_cast<int>(i) + 1, token.origin.column},
+             .message = fmt::format("conditions count in whole numbers: Iris takes {} for {}",
+                                    token.text, whole.empty() ? "0" : whole),
+             .sourceLine = lines[i],
+             .hint = "compare an option of whole numbers, or compute with it in the code"});
+      }
+    }
+  }
+}
 
 void checkPropertyNames(std::span<const ShaderPack> folders, Diagnostics& diagnostics) {
   const ShaderPack& pack = folders.front();

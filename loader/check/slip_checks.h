@@ -11,4 +11,10 @@ namespace orris {
 /// Options in the conditions of "program.*.enabled" in shaders.properties.
 void checkPropertyNames(std::span<const ShaderPack> folders, Diagnostics& diagnostics);
 
+/// Conditions that ask for a macro which Iris never defines.
+void checkMacroNames(std::span<const ShaderPack> folders, Diagnostics& diagnostics);
+
+/// Decimals in #if and #elif, which count in whole numbers.
+void checkDecimals(std::span<const ShaderPack> folders, Diagnostics& diagnostics);
+
 }  // namespace orris

@@ -36,7 +36,7 @@ std::string resourceFor(const std::string& path) {
 
 // <path>.mcmeta: {"texture": {"blur": bool, "clamp": bool}}.
 void readMeta(const FileSource& source, const std::string& path, BoundTexture& texture) {
-  const auto text = source.read(path + ".mcmeta");
+  const auto text = source.readResource(path + ".mcmeta");
   if (!text) return;
   const auto json = nlohmann::json::parse(*text, nullptr, false);
   if (!json.is_object()) return;
@@ -130,7 +130,7 @@ void PackResources::addTexture(const ShaderPack& pack, const TextureBinding& bin
     textures_.push_back(std::move(bound));
     return;
   }
-  const auto bytes = pack.source->read(binding.path);
+  const auto bytes = pack.source->readResource(binding.path);
   if (!bytes) {
     warn(diagnostics, "texture-missing", binding.at,
          fmt::format("the pack has no file {}", binding.path), "add the file or drop the line");
@@ -186,7 +186,7 @@ void PackResources::addBuffer(const ShaderPack& pack, const BufferObject& plan, 
   if (bytes < 1) return;
   std::string contents;
   if (!plan.file.empty())
-    if (auto file = pack.source->read(plan.file)) contents = std::move(*file);
+    if (auto file = pack.source->readResource(plan.file)) contents = std::move(*file);
   if (bytes > kMostBufferBytes || static_cast<long long>(contents.size()) > bytes) {
     warn(diagnostics, "buffer-size", plan.at,
          fmt::format("bufferObject.{} of {} bytes cannot be made", plan.index, bytes),

@@ -25,15 +25,22 @@ class ConditionParser {
     return true;
   }
 
+  /// One sign is enough for Iris, which passes over the character after it. Iris: BooleanParser.
+  bool takeOperator(std::string_view sign) {
+    if (!take(sign)) return false;
+    if (!rest_.empty()) rest_.remove_prefix(1);
+    return true;
+  }
+
   bool either(int depth) {
     bool value = both(depth);
-    while (!failed_ && take("||")) value = both(depth) || value;
+    while (!failed_ && takeOperator("|")) value = both(depth) || value;
     return value;
   }
 
   bool both(int depth) {
     bool value = single(depth);
-    while (!failed_ && take("&&")) value = single(depth) && value;
+    while (!failed_ && takeOperator("&")) value = single(depth) && value;
     return value;
   }
 

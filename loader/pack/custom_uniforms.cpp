@@ -6,6 +6,7 @@
 
 #include "pack/expression.h"
 #include "pack/expression_program.h"
+#include "pack/properties_text.h"
 #include "pack/text.h"
 
 namespace orris {
@@ -71,13 +72,15 @@ class Builder {
   void compileAll(int& smoothStates, Add add) {
     for (const std::string& name : order()) {
       const Parsed& parsed = parsed_.at(name);
-      ExpressionError error;
+      ExpressionFindings findings;
       const auto lookup = [this](const std::string& used) { return find(used); };
-      auto node = compileExpression(*parsed.tree, parsed.entry->type, lookup, smoothStates, error);
+      auto node =
+          compileExpression(*parsed.tree, parsed.entry->type, lookup, smoothStates, findings);
       if (!node) {
-        drop(*parsed.entry, error);
+        drop(*parsed.entry, findings.error);
         continue;
       }
+      for (const ExpressionError& slip : findings.slips) reportSlip(*parsed.entry, slip);
       const int index = static_cast<int>(compiled_.size());
       compiled_.emplace(name, ExpressionVariable{parsed.entry->type, index});
       add(*parsed.entry, std::move(*node));
@@ -106,16 +109,35 @@ class Builder {
     return type ? std::optional(ExpressionVariable{*type, -1}) : std::nullopt;
   }
 
+  /// `column` is of the expression; 0 stands for the key.
+  Diagnostic at(const CustomUniform& entry, int column, std::string id, std::string message) {
+    const PropertyEntry written{entry.name, entry.expression, entry.at, entry.lines};
+    Diagnostic diagnostic{.severity = Severity::Warning,
+                          .id = std::move(id),
+                          .at = entry.at,
+                          .message = std::move(message),
+                          .sourceLine = entry.lines.front()};
+    if (column > 0) {
+      const PropertyWord word = locatedToken(written, static_cast<size_t>(column) - 1);
+      diagnostic.at = word.at;
+      diagnostic.sourceLine = word.sourceLine;
+    }
+    return diagnostic;
+  }
+
   void drop(const CustomUniform& entry, const ExpressionError& error) {
     dropped_.insert(entry.name);
-    const std::string where =
-        error.column > 0 ? fmt::format(" (character {} of the expression)", error.column) : "";
-    diagnostics_.push_back({.severity = Severity::Warning,
-                            .id = "uniform-dropped",
-                            .at = entry.at,
-                            .message = fmt::format("custom uniform {} is dropped: {}{}", entry.name,
-                                                   describe(error.message), where),
-                            .sourceLine = entry.expression});
+    Diagnostic diagnostic =
+        at(entry, error.column, "uniform-dropped",
+           fmt::format("custom uniform {} is dropped: {}", entry.name, describe(error.message)));
+    diagnostic.effect = Effect::IgnoresLine;
+    diagnostics_.push_back(std::move(diagnostic));
+  }
+
+  void reportSlip(const CustomUniform& entry, const ExpressionError& slip) {
+    Diagnostic diagnostic = at(entry, slip.column, "expression-slip", slip.message);
+    diagnostic.hint = "a slip of Iris's: nest calls of two, max(a, max(b, c))";
+    diagnostics_.push_back(std::move(diagnostic));
   }
 
   /// An unknown name that was itself dropped deserves a better word.
@@ -159,12 +181,13 @@ class Builder {
     }
     if (cyclic.empty()) return;
     const CustomUniform& first = *parsed_.at(cyclic.front()).entry;
-    diagnostics_.push_back(
+    diagnostics_.push_back(withEffect(
         {.severity = Severity::Error,
          .id = "uniform-cycle",
          .at = first.at,
          .message = "custom uniforms depend on each other in a circle: " + joinNames(cyclic),
-         .sourceLine = first.expression});
+         .sourceLine = first.lines.front()},
+        Effect::RefusesPack));
   }
 
   const InputTypes& inputs_;

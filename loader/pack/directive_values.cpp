@@ -11,6 +11,11 @@ namespace {
 constexpr std::array<std::string_view, 8> kLegacyNames{"gcolor", "gdepth", "gnormal", "composite",
                                                        "gaux1",  "gaux2",  "gaux3",   "gaux4"};
 
+std::optional<float> wholeNumber(std::string_view text) {
+  const auto number = parseInteger(text);
+  return number ? std::optional(static_cast<float>(*number)) : std::nullopt;
+}
+
 }  // namespace
 
 std::optional<TargetKey> parseTargetKey(std::string_view key) {
@@ -28,18 +33,24 @@ std::optional<TargetKey> parseTargetKey(std::string_view key) {
   return TargetKey{shadow, static_cast<int>(*index), rest.substr(digits)};
 }
 
-std::optional<std::vector<float>> parseVector(std::string_view value, std::string_view type,
-                                              size_t count) {
-  if (!value.starts_with(type)) return std::nullopt;
-  value = trim(value.substr(type.size()));
-  if (!value.starts_with('(') || !value.ends_with(')')) return std::nullopt;
-  std::vector<float> numbers;
-  for (const std::string_view part : splitAt(value.substr(1, value.size() - 2), ',')) {
-    const auto number = parseFloat(trim(part));
-    if (!number) return std::nullopt;
-    numbers.push_back(*number);
+VectorValue parseVector(std::string_view value, std::string_view type, size_t count) {
+  using Use = VectorValue::Use;
+  const std::string_view arguments = trim(value.substr(std::min(type.size(), value.size())));
+  if (value.size() < type.size() || arguments.size() < 2) return {Use::Refused};
+  VectorValue result;
+  const auto parts = splitAt(arguments.substr(1, arguments.size() - 2), ',');
+  for (size_t i = 0; i < count; ++i) {
+    if (i == parts.size()) return {Use::Refused};
+    const auto number =
+        type.starts_with('i') ? wholeNumber(trim(parts[i])) : parseFloat(trim(parts[i]));
+    if (!number) return {Use::Ignored};
+    result.numbers.push_back(*number);
   }
-  return numbers.size() == count ? std::optional(numbers) : std::nullopt;
+  return result;
+}
+
+std::optional<bool> parseConstBoolean(std::string_view value) {
+  return value == "true" || value == "false" ? std::optional(value == "true") : std::nullopt;
 }
 
 }  // namespace orris

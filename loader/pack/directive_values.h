@@ -1,6 +1,7 @@
 // Names and values in const directives, as text.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -17,8 +18,22 @@ struct TargetKey {
 /// nullopt when the name does not start with that of a colortex or shadowcolor.
 std::optional<TargetKey> parseTargetKey(std::string_view key);
 
-/// The numbers of "vec4(1.0, 0.0, 0.5, 1.0)"; nullopt unless there are `count`.
-std::optional<std::vector<float>> parseVector(std::string_view value, std::string_view type,
-                                              size_t count);
+/// What Iris makes of "vec4(1.0, 0.0, 0.5, 1.0)".
+struct VectorValue {
+  enum class Use {
+    Taken,
+    Ignored,  ///< one of the numbers is none
+    Refused   ///< there are too few: Iris refuses the whole pack
+  };
+  Use use = Use::Taken;
+  std::vector<float> numbers{};
+};
+
+/// The first `count` numbers of a value of the type, which Iris cuts off unseen; ints where the type
+/// is an ivec. Iris: DispatchingDirectiveHolder, ComputeDirectiveParser.
+VectorValue parseVector(std::string_view value, std::string_view type, std::size_t count);
+
+/// "true" or "false": in const lines 1 and 0 are none.
+std::optional<bool> parseConstBoolean(std::string_view value);
 
 }  // namespace orris

@@ -32,7 +32,8 @@ struct CustomUniform {
   ValueType type = ValueType::Float;
   bool uploaded = true;  ///< false for variable.*
   std::string expression;
-  SourceLocation at;
+  SourceLocation at;               ///< of the key
+  std::vector<std::string> lines;  ///< as written, from that of the key on; never empty
 };
 
 /// Inputs by name, for type checking (nullopt: unknown) and for values.

@@ -11,6 +11,35 @@ namespace {
 
 using Arguments = std::span<const Value>;
 
+constexpr size_t kMostCompared = 16;
+
+/// Operators as functions. Iris: IrisOptions.
+struct OperatorName {
+  std::string_view function, sign;
+};
+constexpr OperatorName kOperatorNames[] = {{"add", "+"},
+                                           {"subtract", "-"},
+                                           {"multiply", "*"},
+                                           {"divide", "/"},
+                                           {"remainder", "%"},
+                                           {"negate", "neg"},
+                                           {"not", "!"},
+                                           {"and", "&&"},
+                                           {"or", "||"},
+                                           {"equals", "=="},
+                                           {"notEquals", "!="},
+                                           {"lessThan", "<"},
+                                           {"moreThan", ">"},
+                                           {"lessThanOrEquals", "<="},
+                                           {"moreThanOrEquals", ">="}};
+
+/// "+" for "add", else the name itself.
+std::string_view signOf(std::string_view name) {
+  const auto known = std::find_if(std::begin(kOperatorNames), std::end(kOperatorNames),
+                                  [&](const OperatorName& row) { return row.function == name; });
+  return known == std::end(kOperatorNames) ? name : known->sign;
+}
+
 bool isWhole(const Value& value) {
   return value.type == ValueType::Bool || value.type == ValueType::Int ||
          value.type == ValueType::IVec2 || value.type == ValueType::IVec3;
@@ -57,7 +86,7 @@ float compare(const Value& a, const Value& b) {
 float radians(float x) { return x * std::numbers::pi_v<float> / 180; }
 float degrees(float x) { return x * 180 / std::numbers::pi_v<float>; }
 float exp10f(float x) { return std::pow(10.0f, x); }
-float signOf(float x) { return x > 0 ? 1.0f : x < 0 ? -1.0f : 0.0f; }
+float signum(float x) { return x > 0 ? 1.0f : x < 0 ? -1.0f : 0.0f; }
 float fraction(float x) { return x - std::floor(x); }
 
 std::uint32_t nextRandom(EvaluationContext& context) {
@@ -88,18 +117,6 @@ Value vectorOf(Arguments a, EvaluationContext&) {
   Value result;
   result.type = a.size() == 2 ? ValueType::Vec2 : a.size() == 3 ? ValueType::Vec3 : ValueType::Vec4;
   for (size_t c = 0; c < a.size(); ++c) result.f[c] = a[c].f[0];
-  return result;
-}
-
-template <typename Pick>
-Value fold(Arguments a, Pick pick) {
-  Value result = a[0];
-  for (const Value& next : a.subspan(1)) {
-    for (size_t c = 0; c < 4; ++c) {
-      result.f[c] = pick(result.f[c], next.f[c]);
-      result.i[c] = pick(result.i[c], next.i[c]);
-    }
-  }
   return result;
 }
 
@@ -175,26 +192,24 @@ const std::vector<Row>& rows() {
       {"pow", "ff", "", 'f', ORRIS_BOTH(std::pow(x, y))},
       {"sqrt", "f", "", 'f', unary<std::sqrt>},
       {"abs", "T", "if234", 'T', ORRIS_BOTH(x < 0 ? -x : x)},
-      {"sign", "f", "", 'f', unary<signOf>},
-      {"signum", "f", "", 'f', unary<signOf>},
+      {"sign", "f", "", 'f', unary<signum>},
+      {"signum", "f", "", 'f', unary<signum>},
       {"floor", "T", "f234", 'T', unary<std::floor>},
       {"ceil", "T", "f234", 'T', unary<std::ceil>},
       {"frac", "f", "", 'f', unary<fraction>},
       {"min", "TT", "if234", 'T', ORRIS_BOTH(std::min(x, y))},
       {"max", "TT", "if234", 'T', ORRIS_BOTH(std::max(x, y))},
-      {"min", "TTT*", "if", 'T',
-       [](Arguments a, EvaluationContext&) {
-         return fold(a, [](auto x, auto y) { return std::min(x, y); });
-       },
-       16},
-      {"max", "TTT*", "if", 'T',
-       [](Arguments a, EvaluationContext&) {
-         return fold(a, [](auto x, auto y) { return std::max(x, y); });
-       },
-       16},
+      // Iris: IrisFunctions, which looks at the second argument again and again (isCutShort()).
+      {"min", "TTT*", "if", 'T', ORRIS_BOTH(std::min(x, y)), kMostCompared},
+      {"max", "TTT*", "if", 'T', ORRIS_BOTH(std::max(x, y)), kMostCompared},
       {"clamp", "TTT", "if234", 'T', ORRIS_BOTH(std::min(std::max(x, y), z))},
       {"mix", "fff", "", 'f', ORRIS_BOTH(x + (y - x) * z)},
       {"edge", "TT", "if", 'T', ORRIS_BOTH(y < x ? decltype(x)(0) : decltype(x)(1))},
+      {"fmod", "ii", "", 'i',
+       [](Arguments a, EvaluationContext&) {
+         const long long x = a[0].i[0], y = a[1].i[0];
+         return Value::ofInt(y == 0 ? 0 : wrap((x % y + y) % y));
+       }},
       {"fmod", "ff", "", 'f',
        [](Arguments a, EvaluationContext&) {
          return Value::ofFloat(a[0].f[0] - a[1].f[0] * std::floor(a[0].f[0] / a[1].f[0]));
@@ -208,6 +223,8 @@ const std::vector<Row>& rows() {
        ORRIS_TEST(compare(a[0], a[1]) >= 0 && compare(a[0], a[2]) <= 0)},
       {"equals", "fff", "", 'b', ORRIS_TEST(std::abs(a[0].f[0] - a[1].f[0]) <= a[2].f[0])},
       {"in", "ff*", "", 'b', isIn, 32},
+      {"toInt", "f", "", 'i', [](Arguments a, EvaluationContext&) { return toInt(a[0]); }},
+      {"toFloat", "i", "", 'f', [](Arguments a, EvaluationContext&) { return toFloat(a[0]); }},
       {"vec2", "ff", "", '2', vectorOf},
       {"vec3", "fff", "", '3', vectorOf},
       {"vec4", "ffff", "", '4', vectorOf},
@@ -260,18 +277,36 @@ bool accepts(std::span<const ValueType> parameters, std::span<const ValueType> a
 std::vector<std::string_view> expressionFunctionNames() {
   std::vector<std::string_view> names{"if", "smooth"};
   for (const Row& row : rows()) names.push_back(row.name);
+  for (const OperatorName& row : kOperatorNames) names.push_back(row.function);
   return names;
 }
 
 bool isExpressionFunction(std::string_view name) {
   if (name == "if" || name == "smooth") return true;
+  const std::string_view sign = signOf(name);
   return std::any_of(rows().begin(), rows().end(),
-                     [&](const Row& row) { return row.name == name; });
+                     [&](const Row& row) { return row.name == name || row.name == sign; });
+}
+
+bool isCutShort(std::string_view name, size_t arguments) {
+  return (name == "min" || name == "max") && arguments > 2;
+}
+
+bool mayBeInt(std::string_view name) {
+  constexpr std::string_view kNames[] = {"+",   "-",   "*",     "%",    "neg", "abs",
+                                         "min", "max", "clamp", "edge", "fmod"};
+  return std::ranges::find(kNames, signOf(name)) != std::end(kNames);
+}
+
+bool isAmbiguous(std::string_view name) {
+  constexpr std::string_view kNames[] = {"==", "!=", "<", ">", "<=", ">=", "between"};
+  return std::ranges::find(kNames, signOf(name)) != std::end(kNames);
 }
 
 ExpressionOverload findOverload(std::string_view name, std::span<const ValueType> arguments) {
+  const std::string_view sign = signOf(name);
   for (const Row& row : rows()) {
-    if (row.name != name) continue;
+    if (row.name != name && row.name != sign) continue;
     for (const char family : row.family.empty() ? std::string_view("f") : row.family) {
       auto parameters = parametersOf(row, family, arguments.size());
       if (!parameters || !accepts(*parameters, arguments)) continue;

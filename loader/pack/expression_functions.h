@@ -26,11 +26,19 @@ struct ExpressionOverload {
   ValueType result = ValueType::Float;
 };
 
-/// Names of the functions, and the signs of the operators ("neg" for the prefix minus).
+/// Names of the functions, and the signs of the operators ("neg" for the prefix minus), which have
+/// names as functions, too ("add").
 std::vector<std::string_view> expressionFunctionNames();
 
 /// Is there a function of that name at all?
 bool isExpressionFunction(std::string_view name);
+
+/// Iris looks at the first two arguments only of min and max of more.
+bool isCutShort(std::string_view name, std::size_t arguments);
+/// Is the function, of arguments that are all int, an int?
+bool mayBeInt(std::string_view name);
+/// Does Iris find two meanings when each argument is both int and float (floor(), ceil())?
+bool isAmbiguous(std::string_view name);
 
 /// The overload for these argument types; function nullptr when there is none.
 ExpressionOverload findOverload(std::string_view name, std::span<const ValueType> arguments);

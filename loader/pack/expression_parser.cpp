@@ -171,10 +171,12 @@ class Parser {
       tree.literal = *constant;
       return tree;
     }
-    while (at_ + 1 < text_.size() && text_[at_] == '.' && isWordCharacter(text_[at_ + 1])) {
-      const std::string_view access = leadingWord(text_.substr(at_ + 1));
+    while (take(".")) {
+      skipBlanks();
+      const std::string_view access = leadingWord(text_.substr(at_));
+      if (access.empty()) return fail("expected an element like x after the dot");
       tree.accesses.emplace_back(access);
-      at_ += 1 + access.size();
+      at_ += access.size();
     }
     return tree;
   }
@@ -192,11 +194,13 @@ class Parser {
   }
 
   ExpressionTree arguments(ExpressionTree tree, int depth) {
-    if (take(")")) return tree;
-    do {
+    while (!take(")")) {
       tree.arguments.push_back(binary(kLoosest, depth + 1));
-    } while (!failed_ && take(","));
-    return failed_ || take(")") ? std::move(tree) : fail("expected , or )");
+      if (failed_) return tree;
+      // The last comma may stand before the parenthesis.
+      if (!take(",")) return take(")") ? std::move(tree) : fail("expected , or )");
+    }
+    return tree;
   }
 
   std::string_view text_;

@@ -32,8 +32,8 @@ int elementIndex(std::string_view access) {
 
 class Compiler {
  public:
-  Compiler(const VariableLookup& lookup, int& smoothStates, ExpressionError& error)
-      : lookup_(lookup), smoothStates_(smoothStates), error_(error) {}
+  Compiler(const VariableLookup& lookup, int& smoothStates, ExpressionFindings& findings)
+      : lookup_(lookup), smoothStates_(smoothStates), findings_(findings) {}
 
   std::optional<ExpressionNode> compile(const ExpressionTree& tree) {
     switch (tree.kind) {
@@ -47,14 +47,15 @@ class Compiler {
     }
   }
 
-  std::optional<ExpressionNode> convert(ExpressionNode node, ValueType type, int column,
-                                        bool toInt) {
+  std::optional<ExpressionNode> convert(ExpressionNode node, ValueType type, int column) {
     if (node.type == type) return node;
     const bool widen = node.type == ValueType::Int && type == ValueType::Float;
-    const bool narrow = toInt && node.type == ValueType::Float && type == ValueType::Int;
+    const bool narrow = node.isWhole && type == ValueType::Int;
     if (!widen && !narrow) {
+      const bool cut = node.type == ValueType::Float && type == ValueType::Int;
       return fail(column,
-                  fmt::format("expected {}, found {}", typeName(type), typeName(node.type)));
+                  fmt::format("expected {}, found {}{}", typeName(type), typeName(node.type),
+                              cut ? "; write toInt(), floor() or ceil() around it" : ""));
     }
     ExpressionNode converted{.kind = widen ? Kind::ToFloat : Kind::ToInt, .type = type};
     converted.children.push_back(std::move(node));
@@ -63,7 +64,7 @@ class Compiler {
 
  private:
   std::nullopt_t fail(int column, std::string message) {
-    error_ = {std::move(message), column};
+    findings_.error = {std::move(message), column};
     return std::nullopt;
   }
 
@@ -111,12 +112,48 @@ class Compiler {
     }
     if (tree.name == "if") return compileIf(tree, std::move(arguments));
     if (tree.name == "smooth") return compileSmooth(tree, std::move(arguments));
-    std::vector<ValueType> types;
-    for (const ExpressionNode& argument : arguments) types.push_back(argument.type);
-    const ExpressionOverload overload = findOverload(tree.name, types);
+    if (isAmbiguous(tree.name) && std::ranges::all_of(arguments, &ExpressionNode::isEither)) {
+      return fail(tree.column, fmt::format("Iris cannot decide whether {} compares ints or floats; "
+                                           "write toInt() around one side",
+                                           tree.name));
+    }
+    if (isCutShort(tree.name, arguments.size())) warnOfCutShort(tree);
+    return compileOverload(tree, std::move(arguments));
+  }
+
+  std::optional<ExpressionNode> compileOverload(const ExpressionTree& tree,
+                                                std::vector<ExpressionNode> arguments) {
+    std::vector<ValueType> types, asInts;
+    for (const ExpressionNode& argument : arguments) {
+      types.push_back(argument.type);
+      asInts.push_back(argument.isWhole ? ValueType::Int : argument.type);
+    }
+    ExpressionOverload overload = findOverload(tree.name, types);
+    if (!overload.function) overload = findOverload(tree.name, asInts);
     if (!overload.function) return fail(tree.column, mismatch(tree.name, types));
     ExpressionNode node{.kind = Kind::Call, .type = overload.result, .function = overload.function};
+    if (overload.result == ValueType::Float) markWhole(tree, arguments, node);
     return adopt(std::move(node), std::move(arguments), overload.parameters, tree);
+  }
+
+  static bool isWhole(const ExpressionNode& node) {
+    return node.type == ValueType::Int || node.isWhole;
+  }
+
+  static void markWhole(const ExpressionTree& tree, const std::vector<ExpressionNode>& arguments,
+                        ExpressionNode& node) {
+    const bool rounds = tree.name == "floor" || tree.name == "ceil";
+    const bool carries = mayBeInt(tree.name);
+    node.isWhole = rounds || (carries && std::ranges::all_of(arguments, isWhole));
+    node.isEither =
+        rounds || (carries && std::ranges::all_of(arguments, &ExpressionNode::isEither));
+  }
+
+  void warnOfCutShort(const ExpressionTree& tree) {
+    findings_.slips.push_back(
+        {fmt::format("Iris looks at the first two of these {} arguments of {} only",
+                     tree.arguments.size(), tree.name),
+         tree.column});
   }
 
   static std::string mismatch(const std::string& name, const std::vector<ValueType>& types) {
@@ -129,7 +166,7 @@ class Compiler {
                                       const std::vector<ValueType>& types,
                                       const ExpressionTree& tree) {
     for (size_t i = 0; i < children.size(); ++i) {
-      auto child = convert(std::move(children[i]), types[i], tree.arguments[i].column, false);
+      auto child = convert(std::move(children[i]), types[i], tree.arguments[i].column);
       if (!child) return std::nullopt;
       node.children.push_back(std::move(*child));
     }
@@ -148,8 +185,15 @@ class Compiler {
       if (type == ValueType::Int) type = arguments[i].type;
     }
     std::vector<ValueType> types(count, type);
-    for (size_t i = 0; i + 1 < count; i += 2) types[i] = ValueType::Bool;
-    return adopt({.kind = Kind::If, .type = type}, std::move(arguments), types, tree);
+    ExpressionNode node{.kind = Kind::If, .type = type};
+    node.isWhole = node.isEither = type == ValueType::Float;
+    for (size_t i = 0; i < count; ++i) {
+      const bool isCondition = i % 2 == 0 && i + 1 < count;
+      if (isCondition) types[i] = ValueType::Bool;
+      node.isWhole = node.isWhole && (isCondition || isWhole(arguments[i]));
+      node.isEither = node.isEither && (isCondition || arguments[i].isEither);
+    }
+    return adopt(std::move(node), std::move(arguments), types, tree);
   }
 
   /// smooth([id,] value [, up [, down]]); the node's children are value, up and down.
@@ -162,8 +206,7 @@ class Compiler {
     const size_t first = hasId ? 1 : 0;
     ExpressionNode node{.kind = Kind::Smooth, .type = ValueType::Float, .index = smoothStates_++};
     for (size_t i = first; i < count; ++i) {
-      auto child =
-          convert(std::move(arguments[i]), ValueType::Float, tree.arguments[i].column, false);
+      auto child = convert(std::move(arguments[i]), ValueType::Float, tree.arguments[i].column);
       if (!child) return std::nullopt;
       node.children.push_back(std::move(*child));
     }
@@ -172,7 +215,7 @@ class Compiler {
 
   const VariableLookup& lookup_;
   int& smoothStates_;
-  ExpressionError& error_;
+  ExpressionFindings& findings_;
 };
 
 float evaluateSmooth(const ExpressionNode& node, EvaluationState& state) {
@@ -211,10 +254,10 @@ Value elementOf(const Value& value, int index) {
 
 std::optional<ExpressionNode> compileExpression(const ExpressionTree& tree, ValueType type,
                                                 const VariableLookup& lookup, int& smoothStates,
-                                                ExpressionError& error) {
-  Compiler compiler(lookup, smoothStates, error);
+                                                ExpressionFindings& findings) {
+  Compiler compiler(lookup, smoothStates, findings);
   auto node = compiler.compile(tree);
-  return node ? compiler.convert(std::move(*node), type, tree.column, true) : std::nullopt;
+  return node ? compiler.convert(std::move(*node), type, tree.column) : std::nullopt;
 }
 
 Value evaluateExpression(const ExpressionNode& node, EvaluationState& state) {

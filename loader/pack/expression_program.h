@@ -28,6 +28,9 @@ struct ExpressionNode {
   enum class Kind { Constant, Input, Custom, Element, Call, If, Smooth, ToFloat, ToInt };
   Kind kind = Kind::Constant;
   ValueType type = ValueType::Float;
+  /// Of a float: Iris takes it as int where an int is wanted, for it is made of floor(), ceil() and
+  /// ints; `isEither` when no int is needed for that. Iris: ExpressionResolver.
+  bool isWhole = false, isEither = false;
   Value constant;
   std::string input;
   int index = 0;  ///< custom uniform, element, or smooth state
@@ -37,11 +40,18 @@ struct ExpressionNode {
 
 using VariableLookup = std::function<std::optional<ExpressionVariable>(const std::string&)>;
 
+/// What compileExpression() found: `error` when there is no program, else what works otherwise than
+/// its author thinks.
+struct ExpressionFindings {
+  ExpressionError error;
+  std::vector<ExpressionError> slips;
+};
+
 /// Checks `tree` and converts its result to `type`. `smoothStates` counts the smooth() calls of all
-/// expressions. nullopt and `error` when a name, function or type does not fit.
+/// expressions. nullopt and an error when a name, function or type does not fit.
 std::optional<ExpressionNode> compileExpression(const ExpressionTree& tree, ValueType type,
                                                 const VariableLookup& lookup, int& smoothStates,
-                                                ExpressionError& error);
+                                                ExpressionFindings& findings);
 
 /// Everything that an evaluation reads and writes.
 struct EvaluationState {

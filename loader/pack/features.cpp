@@ -17,11 +17,12 @@ void requireFlag(const ShaderProperties& properties, const std::string& flag, st
                  const SourceLocation& at, Diagnostics& diagnostics) {
   if (properties.feature(flag)) return;
   diagnostics.push_back(
-      {.severity = Severity::Error,
-       .id = "feature-undeclared",
-       .at = at,
-       .message = fmt::format("{} without the feature flag {} are refused", what, flag),
-       .hint = fmt::format("add iris.features.required={}", flag)});
+      withEffect({.severity = Severity::Error,
+                  .id = "feature-undeclared",
+                  .at = at,
+                  .message = fmt::format("{} without the feature flag {}", what, flag),
+                  .hint = fmt::format("add iris.features.required={}", flag)},
+                 Effect::RefusesPack));
 }
 
 }  // namespace
@@ -33,7 +34,6 @@ const std::vector<std::string>& supportedFeatures() {
                                                "PER_BUFFER_BLENDING",
                                                "COMPUTE_SHADERS",
                                                "TESSELLATION_SHADERS",
-                                               "TESSELATION_SHADERS",
                                                "ENTITY_TRANSLUCENT",
                                                "REVERSED_CULLING",
                                                "BLOCK_EMISSION_ATTRIBUTE",
@@ -53,12 +53,22 @@ void requireFeatures(const PropertyContext& context, const std::vector<std::stri
   for (const std::string& flag : splitBlanks(context.entry.value)) {
     if (contains(supported, upperCase(flag))) continue;
     const std::string hint = suggest(flag, supported);
-    context.fail("feature-unsupported",
-                 fmt::format("this host does not offer the feature {}", flag),
-                 !hint.empty()       ? hint
-                 : supported.empty() ? "make the feature optional"
-                                     : "offered are " + joinNames(supported),
-                 flag);
+    const bool ofIris = context.entry.key.starts_with("iris.");
+    (context.*(ofIris ? &PropertyContext::refuse : &PropertyContext::fail))(
+        "feature-unsupported", fmt::format("this host does not offer the feature {}", flag),
+        !hint.empty()       ? hint
+        : supported.empty() ? "make the feature optional"
+                            : "offered are " + joinNames(supported),
+        flag);
+  }
+}
+
+void warnOfFlagCase(const PropertyContext& context) {
+  for (const std::string& flag : splitBlanks(context.entry.value)) {
+    if (flag == upperCase(flag) || !contains(supportedFeatures(), upperCase(flag))) continue;
+    context.warn("feature-case",
+                 fmt::format("Iris defines the macro IRIS_FEATURE_{}, as it is written here", flag),
+                 fmt::format("write {}", upperCase(flag)), flag);
   }
 }
 
@@ -100,8 +110,10 @@ MacroDefinitions propertyFeatureMacros() {
 
 MacroDefinitions shaderFeatureMacros(const ShaderProperties& properties) {
   MacroDefinitions macros;
-  for (const std::string& flag : properties.optionalFeatures) {
-    if (contains(supportedFeatures(), flag)) macros.emplace_back("IRIS_FEATURE_" + flag, "");
+  // Iris: ShaderPack, which takes the name as it is written.
+  for (const std::string& flag : properties.optionalAsWritten) {
+    if (contains(supportedFeatures(), upperCase(flag)))
+      macros.emplace_back("IRIS_FEATURE_" + flag, "");
   }
   // Our own extension has one rule for both lists: what is there has its macro.
   for (const auto* list : {&properties.orrisRequiredFeatures, &properties.orrisOptionalFeatures}) {

@@ -25,6 +25,9 @@ const std::vector<std::string>& supportedOrrisFeatures();
 /// An error for each flag on the entry's line that `supported` lacks.
 void requireFeatures(const PropertyContext& context, const std::vector<std::string>& supported);
 
+/// A warning for each optional flag of Iris's in lower case.
+void warnOfFlagCase(const PropertyContext& context);
+
 /// Errors for buffer objects and custom images without their flag.
 void checkDeclared(const ShaderProperties& properties, Diagnostics& diagnostics);
 

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "pack/block_tags.h"
+#include "pack/id_lines.h"
 #include "pack/properties_text.h"
 #include "pack/text.h"
 
@@ -62,7 +63,7 @@ std::vector<PropertyEntry> idEntries(const std::string& file, const std::string&
                                      const std::string& original,
                                      const std::vector<std::string_view>& prefixes,
                                      Diagnostics& diagnostics) {
-  auto entries = lastValues(parseProperties(file, text, Continuation::IdMap, original));
+  auto entries = lastValues(parseIdLines(file, text, original, &diagnostics));
   const auto others =
       std::stable_partition(entries.begin(), entries.end(), [&](const PropertyEntry& entry) {
         return std::any_of(prefixes.begin(), prefixes.end(),

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ranges>
 #include <set>
 
 #include "core/pack_path.h"
@@ -15,6 +16,7 @@ constexpr int kDeepestInclude = 256;
 constexpr size_t kMostLines = 500'000;
 constexpr size_t kMostSites = 50'000;
 constexpr std::string_view kInclude = "#include";
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 /// Walks depth first, so that the open files are the chain of includes.
 class Reader {
@@ -25,6 +27,7 @@ class Reader {
   /// `path` is known to exist.
   void visit(const std::string& path) {
     const FileLines& lines = graph_.files[path] = splitLines(source_.read(path).value_or(""));
+    if (!lines.empty() && lines.front().starts_with(kByteOrderMark)) reportByteOrderMark(path);
     for (size_t i = 0; i < lines.size(); ++i) {
       const std::string_view line = trim(lines[i]);
       if (line.starts_with(kInclude)) include(path, static_cast<int>(i) + 1, lines[i]);
@@ -36,6 +39,19 @@ class Reader {
     std::string file;
     int line;
   };
+
+  // The preprocessor throws. Iris: JcppProcessor.
+  void reportByteOrderMark(const std::string& path) {
+    Diagnostic diagnostic{
+        .severity = Severity::Error,
+        .id = "byte-order-mark",
+        .at = {path, 1, 1},
+        .message = "the file begins with a byte-order mark",
+        .hint = "save it as UTF-8 without one (\"UTF-8\", not \"UTF-8 with BOM\")"};
+    for (const Open& open : std::views::reverse(open_))
+      diagnostic.includedFrom.push_back({.file = open.file, .line = open.line});
+    diagnostics_.push_back(withEffect(std::move(diagnostic), Effect::RefusesPack));
+  }
 
   void include(const std::string& from, int line, const std::string& text) {
     open_.push_back({from, line});

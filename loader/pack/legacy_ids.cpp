@@ -40,7 +40,7 @@ constexpr LegacyId kIds[] = {
     {18, "<wood>_leaves"},
     {95, "<color>_stained_glass"},
     {160, "<color>_stained_glass_pane"},
-    {31, "grass short_grass seagrass sweet_berry_bush"},
+    {31, "grass seagrass sweet_berry_bush"},
     {59, "wheat carrots potatoes"},
     {37,
      "dandelion poppy blue_orchid allium azure_bluet red_tulip pink_tulip white_tulip orange_tulip "
@@ -64,8 +64,11 @@ std::vector<std::string> expanded(const std::string& block) {
 
 }  // namespace
 
-BlockIdMap legacyBlockIds() {
+BlockIdMap legacyBlockIds(long long minecraftVersion) {
   BlockIdMap map;
+  // Worlds of this host have the new name, whatever the version.
+  if (minecraftVersion < kShortGrassVersion)
+    map.filters.push_back({.name = "minecraft:short_grass", .id = 31});
   for (const LegacyId& row : kIds) {
     for (const std::string& word : splitBlanks(row.blocks)) {
       for (const std::string& name : expanded(word))

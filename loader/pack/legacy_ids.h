@@ -6,7 +6,10 @@
 
 namespace orris {
 
-/// `present` stays false.
-BlockIdMap legacyBlockIds();
+/// The first version whose "grass" is called short_grass, which Iris's table does not know.
+inline constexpr long long kShortGrassVersion = 12003;
+
+/// `present` stays false. `minecraftVersion` as in MC_VERSION.
+BlockIdMap legacyBlockIds(long long minecraftVersion);
 
 }  // namespace orris

@@ -13,12 +13,13 @@ struct PrefixMacro {
   std::string_view prefix, macro;
 };
 
+constexpr std::string_view kMesaVendor = "MC_GL_VENDOR_MESA";
 constexpr std::array<PrefixMacro, 6> kVendors{{{"ati", "MC_GL_VENDOR_ATI"},
                                                {"intel", "MC_GL_VENDOR_INTEL"},
                                                {"nvidia", "MC_GL_VENDOR_NVIDIA"},
                                                {"amd", "MC_GL_VENDOR_AMD"},
                                                {"x.org", "MC_GL_VENDOR_XORG"},
-                                               {"mesa", "MC_GL_VENDOR_MESA"}}};
+                                               {"mesa", kMesaVendor}}};
 constexpr std::array<PrefixMacro, 11> kRenderers{{{"amd", "MC_GL_RENDERER_RADEON"},
                                                   {"ati", "MC_GL_RENDERER_RADEON"},
                                                   {"radeon", "MC_GL_RENDERER_RADEON"},
@@ -176,6 +177,13 @@ std::string_view byPrefix(std::string_view name, const std::array<PrefixMacro, C
   return other;
 }
 
+// Iris: StandardMacros, which has no macro for Mesa; OptiFine has.
+std::string vendorMacro(const HostDescription& host) {
+  constexpr std::string_view kOther = "MC_GL_VENDOR_OTHER";
+  const std::string_view macro = byPrefix(host.glVendor, kVendors, kOther);
+  return std::string(host.iris && macro == kMesaVendor ? kOther : macro);
+}
+
 template <size_t Count>
 void addNumbered(const char* prefix, const std::array<std::string_view, Count>& names,
                  MacroDefinitions& macros) {
@@ -202,7 +210,7 @@ MacroDefinitions standardMacros(const HostDescription& host) {
       {"MC_GL_VERSION", std::to_string(host.glVersion)},
       {"MC_GLSL_VERSION", std::to_string(host.glslVersion)},
       {host.system.empty() ? kSystem : host.system, ""},
-      {std::string(byPrefix(host.glVendor, kVendors, "MC_GL_VENDOR_OTHER")), ""},
+      {vendorMacro(host), ""},
       {std::string(byPrefix(host.glRenderer, kRenderers, "MC_GL_RENDERER_OTHER")), ""},
       {"MC_NORMAL_MAP", ""},
       {"MC_SPECULAR_MAP", ""},

@@ -92,7 +92,7 @@ bool readValueList(std::string_view comment, OptionLine& option) {
   const size_t open = comment.find('[');
   const size_t close = open == std::string_view::npos ? open : comment.find(']', open);
   if (close == std::string_view::npos) return false;
-  option.values = splitBlanks(comment.substr(open + 1, close - open - 1));
+  option.values = splitSingleBlanks(comment.substr(open + 1, close - open - 1));
   if (std::find(option.values.begin(), option.values.end(), option.value) == option.values.end()) {
     option.values.push_back(option.value);
   }

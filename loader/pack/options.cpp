@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <set>
+#include <tuple>
 
+#include "pack/java_order.h"
 #include "pack/option_line.h"
 #include "pack/text.h"
 
@@ -29,54 +31,86 @@ std::set<std::string, std::less<>> findReferences(const std::map<std::string, Fi
   return references;
 }
 
-/// Merges one definition into the option of its name.
+using Options = std::map<std::string, Option, std::less<>>;
+
+/// Merges definitions by name, those of one file first, as Iris does: two that disagree take each
+/// other away, and a later one is the first again. Iris: OptionSet.Builder.
 class Merger {
  public:
-  Merger(std::map<std::string, Option, std::less<>>& options, Diagnostics& diagnostics)
+  Merger(Options& options, Diagnostics& diagnostics)
       : options_(options), diagnostics_(diagnostics) {}
 
-  void add(OptionLine line, SourceLocation at, const std::string& text) {
-    const auto [found, isNew] = options_.try_emplace(line.name);
-    Option& option = found->second;
-    if (isNew) {
-      option = {line.name, line.isBoolean, line.value, std::move(line.values), line.comment, {at}};
-      return;
-    }
-    if (option.isBoolean != line.isBoolean || option.defaultValue != line.value) {
-      if (dropped_.insert(line.name).second) report(option, line, at, text);
-      return;
-    }
-    if (option.comment.empty()) option.comment = line.comment;
-    option.at.push_back(std::move(at));
+  /// `text`: the line of `at`.
+  void add(const OptionLine& line, const SourceLocation& at, const std::string& text) {
+    const auto [first, isNew] = first_.try_emplace(line.name, Seen{line, at});
+    places_[line.name].push_back(at);
+    const OptionLine& before = first->second.line;
+    const bool differs = before.isBoolean != line.isBoolean || before.value != line.value;
+    if (!isNew && differs) differing_.try_emplace(line.name, Seen{line, at, text});
+    merge(ofFile_, {line.name, line.isBoolean, line.value, line.values, line.comment, {at}});
   }
 
-  /// Takes the ambiguous options out; gives their names and first lines.
-  std::map<std::string, SourceLocation> dropAmbiguous() {
-    std::map<std::string, SourceLocation> places;
-    for (const std::string& name : dropped_) {
-      places.emplace(name, options_.at(name).at.front());
-      options_.erase(name);
+  void endFile() {
+    for (auto& [name, option] : ofFile_) merge(options_, std::move(option));
+    ofFile_.clear();
+  }
+
+  /// Reports options whose lines disagree; those that are none go to `rejected`. Options that are
+  /// edited stand on all their lines.
+  void finish(std::map<std::string, RejectedOption, std::less<>>& rejected) {
+    for (const auto& [name, other] : differing_) {
+      const auto option = options_.find(name);
+      report(other, option == options_.end() ? nullptr : &option->second);
+      if (option == options_.end())
+        rejected[name] = {first_.at(name).at, "its lines have different defaults"};
     }
-    return places;
+    for (auto& [name, option] : options_) {
+      option.at = places_.at(name);
+      std::ranges::sort(option.at, {}, [](const auto& at) { return std::tie(at.file, at.line); });
+    }
   }
 
  private:
-  void report(const Option& option, const OptionLine& line, const SourceLocation& at,
-              const std::string& text) {
-    const SourceLocation& first = option.at.front();
-    diagnostics_.push_back(
-        {.severity = Severity::Note,
-         .id = "option-ambiguous",
-         .at = at,
-         .message = fmt::format("{} is {} here and {} in {}:{}, so it is no option", line.name,
-                                line.value, option.defaultValue, first.file, first.line),
-         .sourceLine = text,
-         .hint = "give all its lines the same default"});
+  struct Seen {
+    OptionLine line;
+    SourceLocation at;
+    std::string text{};
+  };
+
+  static void merge(Options& into, Option option) {
+    const auto [found, isNew] = into.try_emplace(option.name, option);
+    if (isNew) return;
+    Option& before = found->second;
+    if (before.isBoolean != option.isBoolean || before.defaultValue != option.defaultValue) {
+      into.erase(found);
+    } else if (before.comment.empty()) {
+      before = std::move(option);
+    }
   }
 
-  std::map<std::string, Option, std::less<>>& options_;
+  void report(const Seen& other, const Option* kept) {
+    const Seen& first = first_.at(other.line.name);
+    const std::string both =
+        fmt::format("{} is {} here and {} in {}:{}", other.line.name, other.line.value,
+                    first.line.value, first.at.file, first.at.line);
+    const std::string takenBack =
+        kept ? fmt::format(
+                   ", so Iris drops it at the second line that it meets and takes {} back at {}:{}",
+                   kept->defaultValue, kept->at.front().file, kept->at.front().line)
+             : ", so it is no option";
+    diagnostics_.push_back({.severity = kept ? Severity::Warning : Severity::Note,
+                            .id = "option-ambiguous",
+                            .at = other.at,
+                            .message = both + takenBack,
+                            .sourceLine = other.text,
+                            .hint = "give all its lines the same default"});
+  }
+
+  Options& options_;
   Diagnostics& diagnostics_;
-  std::set<std::string> dropped_;
+  Options ofFile_;
+  std::map<std::string, Seen> first_, differing_;
+  std::map<std::string, std::vector<SourceLocation>, std::less<>> places_;
 };
 
 void reject(OptionSet& options, std::string_view name, SourceLocation at, bool isBoolean) {
@@ -120,20 +154,41 @@ OptionSet discoverOptions(const std::map<std::string, FileLines>& files, Diagnos
   const auto references = findReferences(files);
   OptionSet options;
   Merger merger(options.all(), diagnostics);
-  for (const auto& [file, lines] : files) {
+  std::vector<std::string> paths;
+  for (const auto& entry : files) paths.push_back(entry.first);
+  for (const std::string& file : inJavaHashOrder(std::move(paths))) {
+    const FileLines& lines = files.at(file);
     for (size_t i = 0; i < lines.size(); ++i) {
-      auto option = parseOptionLine(lines[i]);
+      const auto option = parseOptionLine(lines[i]);
       if (option && (!option->isBoolean || references.contains(option->name))) {
-        merger.add(std::move(*option), place(file, i, lines[i]), lines[i]);
+        merger.add(*option, place(file, i, lines[i]), lines[i]);
       } else if (const std::string_view name = definedName(lines[i]); !name.empty()) {
         reject(options, name, place(file, i, lines[i]), option.has_value());
       }
     }
+    merger.endFile();
   }
-  for (const auto& [name, at] : merger.dropAmbiguous()) {
-    options.rejected()[name] = {at, "its lines have different defaults"};
-  }
+  merger.finish(options.rejected());
   return options;
+}
+
+void addModFiles(const std::map<std::string, FileLines>& files, OptionSet& options) {
+  for (const auto& [file, lines] : files) {
+    for (size_t i = 0; i < lines.size(); ++i) {
+      const auto line = parseOptionLine(lines[i]);
+      const SourceLocation at = place(file, i, lines[i]);
+      const auto known = line ? options.all().find(line->name) : options.all().end();
+      if (known != options.all().end()) {
+        if (known->second.isBoolean == line->isBoolean) known->second.at.push_back(at);
+      } else if (line) {
+        options.rejected().try_emplace(
+            line->name,
+            RejectedOption{at,
+                           "only programs of other mods read that file, which Iris does not "
+                           "search for options"});
+      }
+    }
+  }
 }
 
 std::map<std::string, FileLines> editedFiles(const std::map<std::string, FileLines>& files,

@@ -53,8 +53,13 @@ std::string missingOptionHint(const OptionSet& options, std::string_view name);
 /// Text of one file, split into lines (no line ends; a NUL byte is dropped).
 using FileLines = std::vector<std::string>;
 
-/// Scans all files (path -> lines) for options; ambiguous ones are dropped with a note.
+/// Scans all files (path -> lines) for options; ambiguous ones are dropped with a note, or kept with
+/// a warning where Iris keeps them.
 OptionSet discoverOptions(const std::map<std::string, FileLines>& files, Diagnostics& diagnostics);
+
+/// Files that only programs of other mods read make no options; those that there are stand on their
+/// lines, too.
+void addModFiles(const std::map<std::string, FileLines>& files, OptionSet& options);
 
 /// The files with the lines of changed options edited.
 std::map<std::string, FileLines> applyOptions(const std::map<std::string, FileLines>& files,

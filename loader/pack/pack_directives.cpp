@@ -16,6 +16,7 @@ struct Named {
   std::string_view name;
   Field field;
 };
+constexpr std::string_view kDryness = "drynessHalflife";
 constexpr Named<float PackDirectives::*> kFloats[] = {
     {"shadowDistance", &PackDirectives::shadowDistance},
     {"shadowDistanceRenderMul", &PackDirectives::shadowDistanceRenderMul},
@@ -27,7 +28,8 @@ constexpr Named<float PackDirectives::*> kFloats[] = {
     {"sunPathRotation", &PackDirectives::sunPathRotation},
     {"ambientOcclusionLevel", &PackDirectives::ambientOcclusionLevel},
     {"wetnessHalflife", &PackDirectives::wetnessHalflife},
-    {"drynessHalflife", &PackDirectives::drynessHalflife},
+    // Iris: PackDirectives, whose dryness half-life is always the default.
+    {kDryness, &PackDirectives::wetnessHalflife},
     {"eyeBrightnessHalflife", &PackDirectives::eyeBrightnessHalflife},
     {"centerDepthHalflife", &PackDirectives::centerDepthHalflife}};
 constexpr Named<int PackDirectives::*> kInts[] = {
@@ -77,15 +79,19 @@ class PackReader {
   }
 
  private:
+  Diagnostic at(Severity severity, std::string id, const ConstLine& line, std::string message,
+                std::string hint) {
+    return {.severity = severity,
+            .id = std::move(id),
+            .at = locate(sites_, line.origin),
+            .message = std::move(message),
+            .includedFrom = includedFrom(sites_, line.origin.site),
+            .sourceLine = line.sourceLine,
+            .hint = std::move(hint)};
+  }
   void report(Severity severity, std::string id, const ConstLine& line, std::string message,
               std::string hint) {
-    diagnostics_.push_back({.severity = severity,
-                            .id = std::move(id),
-                            .at = locate(sites_, line.origin),
-                            .message = std::move(message),
-                            .includedFrom = includedFrom(sites_, line.origin.site),
-                            .sourceLine = line.sourceLine,
-                            .hint = std::move(hint)});
+    diagnostics_.push_back(at(severity, std::move(id), line, std::move(message), std::move(hint)));
   }
 
   void readTarget(const TargetKey& key, const ConstLine& line) {
@@ -95,11 +101,11 @@ class PackReader {
     if (key.suffix == "Format" && line.type == "int") {
       readFormat(line, target);
     } else if (key.suffix == "Clear" && line.type == "bool") {
-      if (const auto on = parseBoolean(line.value)) target.clear = *on;
+      if (const auto on = parseConstBoolean(line.value)) target.clear = *on;
     } else if (key.suffix == "ClearColor" && line.type == "vec4") {
       readClearColor(line, target);
     } else if (key.shadow && line.type == "bool") {
-      const auto on = parseBoolean(line.value);
+      const auto on = parseConstBoolean(line.value);
       if (on && key.suffix == "Mipmap") target.mipmap = *on;
       if (on && (key.suffix == "Nearest" || key.suffix == "MinMagNearest")) target.nearest = *on;
     }
@@ -120,12 +126,18 @@ class PackReader {
   }
 
   void readClearColor(const ConstLine& line, TargetSettings& target) {
-    if (const auto color = parseVector(line.value, "vec4", 4)) {
-      target.clearColor = {(*color)[0], (*color)[1], (*color)[2], (*color)[3]};
-    } else {
-      report(Severity::Warning, "directive-value", line,
-             fmt::format("{} is no clear colour", line.value), "write vec4 with four numbers");
+    constexpr size_t kCount = 4;
+    const VectorValue color = parseVector(line.value, line.type, kCount);
+    if (color.use == VectorValue::Use::Taken) {
+      target.clearColor.emplace();
+      std::copy(color.numbers.begin(), color.numbers.end(), target.clearColor->begin());
+      return;
     }
+    const bool refused = color.use == VectorValue::Use::Refused;
+    diagnostics_.push_back(withEffect(
+        at(refused ? Severity::Error : Severity::Warning, "directive-value", line,
+           fmt::format("{} is no clear colour", line.value), "write vec4 with four numbers"),
+        refused ? Effect::RefusesPack : Effect::IgnoresLine));
   }
 
   void readFloat(const ConstLine& line) {
@@ -139,7 +151,15 @@ class PackReader {
     } else {
       out_.*known->field = *value;
     }
+    if (line.name == kDryness) warnOfDryness(line);
     out_.ambientOcclusionLevel = std::clamp(out_.ambientOcclusionLevel, 0.0f, 1.0f);
+  }
+
+  void warnOfDryness(const ConstLine& line) {
+    report(Severity::Warning, "directive-slip", line,
+           fmt::format("Iris sets the wetness half-life by {}, and dryness keeps {}", kDryness,
+                       PackDirectives().drynessHalflife),
+           "a slip of Iris's: leave the line out, or give it the value of wetnessHalflife");
   }
 
   void readInt(const ConstLine& line) {
@@ -157,7 +177,7 @@ class PackReader {
   }
 
   void readBool(const ConstLine& line) {
-    const auto on = parseBoolean(line.value);
+    const auto on = parseConstBoolean(line.value);
     if (!on) return;
     if (const auto* known = find(kSwitches, line.name)) {
       for (int i = known->first; i <= known->last; ++i)
@@ -169,10 +189,11 @@ class PackReader {
   }
 
   void notLiteral(const ConstLine& line) {
-    report(Severity::Warning, "directive-value", line,
-           fmt::format("{} has the value \"{}\", which is no number; the directive is ignored",
-                       line.name, line.value),
-           "the host reads literals only, no expressions");
+    diagnostics_.push_back(withEffect(
+        at(Severity::Warning, "directive-value", line,
+           fmt::format("{} has the value \"{}\", which is no number", line.name, line.value),
+           "the host reads literals only, no expressions"),
+        Effect::IgnoresLine));
   }
 
   const std::vector<IncludeSite>& sites_;

@@ -23,6 +23,30 @@ std::vector<std::string> programFiles(const FileSource& source, const Dimensions
   return entries;
 }
 
+/// Iris reads no file that only the programs of mods of their own use.
+bool makesOptions(const std::string& entry) {
+  const auto program = parseProgramFile(entry);
+  return program && program->group != ProgramGroup::Colorwheel &&
+         program->group != ProgramGroup::Voxy;
+}
+
+OptionSet optionsOf(const PackFiles& files, Diagnostics& diagnostics) {
+  std::map<std::string, FileLines> own, others;
+  for (const std::string& entry : files.entries) {
+    if (!makesOptions(entry) || own.contains(entry)) continue;
+    for (const std::string& file : reachableFiles(files.graph, entry)) {
+      const auto known = files.graph.files.find(file);
+      if (known != files.graph.files.end()) own.insert(*known);
+    }
+  }
+  for (const auto& file : files.graph.files) {
+    if (!own.contains(file.first)) others.insert(file);
+  }
+  OptionSet options = discoverOptions(own, diagnostics);
+  addModFiles(others, options);
+  return options;
+}
+
 // Profiles do not depend on option values, so they can be read before the values are known; their
 // problems are reported when the whole file is read.
 std::vector<Profile> profilesOf(const PackFiles& files) {
@@ -63,7 +87,7 @@ std::shared_ptr<const PackFiles> readPackFiles(std::shared_ptr<const FileSource>
       if (target.empty()) files->broken.insert(file);
     }
   }
-  files->options = discoverOptions(files->graph.files, found);
+  files->options = optionsOf(*files, found);
   for (const auto& [name, option] : files->options.all()) files->optionNames.push_back(name);
   files->properties = source->read(kPropertiesFile);
   files->profiles = profilesOf(*files);

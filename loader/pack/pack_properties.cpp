@@ -8,6 +8,7 @@
 #include "pack/features.h"
 #include "pack/legacy_ids.h"
 #include "pack/resource_check.h"
+#include "pack/text.h"
 
 namespace orris {
 namespace {
@@ -42,7 +43,10 @@ void readIds(const PackFiles& files, const MacroDefinitions& macros, NameWatch& 
     if (text)
       parse(file, preprocessProperties(file, *text, macros, out.diagnostics, &watch), *text);
   };
-  out.blockIds = legacyBlockIds();
+  const auto version =
+      std::ranges::find(macros, "MC_VERSION", &MacroDefinitions::value_type::first);
+  out.blockIds = legacyBlockIds(
+      version == macros.end() ? kShortGrassVersion : parseInteger(version->second).value_or(0));
   read("/block.properties", [&](auto& file, const auto& text, auto& original) {
     out.blockIds = parseBlockProperties(file, text, original, out.diagnostics);
   });

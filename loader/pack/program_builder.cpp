@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "pack/mods.h"
+#include "pack/reserved_names.h"
 #include "pack/text.h"
 #include "pack/voxy.h"
 
@@ -86,6 +87,9 @@ class ProgramBuild {
   TokenStream& take(PreprocessedPart& part) {
     auto& all = built_.diagnostics;
     all.insert(all.end(), part.diagnostics.begin(), part.diagnostics.end());
+    const ProgramGroup group = entry_.name.group;
+    if (group != ProgramGroup::Colorwheel && group != ProgramGroup::Voxy)
+      checkReservedNames(part.stream, all);
     return part.stream;
   }
 

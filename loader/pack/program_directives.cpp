@@ -60,7 +60,8 @@ class ProgramReader {
     out_.drawBuffersAt = locate(stream_.sites, stream_.tokens[used.token].origin);
     std::vector<std::string> words;
     if (listIsLater) {
-      for (const std::string_view part : splitAt(used.value, ',')) words.emplace_back(trim(part));
+      for (const std::string_view part : splitAt(used.value, ',')) words.emplace_back(part);
+      while (words.size() > 1 && words.back().empty()) words.pop_back();
     } else {
       for (const char digit : used.value) words.emplace_back(1, digit);
     }
@@ -71,11 +72,7 @@ class ProgramReader {
     std::vector<int> buffers;
     for (const std::string& word : words) {
       const auto index = parseInteger(word);
-      if (!index || *index < 0) {
-        return report(comment, "render-target-syntax",
-                      fmt::format("\"{}\" is no buffer index", word),
-                      "write /* RENDERTARGETS: 0,3,7 */ or /* DRAWBUFFERS:037 */");
-      }
+      if (!index || *index < 0) return reportWord(comment, word);
       if (*index >= targets_) {
         return report(
             comment, "render-target-limit",
@@ -98,21 +95,36 @@ class ProgramReader {
     out_.drawBuffers = std::move(buffers);
   }
 
-  void report(const TargetComment& comment, std::string id, std::string message, std::string hint) {
+  void reportWord(const TargetComment& comment, const std::string& word) {
+    if (parseInteger(trim(word))) {
+      std::string closed(comment.value);
+      std::erase_if(closed, [](char c) { return static_cast<unsigned char>(c) <= ' '; });
+      return report(comment, "render-target-syntax",
+                    "a blank stands beside a comma of RENDERTARGETS",
+                    fmt::format("write /* RENDERTARGETS: {} */", closed), Effect::RefusesPack);
+    }
+    report(comment, "render-target-syntax", fmt::format("\"{}\" is no buffer index", trim(word)),
+           "write /* RENDERTARGETS: 0,3,7 */ or /* DRAWBUFFERS:037 */", Effect::RefusesPack);
+  }
+
+  void report(const TargetComment& comment, std::string id, std::string message, std::string hint,
+              Effect effect = Effect::Unstated) {
     const Token& token = stream_.tokens[comment.token];
-    diagnostics_.push_back({.severity = Severity::Error,
-                            .id = std::move(id),
-                            .at = out_.drawBuffersAt,
-                            .message = std::move(message),
-                            .includedFrom = includedFrom(stream_.sites, token.origin.site),
-                            .sourceLine = token.text.substr(0, token.text.find('\n')),
-                            .hint = std::move(hint)});
+    Diagnostic diagnostic{.severity = Severity::Error,
+                          .id = std::move(id),
+                          .at = out_.drawBuffersAt,
+                          .message = std::move(message),
+                          .includedFrom = includedFrom(stream_.sites, token.origin.site),
+                          .sourceLine = token.text.substr(0, token.text.find('\n')),
+                          .hint = std::move(hint)};
+    if (effect != Effect::Unstated) diagnostic = withEffect(std::move(diagnostic), effect);
+    diagnostics_.push_back(std::move(diagnostic));
   }
 
   void readConst(const ConstLine& line) {
     if (line.type == "bool") {
       const auto key = parseTargetKey(line.name);
-      const auto on = parseBoolean(line.value);
+      const auto on = parseConstBoolean(line.value);
       if (!key || key->suffix != "MipmapEnabled" || !on || key->index >= targets_) return;
       if (*on) {
         out_.mipmaps.insert(key->index);
@@ -120,16 +132,34 @@ class ProgramReader {
         out_.mipmaps.erase(key->index);
       }
     } else if (line.name == "workGroups" && line.type == "ivec3") {
-      if (const auto groups = parseVector(line.value, "ivec3", 3)) {
+      constexpr float kMostGroups = 65535;
+      if (const auto groups = readVector(line, 3); !groups.empty()) {
         std::array<int, 3> counts;
-        for (size_t i = 0; i < 3; ++i)
-          counts[i] = static_cast<int>(std::clamp((*groups)[i], 0.0f, 65535.0f));
+        for (size_t i = 0; i < counts.size(); ++i)
+          counts[i] = static_cast<int>(std::clamp(groups[i], 0.0f, kMostGroups));
         out_.workGroups = counts;
       }
     } else if (line.name == "workGroupsRender" && line.type == "vec2") {
-      if (const auto scale = parseVector(line.value, "vec2", 2))
-        out_.workGroupsRender = {(*scale)[0], (*scale)[1]};
+      if (const auto scale = readVector(line, 2); !scale.empty())
+        out_.workGroupsRender = {scale[0], scale[1]};
     }
+  }
+
+  /// Empty and a diagnostic when Iris does not take it.
+  std::vector<float> readVector(const ConstLine& line, size_t count) {
+    VectorValue vector = parseVector(line.value, line.type, count);
+    if (vector.use == VectorValue::Use::Taken) return std::move(vector.numbers);
+    const bool refused = vector.use == VectorValue::Use::Refused;
+    diagnostics_.push_back(
+        withEffect({.severity = refused ? Severity::Error : Severity::Warning,
+                    .id = "directive-value",
+                    .at = locate(stream_.sites, line.origin),
+                    .message = fmt::format("{} is \"{}\"", line.name, line.value),
+                    .includedFrom = includedFrom(stream_.sites, line.origin.site),
+                    .sourceLine = line.sourceLine,
+                    .hint = fmt::format("write {} with {} numbers", line.type, count)},
+                   refused ? Effect::RefusesPack : Effect::IgnoresLine));
+    return {};
   }
 
   const TokenStream& stream_;

@@ -86,6 +86,8 @@ std::optional<ProgramFile> parseProgramFile(std::string_view path) {
   }
   if (!recognise(name, file)) return std::nullopt;
   const bool compute = *stage == Stage::Compute;
+  // Iris: ProgramSet, which asks for no letters after the programs of setup.
+  if (file.group == ProgramGroup::Setup && file.computeSuffix) return std::nullopt;
   if (compute ? !takesCompute(file) : file.group == ProgramGroup::Setup) return std::nullopt;
   return file;
 }

@@ -1,7 +1,6 @@
 #include "pack/properties_text.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <deque>
 #include <map>
@@ -26,14 +25,6 @@ bool endsInBackslash(std::string_view line) {
   return (line.size() - (last == std::string_view::npos ? 0 : last + 1)) % 2 == 1;
 }
 
-/// "block.12", "layer.solid": what starts an entry of an id map whatever stands before it.
-bool startsIdKey(std::string_view line) {
-  constexpr std::array<std::string_view, 5> kPrefixes{"block.", "layer.", "item.", "entity.",
-                                                      "dimension."};
-  return std::any_of(kPrefixes.begin(), kPrefixes.end(),
-                     [&](auto prefix) { return line.starts_with(prefix); });
-}
-
 /// The lines of a file before and after preprocessing.
 struct Lines {
   std::vector<std::string> text, original;
@@ -47,11 +38,8 @@ std::optional<size_t> nextLine(const Lines& lines, size_t index, Continuation co
   for (size_t next = index + 1; next < lines.text.size(); ++next) {
     if (continuation == Continuation::Java) return next;
     const std::string_view line = trim(lines.text[next]);
-    if (!line.empty()) {
-      const bool ends = continuation == Continuation::IdMap && startsIdKey(line);
-      return ends ? std::nullopt : std::optional(next);
-    }
-    if (continuation == Continuation::Preprocessed && !lines.leftBlank(next)) return std::nullopt;
+    if (!line.empty()) return next;
+    if (!lines.leftBlank(next)) return std::nullopt;
   }
   return std::nullopt;
 }
@@ -153,6 +141,19 @@ std::vector<std::pair<size_t, size_t>> wordRanges(std::string_view line, size_t 
   return ranges;
 }
 
+/// Begin and end of each name, number or sign from `start` on.
+std::vector<std::pair<size_t, size_t>> tokenRanges(std::string_view text, size_t start) {
+  std::vector<std::pair<size_t, size_t>> ranges;
+  for (size_t begin = start; begin < text.size();) {
+    const size_t word = leadingWord(text.substr(begin)).size();
+    const size_t end = begin + std::max<size_t>(word, 1);
+    if (static_cast<unsigned char>(text[begin]) > ' ' && text[begin] != '\\')
+      ranges.emplace_back(begin, end);
+    begin = end;
+  }
+  return ranges;
+}
+
 /// Where the value begins on the line of the key.
 size_t valueStart(std::string_view line, const PropertyEntry& entry) {
   const size_t key = static_cast<size_t>(std::max(entry.at.column, 1)) - 1;
@@ -228,6 +229,31 @@ std::vector<PropertyWord> locatedWords(const PropertyEntry& entry) {
     words.push_back(std::move(word));
   }
   return words;
+}
+
+PropertyWord locatedToken(const PropertyEntry& entry, size_t offset) {
+  std::string_view wanted;
+  size_t repeats = 0;
+  for (const auto& [begin, end] : tokenRanges(entry.value, 0)) {
+    if (begin > offset) break;
+    wanted = std::string_view(entry.value).substr(begin, end - begin);
+  }
+  for (const auto& [begin, end] : tokenRanges(entry.value, 0)) {
+    const auto token = std::string_view(entry.value).substr(begin, end - begin);
+    if (begin + token.size() <= offset && token == wanted) ++repeats;
+  }
+  PropertyWord word{std::string(wanted), entry.at, entry.lines.front()};
+  for (size_t line = 0; line < entry.lines.size(); ++line) {
+    const std::string_view text = entry.lines[line];
+    for (const auto& [begin, end] : tokenRanges(text, line == 0 ? valueStart(text, entry) : 0)) {
+      if (text.substr(begin, end - begin) != wanted || repeats-- > 0) continue;
+      word.at.line += static_cast<int>(line);
+      word.at.column = static_cast<int>(begin) + 1;
+      word.sourceLine = text;
+      return word;
+    }
+  }
+  return word;
 }
 
 Diagnostic wordDiagnostic(Severity severity, std::string id, const PropertyWord& word,

@@ -30,7 +30,6 @@ enum class Continuation {
   Java,          ///< with the next line, whatever it is
   Preprocessed,  ///< blanks may follow the backslash; lines that the author left blank are skipped,
                  ///< directives, comments and inactive lines end the entry
-  IdMap,         ///< as Preprocessed, but only a line with a key of its own ends the entry
 };
 
 /// All entries in order of appearance, duplicates included. `original` is the text before
@@ -45,6 +44,10 @@ std::vector<PropertyEntry> lastValues(const std::vector<PropertyEntry>& entries)
 /// The words of the value between blanks. A word that no line holds as it is, because a macro or an
 /// escape made it, is placed at the key.
 std::vector<PropertyWord> locatedWords(const PropertyEntry& entry);
+
+/// The name, number or sign at `offset` of the value, and where the author wrote it; as above where
+/// no line holds it.
+PropertyWord locatedToken(const PropertyEntry& entry, std::size_t offset);
 
 /// A diagnostic at `word`, without the line for the caret where that is too long to be of use.
 Diagnostic wordDiagnostic(Severity severity, std::string id, const PropertyWord& word,

@@ -22,6 +22,11 @@ struct PropertyContext {
             std::string_view word = {}) const;
   void fail(std::string id, std::string message, std::string hint = {},
             std::string_view word = {}) const;
+  /// A warning that Iris ignores the line, an error that it refuses the whole pack.
+  void ignore(std::string id, std::string message, std::string hint = {},
+              std::string_view word = {}) const;
+  void refuse(std::string id, std::string message, std::string hint = {},
+              std::string_view word = {}) const;
 };
 
 /// `rest` is the key without the prefix that chose the reader.

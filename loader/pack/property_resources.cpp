@@ -19,10 +19,14 @@ constexpr size_t kMostImages = 16;
 constexpr int kLargestSide = 16384;
 constexpr long long kLargestBuffer = 1LL << 30;
 
-/// A pack path, or a resource ("minecraft:textures/..."). "" when it leaves the pack.
+/// A pack path, "/../..." beside the shaders folder. "" when it leaves the pack.
+std::string filePath(const std::string& written) {
+  return resolvePackPath("/shaders.properties", written, AboveRoot::Beside).value_or("");
+}
+
+/// A resource ("minecraft:textures/...") or filePath().
 std::string resourcePath(const std::string& written) {
-  if (written.find(':') != std::string::npos) return written;
-  return resolvePackPath("/shaders.properties", written).value_or("");
+  return written.find(':') == std::string::npos ? filePath(written) : written;
 }
 
 /// The name in upper case; a warning with the nearest one and "" otherwise.
@@ -31,8 +35,8 @@ std::string requireName(const PropertyContext& context, const std::string& word,
   std::string known = knownName(word, names);
   if (known.empty()) {
     const std::string hint = suggest(word, names);
-    context.fail("format-unknown", fmt::format("{} is no {}", word, what),
-                 hint.empty() ? fmt::format("known are {}", fmt::join(names, ", ")) : hint, word);
+    context.refuse("format-unknown", fmt::format("{} is no {}", word, what),
+                   hint.empty() ? fmt::format("known are {}", fmt::join(names, ", ")) : hint, word);
   }
   return known;
 }
@@ -41,7 +45,13 @@ bool readSides(const PropertyContext& context, const Words& words, size_t first,
                std::array<int, 3>& size) {
   for (size_t i = 0; i < count; ++i) {
     const auto side = parseInteger(words[first + i]);
-    if (!side || *side < 1 || *side > kLargestSide) {
+    if (!side) {
+      context.refuse("property-value", fmt::format("\"{}\" is no size", words[first + i]),
+                     fmt::format("sizes are whole numbers from 1 to {}", kLargestSide),
+                     words[first + i]);
+      return false;
+    }
+    if (*side < 1 || *side > kLargestSide) {
       context.warn("property-value", fmt::format("\"{}\" is no size", words[first + i]),
                    fmt::format("sizes are whole numbers from 1 to {}", kLargestSide),
                    words[first + i]);
@@ -55,10 +65,10 @@ bool readSides(const PropertyContext& context, const Words& words, size_t first,
 /// "path TYPE INTERNAL X [Y [Z]] PIXELFORMAT PIXELTYPE"; the number of words says how many sides.
 bool readRaw(const PropertyContext& context, const Words& words, TextureBinding& binding) {
   if (words.size() < 6 || words.size() > 8) {
-    context.warn("texture-syntax",
-                 fmt::format("{} words after {}, expected a path alone or a raw texture",
-                             words.size(), context.entry.key),
-                 "raw: path TYPE INTERNAL_FORMAT X [Y [Z]] PIXEL_FORMAT PIXEL_TYPE");
+    context.ignore("texture-syntax",
+                   fmt::format("{} words after {}, expected a path alone or a raw texture",
+                               words.size(), context.entry.key),
+                   "raw: path TYPE INTERNAL_FORMAT X [Y [Z]] PIXEL_FORMAT PIXEL_TYPE");
     return false;
   }
   const size_t sides = words.size() - 5;
@@ -71,9 +81,9 @@ bool readRaw(const PropertyContext& context, const Words& words, TextureBinding&
 }
 
 void addTexture(const PropertyContext& context, std::string_view stage, std::string_view sampler) {
-  const Words words = splitBlanks(context.entry.value);
-  if (words.empty()) {
-    context.warn("texture-syntax", fmt::format("{} names no file", context.entry.key));
+  const Words words = splitSingleBlanks(context.entry.value);
+  if (words[0].empty()) {
+    context.ignore("texture-syntax", fmt::format("{} names no file", context.entry.key));
     return;
   }
   TextureBinding binding{.stage = std::string(stage),
@@ -81,8 +91,7 @@ void addTexture(const PropertyContext& context, std::string_view stage, std::str
                          .path = resourcePath(words[0]),
                          .at = context.entry.at};
   if (binding.path.empty()) {
-    context.fail("texture-path", fmt::format("{} leads out of the shaders folder", words[0]), "",
-                 words[0]);
+    context.fail("texture-path", fmt::format("{} leads out of the pack", words[0]), "", words[0]);
     return;
   }
   if (words.size() == 1 || readRaw(context, words, binding)) {
@@ -102,42 +111,46 @@ void addUniform(const PropertyContext& context, std::string_view rest, bool uplo
   const auto type =
       std::find_if(kTypes.begin(), kTypes.end(), [&](auto& t) { return t.first == parts[0]; });
   if (parts.size() != 2 || parts[1].empty() || type == kTypes.end()) {
-    context.warn("uniform-syntax", fmt::format("{} is no custom uniform", context.entry.key),
-                 "write uniform.TYPE.NAME or variable.TYPE.NAME with TYPE float, int, bool, vec2, "
-                 "vec3 or vec4");
+    context.ignore(
+        "uniform-syntax", fmt::format("{} is no custom uniform", context.entry.key),
+        "write uniform.TYPE.NAME or variable.TYPE.NAME with TYPE float, int, bool, vec2, "
+        "vec3 or vec4");
     return;
   }
   auto& uniforms = context.out.customUniforms;
   const auto same =
       std::find_if(uniforms.begin(), uniforms.end(), [&](auto& u) { return u.name == parts[1]; });
   if (same != uniforms.end()) {
-    context.warn("uniform-duplicate",
-                 fmt::format("{} is already defined in line {}; this line is ignored", parts[1],
-                             same->at.line));
+    context.ignore("uniform-duplicate",
+                   fmt::format("{} is already defined in line {}", parts[1], same->at.line));
     return;
   }
   uniforms.push_back({.name = std::string(parts[1]),
                       .type = type->second,
                       .uploaded = uploaded,
                       .expression = context.entry.value,
-                      .at = context.entry.at});
+                      .at = context.entry.at,
+                      .lines = context.entry.lines});
 }
 
 /// The window factors or texel counts after the six fixed words of an image.
 bool readImageSize(const PropertyContext& context, const Words& words, CustomImage& image) {
-  const size_t count = words.size() - 6;
-  image.dimensions = static_cast<int>(count);
+  image.dimensions = image.relative ? 2 : static_cast<int>(words.size()) - 6;
   if (!image.relative) {
     std::array<int, 3> size{1, 1, 1};
-    if (!readSides(context, words, 6, count, size)) return false;
+    if (!readSides(context, words, 6, words.size() - 6, size)) return false;
     std::copy(size.begin(), size.end(), image.size.begin());
     return true;
   }
+  constexpr const char* kFactors = "a relative image needs two positive factors of the window size";
   for (size_t i = 0; i < 2; ++i) {
-    const auto factor = count == 2 ? parseFloat(words[6 + i]) : std::nullopt;
-    if (!factor || *factor <= 0 || *factor > 64) {
-      context.warn("image-syntax",
-                   "a relative image needs two positive factors of the window size");
+    const auto factor = parseFloat(words[6 + i]);
+    if (!factor) {
+      context.refuse("image-syntax", kFactors);
+      return false;
+    }
+    if (*factor <= 0 || *factor > 64) {
+      context.warn("image-syntax", kFactors);
       return false;
     }
     image.size[i] = *factor;
@@ -145,17 +158,39 @@ bool readImageSize(const PropertyContext& context, const Words& words, CustomIma
   return true;
 }
 
+bool isTrue(const std::string& word) { return lowerCase(word) == "true"; }
+
+/// Are there enough words for an image, but not too many?
+bool hasImageWords(const PropertyContext& context, const Words& words) {
+  const bool relative = words.size() > 5 && isTrue(words[5]);
+  if (relative ? words.size() > 7 : words.size() > 6 && words.size() < 10) return true;
+  const std::string message = fmt::format("{} words after {}", words.size(), context.entry.key);
+  constexpr const char* kForm =
+      "write SAMPLER|none FORMAT INTERNAL_FORMAT PIXEL_TYPE CLEAR RELATIVE X [Y [Z]]";
+  if (relative || words.size() < 6) {
+    context.refuse("image-syntax", message, kForm);
+  } else {
+    context.ignore("image-syntax", message, kForm);
+  }
+  return false;
+}
+
 }  // namespace
 
 void readTexture(const PropertyContext& context, std::string_view rest) {
   if (rest == "noise") return addTexture(context, "", "noisetex");
   const auto parts = splitAt(rest, '.');
-  if (std::find(kStages.begin(), kStages.end(), parts[0]) == kStages.end()) {
-    context.warn("texture-stage", fmt::format("texture stage {} is unknown", parts[0]),
-                 fmt::format("stages are {}", fmt::join(kStages, ", ")));
+  if (parts.size() < 2) {
+    context.refuse("texture-syntax", fmt::format("{} names no sampler", context.entry.key),
+                   "write texture.<stage>.<sampler>=<path>");
     return;
   }
-  if (parts.size() < 2 || parts[1].empty()) {
+  if (std::find(kStages.begin(), kStages.end(), parts[0]) == kStages.end()) {
+    context.ignore("texture-stage", fmt::format("texture stage {} is unknown", parts[0]),
+                   fmt::format("stages are {}", fmt::join(kStages, ", ")));
+    return;
+  }
+  if (parts[1].empty()) {
     context.warn("texture-syntax", fmt::format("{} names no sampler", context.entry.key));
     return;
   }
@@ -167,15 +202,11 @@ void readCustomTexture(const PropertyContext& context, std::string_view sampler)
 }
 
 void readImage(const PropertyContext& context, std::string_view name) {
-  const Words words = splitBlanks(context.entry.value);
-  if (words.size() < 7 || words.size() > 9) {
-    context.warn("image-syntax", fmt::format("{} words after {}", words.size(), context.entry.key),
-                 "write SAMPLER|none FORMAT INTERNAL_FORMAT PIXEL_TYPE CLEAR RELATIVE X [Y [Z]]");
-    return;
-  }
+  const Words words = splitSingleBlanks(context.entry.value);
+  if (!hasImageWords(context, words)) return;
   if (context.out.images.size() == kMostImages) {
-    context.warn("image-limit",
-                 fmt::format("only {} images are possible; {} is ignored", kMostImages, name));
+    context.ignore("image-limit", fmt::format("only {} images are possible", kMostImages), "",
+                   name);
     return;
   }
   CustomImage image{
@@ -184,38 +215,38 @@ void readImage(const PropertyContext& context, std::string_view name) {
       .pixelFormat = requireName(context, words[1], "pixel format", pixelFormatNames()),
       .internalFormat = requireName(context, words[2], "internal format", internalFormatNames()),
       .pixelType = requireName(context, words[3], "pixel type", pixelTypeNames()),
-      .clear = lowerCase(words[4]) == "true",
-      .relative = lowerCase(words[5]) == "true",
+      .clear = isTrue(words[4]),
+      .relative = isTrue(words[5]),
       .at = context.entry.at};
   if (image.pixelFormat.empty() || image.internalFormat.empty() || image.pixelType.empty()) return;
   if (readImageSize(context, words, image)) context.out.images.push_back(std::move(image));
 }
 
 void readBufferObject(const PropertyContext& context, std::string_view index) {
-  const Words words = splitBlanks(context.entry.value);
+  const Words words = splitSingleBlanks(context.entry.value);
   const auto number = parseInteger(index);
   const auto bytes = words.empty() ? std::nullopt : parseInteger(words[0]);
   const bool known = number && *number >= 0 && *number <= 8;
-  if (!known || !bytes || *bytes > kLargestBuffer || words.size() == 3 || words.size() > 4) {
-    context.warn("buffer-object-syntax",
-                 fmt::format("{} = {} is no buffer object", context.entry.key, context.entry.value),
-                 fmt::format("write bufferObject.0 to .8 = BYTES, BYTES FILE or BYTES RELATIVE X "
-                             "Y; at most {} bytes",
-                             kLargestBuffer));
+  if (!known || !bytes || *bytes > kLargestBuffer || words.size() == 3) {
+    context.ignore(
+        "buffer-object-syntax",
+        fmt::format("{} = {} is no buffer object", context.entry.key, context.entry.value),
+        fmt::format("write bufferObject.0 to .8 = BYTES, BYTES FILE or BYTES RELATIVE X "
+                    "Y; at most {} bytes",
+                    kLargestBuffer));
     return;
   }
   if (*bytes < 1) return;  // how packs switch a buffer off
   BufferObject buffer{.index = static_cast<int>(*number), .bytes = *bytes, .at = context.entry.at};
   if (words.size() == 2) {
-    buffer.file = resolvePackPath("/shaders.properties", words[1]).value_or("");
+    buffer.file = filePath(words[1]);
     if (buffer.file.empty()) {
-      context.fail("texture-path", fmt::format("{} leads out of the shaders folder", words[1]), "",
-                   words[1]);
+      context.fail("texture-path", fmt::format("{} leads out of the pack", words[1]), "", words[1]);
       return;
     }
-  } else if (words.size() == 4) {
+  } else if (words.size() > 3) {
     const auto x = parseFloat(words[2]), y = parseFloat(words[3]);
-    buffer.relative = lowerCase(words[1]) == "true";
+    buffer.relative = isTrue(words[1]);
     if (!x || !y || (buffer.relative && (*x <= 0 || *y <= 0))) {
       context.warn("buffer-object-syntax",
                    "a relative buffer needs two positive factors of the window size");

@@ -55,7 +55,11 @@ bool readScreenKey(const PropertyContext& context) {
 void readFeatures(const PropertyContext& context) {
   const std::string& key = context.entry.key;
   const auto flags = [&] { return splitBlanks(upperCase(context.entry.value)); };
-  if (key == "iris.features.optional") context.out.optionalFeatures = flags();
+  if (key == "iris.features.optional") {
+    context.out.optionalFeatures = flags();
+    context.out.optionalAsWritten = splitBlanks(context.entry.value);
+    warnOfFlagCase(context);
+  }
   if (key == "orris.features.optional") context.out.orrisOptionalFeatures = flags();
   if (key == "iris.features.required") {
     context.out.requiredFeatures = flags();

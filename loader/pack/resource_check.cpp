@@ -26,7 +26,8 @@ bool isResource(const std::string& path) { return path.find(':') != std::string:
 void checkTexture(const TextureBinding& texture, const FileSource& source,
                   Diagnostics& diagnostics) {
   if (isResource(texture.path)) return;
-  if (!source.contains(texture.path)) {
+  const auto bytes = source.readResource(texture.path);
+  if (!bytes) {
     report(Severity::Warning, "texture-missing", texture.at,
            fmt::format("no such file: {}", texture.path), source, "the sampler is left unbound",
            diagnostics);
@@ -35,7 +36,7 @@ void checkTexture(const TextureBinding& texture, const FileSource& source,
   if (texture.rawType.empty()) return;
   const long long needed = static_cast<long long>(texture.size[0]) * texture.size[1] *
                            texture.size[2] * rawTexelBytes(texture.pixelFormat, texture.pixelType);
-  const long long there = static_cast<long long>(source.read(texture.path).value_or("").size());
+  const long long there = static_cast<long long>(bytes->size());
   if (there < needed) {
     report(Severity::Error, "texture-short", texture.at,
            fmt::format("{} has {} bytes, the texture needs {}", texture.path, there, needed),
@@ -45,7 +46,7 @@ void checkTexture(const TextureBinding& texture, const FileSource& source,
 
 void checkBuffer(const BufferObject& buffer, const FileSource& source, Diagnostics& diagnostics) {
   if (buffer.file.empty()) return;
-  const auto bytes = source.read(buffer.file);
+  const auto bytes = source.readResource(buffer.file);
   if (!bytes) {
     report(Severity::Warning, "buffer-file-missing", buffer.at,
            fmt::format("no such file: {}", buffer.file), source, "the buffer starts as zeros",

@@ -28,15 +28,22 @@ int scanRank(const ProgramSource& program) {
                                  : kGeometry + static_cast<int>(found - geometry.begin());
 }
 
+void append(const Diagnostics& found, Diagnostics& diagnostics) {
+  diagnostics.insert(diagnostics.end(), found.begin(), found.end());
+}
+
 /// Contract: constants.csv "(precedence)"; the last directive wins.
 void readDirectives(ShaderPack& pack, Diagnostics& diagnostics) {
   std::vector<const ProgramSource*> order;
   for (const ProgramSource& program : pack.programs) order.push_back(&program);
   std::stable_sort(order.begin(), order.end(),
                    [](auto* a, auto* b) { return scanRank(*a) < scanRank(*b); });
+  Diagnostics found;
   for (const ProgramSource* program : order) {
-    readPackDirectives(program->constLines, program->constSites, pack.directives, diagnostics);
+    readPackDirectives(program->constLines, program->constSites, pack.directives, found);
   }
+  pack.refused = refusesPack(found);
+  append(found, diagnostics);
 }
 
 /// All that `reusable` does not give, on two threads; the result does not depend on which thread did
@@ -119,10 +126,6 @@ class Reuse {
   std::vector<std::string> changed_;
 };
 
-void append(const Diagnostics& found, Diagnostics& diagnostics) {
-  diagnostics.insert(diagnostics.end(), found.begin(), found.end());
-}
-
 ShaderPack emptyPack(const PackFiles& files, const LoadRequest& request, const FolderBuild& build) {
   const PackProperties& properties = build.properties();
   ShaderPack pack{.name = request.name,
@@ -173,7 +176,6 @@ int buildSources(const LoadRequest& request, const ShaderPack* previous, ShaderP
   for (const ProgramList* programs : {&pack.programs, &pack.modPrograms}) {
     for (const ProgramSource& program : *programs) append(program.diagnostics, diagnostics);
   }
-  removeDuplicates(diagnostics);
   return built;
 }
 
@@ -191,7 +193,14 @@ std::optional<ShaderPack> buildPack(const std::shared_ptr<const PackFiles>& file
   if (host->properties().refused && !request.keepGoing) return std::nullopt;
   ShaderPack pack = emptyPack(*files, request, *host);
   pack.builds.push_back(host);
-  if (request.buildSources) built = buildSources(request, previous, pack, diagnostics);
+  if (!request.buildSources) return pack;
+  Diagnostics found;
+  built = buildSources(request, previous, pack, found);
+  append(found, diagnostics);
+  removeDuplicates(diagnostics);
+  const bool refused = std::ranges::any_of(
+      pack.programs, [](const ProgramSource& program) { return refusesPack(program.diagnostics); });
+  if ((refused || pack.refused) && !request.keepGoing) return std::nullopt;
   return pack;
 }
 

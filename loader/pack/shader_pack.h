@@ -79,6 +79,7 @@ struct ShaderPack {
   OptionValues values;  ///< every non-default value in force
   ShaderProperties properties;
   PackDirectives directives;
+  bool refused = false;  ///< Iris refuses the pack for one of its directives
   BlockIdMap blockIds;
   std::map<std::string, int> itemIds, entityIds;
   bool hasItemFile = false;  ///< item.properties exists; its absence changes heldItemId

@@ -108,29 +108,34 @@ void readSetting(const PropertyContext& context, const Setting& setting) {
     if (const auto on = parseBoolean(value)) {
       context.out.settings[key] = *on ? "true" : "false";
     } else {
-      context.warn("property-value",
-                   fmt::format("{} is \"{}\", expected true or false", key, value));
+      context.ignore("property-value",
+                     fmt::format("{} is \"{}\", expected true or false", key, value));
     }
     return;
   }
-  const std::string lower = lowerCase(value);
-  if (std::find(setting.words.begin(), setting.words.end(), lower) != setting.words.end()) {
-    context.out.settings[key] = lower;
+  // Iris compares the others letter by letter.
+  const std::string word = key == "particles.ordering" ? lowerCase(value) : value;
+  if (std::find(setting.words.begin(), setting.words.end(), word) != setting.words.end()) {
+    context.out.settings[key] = word;
     return;
   }
-  context.warn("property-value", fmt::format("{} is \"{}\", expected one of {}", key, value,
-                                             fmt::join(setting.words, ", ")));
+  context.ignore("property-value", fmt::format("{} is \"{}\", expected one of {}", key, value,
+                                               fmt::join(setting.words, ", ")));
 }
 
 void readWeather(const PropertyContext& context) {
-  const auto words = splitBlanks(context.entry.value);
-  const bool ok = !words.empty() && words.size() <= 2 &&
-                  std::all_of(words.begin(), words.end(), [](auto& w) { return parseBoolean(w); });
-  if (ok) {
-    context.out.settings["weather"] = context.entry.value;
-  } else {
-    context.warn("property-value", "weather expects one or two of true and false");
+  auto words = splitSingleBlanks(context.entry.value);
+  words.resize(std::min<size_t>(words.size(), 2));
+  std::string taken;
+  for (const std::string& word : words) {
+    if (word != "true" && word != "false") {
+      context.warn("property-value",
+                   fmt::format("weather has \"{}\", which Iris takes for false", word),
+                   "write one or two of true and false, with one blank between them");
+    }
+    taken += (taken.empty() ? "" : " ") + std::string(word == "true" ? "true" : "false");
   }
+  context.out.settings["weather"] = taken;
 }
 
 void readVolumeLights(const PropertyContext& context) {
@@ -220,6 +225,20 @@ void PropertyContext::fail(std::string id, std::string message, std::string hint
                            std::string_view word) const {
   diagnostics.push_back(propertyDiagnostic(Severity::Error, std::move(id), entry,
                                            std::move(message), std::move(hint), word));
+}
+
+void PropertyContext::ignore(std::string id, std::string message, std::string hint,
+                             std::string_view word) const {
+  diagnostics.push_back(withEffect(propertyDiagnostic(Severity::Warning, std::move(id), entry,
+                                                      std::move(message), std::move(hint), word),
+                                   Effect::IgnoresLine));
+}
+
+void PropertyContext::refuse(std::string id, std::string message, std::string hint,
+                             std::string_view word) const {
+  diagnostics.push_back(withEffect(propertyDiagnostic(Severity::Error, std::move(id), entry,
+                                                      std::move(message), std::move(hint), word),
+                                   Effect::RefusesPack));
 }
 
 bool ShaderProperties::flag(const std::string& key, bool fallback) const {

@@ -102,7 +102,8 @@ struct ShaderProperties {
   std::vector<Profile> profiles;
   std::vector<Screen> screens;
   std::vector<std::string> sliders;
-  std::vector<std::string> requiredFeatures, optionalFeatures;            ///< upper case
+  std::vector<std::string> requiredFeatures, optionalFeatures;  ///< upper case
+  std::vector<std::string> optionalAsWritten;
   std::vector<std::string> orrisRequiredFeatures, orrisOptionalFeatures;  ///< our extension
   std::map<std::string, std::string> settings;  ///< every other known key: "separateAo" -> "true"
 

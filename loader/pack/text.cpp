@@ -42,6 +42,13 @@ std::vector<std::string> splitBlanks(std::string_view text) {
   return words;
 }
 
+std::vector<std::string> splitSingleBlanks(std::string_view text) {
+  std::vector<std::string> words;
+  for (const std::string_view word : splitAt(text, ' ')) words.emplace_back(word);
+  while (words.size() > 1 && words.back().empty()) words.pop_back();
+  return words;
+}
+
 std::vector<std::string_view> splitAt(std::string_view text, char separator) {
   std::vector<std::string_view> parts;
   for (size_t begin = 0;;) {
@@ -72,7 +79,9 @@ std::string_view leadingWord(std::string_view text) {
 std::optional<long long> parseInteger(std::string_view text) { return parseWhole<long long>(text); }
 
 std::optional<float> parseFloat(std::string_view text) {
-  if (text.size() > 1 && (text.back() == 'f' || text.back() == 'F')) text.remove_suffix(1);
+  constexpr std::string_view kSuffixes = "fFdD";
+  if (text.size() > 1 && kSuffixes.find(text.back()) != std::string_view::npos)
+    text.remove_suffix(1);
   const auto value = parseWhole<float>(text);
   return value && std::isfinite(*value) ? value : std::nullopt;
 }

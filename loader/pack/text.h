@@ -14,6 +14,9 @@ namespace orris {
 std::string_view trim(std::string_view text);
 /// Words between runs of blanks.
 std::vector<std::string> splitBlanks(std::string_view text);
+/// Words between single blanks: of two blanks side by side an empty word is left, but for those at
+/// the end. Java: String.split(" "), by which Iris reads most values.
+std::vector<std::string> splitSingleBlanks(std::string_view text);
 /// Parts between `separator`, empty ones kept.
 std::vector<std::string_view> splitAt(std::string_view text, char separator);
 /// Lines without their ends (LF, CRLF or CR); a NUL byte is dropped.

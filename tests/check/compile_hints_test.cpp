@@ -282,6 +282,7 @@ TEST(CompileHints, a_stub_without_its_program_is_located) {
 TEST(FileNames, only_slips_are_warnings) {
   Files files = cleanPack();
   files["/gbuffers_watter.fsh"] = files["/composite100.fsh"] = kVersion;
+  files["/compsite3.fsh"] = files["/setup_a.csh"] = kVersion;
   files["/gbuffers_terrain_old.fsh"] = files["/clrwl_gbuffers.fsh"] = kVersion;
   files["/gbuffers_hand.vsh"] = files["/World-1/composite.fsh"] = kVersion;
   files["/world7/composite.fsh"] = kVersion;
@@ -298,10 +299,14 @@ TEST(FileNames, only_slips_are_warnings) {
                   "dimension.properties",
                   "/composite100.fsh: warning: no program is called composite100 | numbers "
                   "go from composite1 to composite99, the first is composite",
+                  "/compsite3.fsh: warning: no program is called compsite3 | did you mean "
+                  "composite3?",
                   "/gbuffers_hand.vsh: warning: the program has no gbuffers_hand.fsh, so no "
                   "host reads it | add the fragment stage, or delete this file",
                   "/gbuffers_watter.fsh: warning: no program is called gbuffers_watter | did "
-                  "you mean gbuffers_water?"));
+                  "you mean gbuffers_water?",
+                  "/setup_a.csh: warning: Iris never runs setup_a: programs of setup have numbers, "
+                  "no letters | name it setup1.csh to setup99.csh"));
 }
 
 }  // namespace

@@ -30,6 +30,22 @@ TEST(OptionLists, a_default_outside_the_list_is_a_note) {
                           "lacks; it is added at the end"));
 }
 
+TEST(OptionLists, commas_are_part_of_the_values) {
+  EXPECT_THAT(found(checkOptionLists, {{"/settings.glsl", "#define A 0.05 // [0.00, 0.05]\n"}}),
+              ElementsAre("option-list-commas /settings.glsl:1:9: warning: values of A end with a "
+                          "comma, \"0.00,\": Iris separates them by blanks alone | write [1 2 3]"));
+}
+
+TEST(OptionLists, two_blanks_make_an_empty_value) {
+  for (const char* list : {"[1  2]", "[ 1 2]"}) {
+    EXPECT_THAT(
+        found(checkOptionLists, {{"/settings.glsl", std::string("#define A 1 // ") + list + "\n"}}),
+        ElementsAre(testing::StartsWith("option-value-empty /settings.glsl:1:9: warning: ")))
+        << list;
+  }
+  EXPECT_THAT(found(checkOptionLists, {{"/settings.glsl", "#define A 1 // [1 2 ]\n"}}), IsEmpty());
+}
+
 TEST(OptionLists, lines_with_different_lists_are_reported_at_the_second) {
   EXPECT_THAT(
       found(checkOptionLists,

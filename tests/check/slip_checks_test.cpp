@@ -28,5 +28,38 @@ TEST(Slips, an_option_of_a_condition) {
                           "option BLOMO_ON | did you mean BLOOM_ON?"));
 }
 
+std::vector<std::string> textSlips(const std::string& final,
+                                   void (*check)(std::span<const ShaderPack>, Diagnostics&)) {
+  ShaderPack pack;
+  pack.files["/final.fsh"] = {};
+  for (size_t begin = 0; begin < final.size();) {
+    const size_t end = final.find('\n', begin);
+    pack.files["/final.fsh"].push_back(final.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  Diagnostics diagnostics;
+  check({&pack, 1}, diagnostics);
+  std::vector<std::string> found;
+  for (const Diagnostic& d : diagnostics)
+    found.push_back(std::to_string(d.at.line) + ":" + std::to_string(d.at.column) + " " +
+                    d.message);
+  return found;
+}
+
+TEST(Slips, decimals_in_conditions) {
+  EXPECT_THAT(
+      textSlips("#define A 0.5\n#if A > 0.25 // 0.1\n#elif A == 1\n  #elif .5 < A\n#endif\n",
+                checkDecimals),
+      ElementsAre("2:9 conditions count in whole numbers: Iris takes 0.25 for 0",
+                  "4:9 conditions count in whole numbers: Iris takes .5 for 0"));
+}
+
+TEST(Slips, a_macro_that_iris_never_defines) {
+  EXPECT_THAT(
+      textSlips("// MC_GL_VENDOR_MESA\n#ifdef MC_GL_VENDOR_MESA\n#endif\n", checkMacroNames),
+      ElementsAre("2:8 Iris never defines MC_GL_VENDOR_MESA: with Mesa it defines "
+                  "MC_GL_VENDOR_OTHER"));
+}
+
 }  // namespace
 }  // namespace orris

@@ -97,6 +97,21 @@ TEST(PropertiesTwice, branches_tell_values_apart) {
   EXPECT_THAT(properties("#ifdef MC_VERSION\nsun=true\n#endif\nsun=false\n"), testing::SizeIs(1));
 }
 
+TEST(StrayLines, follow_a_list_without_a_backslash) {
+  const auto stray = [](const std::string& text) {
+    return found(checkStrayLines,
+                 {{"/settings.glsl", "#define A 1 // [1 2]\n#define B 1 // [1 2]\n"},
+                  {"/shaders.properties", text}});
+  };
+  EXPECT_THAT(stray("screen = A \\\n  B\n  A B\n  [WATER]\nsun = false\n"),
+              ElementsAre("property-stray-line /shaders.properties:3:3: warning: this line is no "
+                          "part of screen: the line before it does not end in a backslash; Iris "
+                          "ignores this line | end the line before it with a backslash",
+                          testing::StartsWith("property-stray-line /shaders.properties:4:3: ")));
+  EXPECT_THAT(stray("profile.LOW = A=1\n  B=2\nprogram.x.enabled=A\n"), testing::SizeIs(1));
+  EXPECT_THAT(stray("screen = A\nsun = false\nscreen.X = B\n\nA = 2\nsliders = A B\n"), IsEmpty());
+}
+
 TEST(PropertiesTwice, screens_and_profiles_know_no_branches) {
   EXPECT_THAT(
       properties("#ifdef A\nscreen=X\n#else\nscreen=Y\n#endif\n"),

@@ -37,7 +37,8 @@ PackDirectives packOf(const std::string& text) {
 }
 
 TEST(ProgramDirectives, both_forms_name_buffers) {
-  EXPECT_THAT(*buffers("/* RENDERTARGETS: 0,3, 12 */"), ElementsAre(0, 3, 12));
+  EXPECT_THAT(*buffers("/* RENDERTARGETS: 0,3,12 */"), ElementsAre(0, 3, 12));
+  EXPECT_THAT(*buffers("/*RENDERTARGETS:\t7,1,\n*/"), ElementsAre(7, 1));
   EXPECT_THAT(*buffers("/*DRAWBUFFERS:0257*/"), ElementsAre(0, 2, 5, 7));
   EXPECT_EQ(buffers("void main() {}"), std::nullopt);
 }
@@ -46,6 +47,17 @@ TEST(ProgramDirectives, the_last_one_wins) {
   EXPECT_THAT(*buffers("/* RENDERTARGETS: 0 */\n/* RENDERTARGETS: 1 */"), ElementsAre(1));
   EXPECT_THAT(*buffers("/* RENDERTARGETS: 0 */\n/* DRAWBUFFERS:2 */"), ElementsAre(2));
   EXPECT_THAT(*buffers("/* DRAWBUFFERS:2 */\n/* RENDERTARGETS: 0 */"), ElementsAre(0));
+}
+
+TEST(ProgramDirectives, what_iris_refuses_the_pack_for) {
+  for (const char* list : {"0, 1", "0 ,1", "0,\t1", "0,,1", "0,x", "", "0 1", ",1"}) {
+    Diagnostics diagnostics;
+    const auto directives = readProgramDirectives(
+        streamOf("/* RENDERTARGETS: " + std::string(list) + " */", diagnostics), kColorTargets,
+        diagnostics);
+    EXPECT_EQ(directives.drawBuffers, std::nullopt) << list;
+    EXPECT_TRUE(refusesPack(diagnostics)) << list;
+  }
 }
 
 TEST(ProgramDirectives, inactive_branches_do_not_count) {
@@ -109,6 +121,69 @@ TEST(PackDirectives, what_is_no_directive) {
       "const int colortex18Format = RGBA99;");
   EXPECT_FLOAT_EQ(directives.shadowDistance, 160);
   EXPECT_TRUE(directives.colortex.empty());
+}
+
+/// What readPackDirectives() or readProgramDirectives() says of one const line.
+struct ConstCase {
+  const char* line;
+  Effect effect;
+};
+
+TEST(PackDirectives, vectors_are_read_as_iris_reads_them) {
+  const ConstCase kCases[] = {
+      {"const vec4 colortex0ClearColor = vec4(0.0, 0.0, 0.0, 1.0);", Effect::Unstated},
+      {"const vec4 colortex0ClearColor = vec4(0, 1d, .5f, 1, 7);", Effect::Unstated},
+      {"const vec4 colortex0ClearColor = vec4(0.0);", Effect::RefusesPack},
+      {"const vec4 colortex0ClearColor = vec4(0.0, 0.0, 0.0);", Effect::RefusesPack},
+      {"const vec4 colortex0ClearColor = RED;", Effect::RefusesPack},
+      {"const vec4 colortex0ClearColor = vec4;", Effect::RefusesPack},
+      {"const vec4 colortex0ClearColor = vec4();", Effect::IgnoresLine},
+      {"const vec4 colortex0ClearColor = vec4(vec3(0.0), 1.0);", Effect::IgnoresLine},
+      {"const float sunPathRotation = 20.0 * 2.0;", Effect::IgnoresLine},
+  };
+  for (const ConstCase& test : kCases) {
+    Diagnostics diagnostics;
+    const TokenStream stream = streamOf(test.line, diagnostics);
+    PackDirectives directives;
+    readPackDirectives(findConstLines(stream), stream.sites, directives, diagnostics);
+    EXPECT_EQ(diagnostics.empty() ? Effect::Unstated : diagnostics[0].effect, test.effect)
+        << test.line;
+  }
+}
+
+TEST(ProgramDirectives, work_groups_are_read_as_iris_reads_them) {
+  const ConstCase kCases[] = {
+      {"const ivec3 workGroups = ivec3(8, 4, 1);", Effect::Unstated},
+      {"const ivec3 workGroups = ivec3(8);", Effect::RefusesPack},
+      {"const ivec3 workGroups = ivec3(8.0, 4, 1);", Effect::IgnoresLine},
+      {"const vec2 workGroupsRender = vec2(0.5);", Effect::RefusesPack},
+  };
+  for (const ConstCase& test : kCases) {
+    Diagnostics diagnostics;
+    readProgramDirectives(streamOf(test.line, diagnostics), kColorTargets, diagnostics);
+    EXPECT_EQ(diagnostics.empty() ? Effect::Unstated : diagnostics[0].effect, test.effect)
+        << test.line;
+  }
+}
+
+TEST(PackDirectives, booleans_are_words) {
+  EXPECT_TRUE(packOf("const bool colortex3Clear = 0;").colortex.at(3).clear);
+  EXPECT_FALSE(packOf("const bool colortex3Clear = false;").colortex.at(3).clear);
+}
+
+// Iris: PackDirectives.acceptDirectivesFrom.
+TEST(PackDirectives, dryness_sets_the_half_life_of_wetness) {
+  Diagnostics diagnostics;
+  const TokenStream stream = streamOf(
+      "const float wetnessHalflife = 100.0;\nconst float drynessHalflife = 260.0;", diagnostics);
+  PackDirectives directives;
+  readPackDirectives(findConstLines(stream), stream.sites, directives, diagnostics);
+  EXPECT_FLOAT_EQ(directives.wetnessHalflife, 260);
+  EXPECT_FLOAT_EQ(directives.drynessHalflife, 200);
+  ASSERT_EQ(diagnostics.size(), 1u);
+  EXPECT_EQ(diagnostics[0].id, "directive-slip");
+  EXPECT_EQ(diagnostics[0].message,
+            "Iris sets the wetness half-life by drynessHalflife, and dryness keeps 200");
 }
 
 TEST(PackDirectives, switches_of_both_shadow_maps) {

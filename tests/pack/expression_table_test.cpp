@@ -37,8 +37,8 @@ Value valueInTable(const std::string& name) {
 /// The value of one uniform; NAN in the first element when it is dropped.
 Value valueOf(const std::string& text, ValueType type) {
   Diagnostics diagnostics;
-  CustomUniforms uniforms({{.name = "x", .type = type, .expression = text}}, typeInTable,
-                          diagnostics);
+  CustomUniforms uniforms({{.name = "x", .type = type, .expression = text, .lines = {text}}},
+                          typeInTable, diagnostics);
   uniforms.evaluate(valueInTable, 0.1f, 1);
   if (!uniforms.values().empty()) return uniforms.values()[0].second;
   Value dropped;
@@ -103,9 +103,24 @@ TEST(ExpressionTable, numbers) {
       {"atan2(1, -1)", 2.3561945f},
       {"log(10, 100)", 2},
       {"min(3, 2)", 2},
-      {"max(1, 2, 5, 4)", 5},
-      {"max(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16)", 16},
-      {"min(3, 2, 1)", 1},  // Iris: IrisFunctions looks at the first two; the documented meaning
+      // Iris: IrisFunctions looks at the first two, whatever the documentation says.
+      {"max(1, 2, 5, 4)", 2},
+      {"max(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16)", 2},
+      {"min(3, 2, 1)", 2},
+      // Operators by name, casts, a last comma.
+      {"add(1, multiply(2, 3))", 7},
+      {"subtract(1, divide(1, 4))", 0.75f},
+      {"negate(remainder(7, 4))", -3},
+      {"toFloat(7)", 7},
+      {"toFloat(7.5)", NAN},
+      {"5.5 % 2.0", 1.5f},
+      {"1d + 2D", 3},
+      {"max(1, 2,)", 2},
+      {"sin(,)", NAN},
+      {"max(1,, 2)", NAN},
+      {"sunPosition . y", 1},
+      {"gbufferModelView. 3 .1", 13},
+      {"sunPosition.", NAN},
       {"clamp(5, 0, 1)", 1},
       {"clamp(-1.5, -1, 1)", -1},
       {"mix(0, 10, 0.25)", 2.5f},
@@ -205,6 +220,17 @@ TEST(ExpressionTable, truths) {
       {"1", -999},
       {"true & true", -999},
       {"not true", -999},
+      {"and(true, not(false))", 1},
+      {"or(false, lessThan(1, 2))", 1},
+      {"moreThanOrEquals(1, 2)", 0},
+      {"notEquals(1, 2)", 1},
+      {"equals(1, 1)", 1},
+      {"equals(true, false)", 0},
+      {"floor(rainStrength) == 0", 1},
+      // Iris: ExpressionResolver finds the comparison of ints and that of floats.
+      {"floor(rainStrength) == ceil(rainStrength)", -999},
+      {"between(floor(0.5), ceil(0.5), abs(floor(1.5)))", -999},
+      {"toInt(floor(rainStrength)) == ceil(rainStrength)", 0},
   };
   for (const TruthCase& test : kCases) {
     EXPECT_EQ(valueOf(test.text, ValueType::Bool).i[0], test.value) << test.text;
@@ -213,8 +239,18 @@ TEST(ExpressionTable, truths) {
 
 TEST(ExpressionTable, whole_numbers) {
   const TruthCase kCases[] = {
-      {"5 / 2", 2},
-      {"-0.9", 0},
+      // Iris: there is no cast from float to int but toInt().
+      {"5 / 2", -999},
+      {"-0.9", -999},
+      {"biome + 0.5", -999},
+      {"if(hideGUI, 1.0, 2.0)", -999},
+      {"toInt(5 / 2)", 2},
+      {"floor(5 / 2)", 2},
+      {"1 + floor(5 / 2) * 3", 7},
+      {"if(hideGUI, 1, ceil(rainStrength))", 1},
+      {"min(floor(2.5), 3) % 2", 0},
+      {"floor(1.5) + 0.5", -999},
+      {"fmod(-7, 4)", 1},
       {"floor(2.7)", 2},
       {"ceil(2.1)", 3},
       {"0x10", 16},

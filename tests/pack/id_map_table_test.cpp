@@ -61,7 +61,6 @@ TEST(IdMapTable, blocks) {
       {"block.1=stone\\\n dirt", "minecraft:dirt", {}, -1},  // one word, as blanks are dropped
       {"block.1=stone \\   \n dirt", "minecraft:dirt", {}, 1},
       {"block.1=stone \\\n\n\n dirt", "minecraft:dirt", {}, 1},
-      {"block.1=stone \\\nblock.2=dirt", "minecraft:dirt", {}, 2},
       // Preprocessing.
       {"#if MC_VERSION >= 11300\nblock.1=stone\n#else\nblock.2=stone\n#endif",
        "minecraft:stone",

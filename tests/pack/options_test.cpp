@@ -116,12 +116,52 @@ TEST(Options, same_default_merges_and_all_lines_are_edited) {
   EXPECT_EQ(edited.at("/b")[0], "#define Q 1");
 }
 
-TEST(Options, a_third_line_does_not_bring_an_ambiguous_option_back) {
+TEST(Options, a_third_line_brings_an_ambiguous_option_back) {
   Diagnostics diagnostics;
-  EXPECT_FALSE(
-      discover({"#define A", "//#define A", "#define A", "#ifdef A"}, &diagnostics).find("A"));
+  const OptionSet options =
+      discover({"#define A", "//#define A", "//#define A // late", "#ifdef A"}, &diagnostics);
+  ASSERT_TRUE(options.find("A"));
+  EXPECT_EQ(options.find("A")->defaultValue, "false");
+  EXPECT_EQ(options.find("A")->at.size(), 3u);
   ASSERT_EQ(diagnostics.size(), 1u);
-  EXPECT_EQ(diagnostics[0].message, "A is false here and true in /a.glsl:1, so it is no option");
+  EXPECT_EQ(diagnostics[0].message,
+            "A is false here and true in /a.glsl:1, so Iris drops it at the second line that it "
+            "meets and takes false back at /a.glsl:3");
+  EXPECT_EQ(diagnostics[0].severity, Severity::Warning);
+}
+
+TEST(Options, the_lines_of_a_file_are_merged_before_those_of_others) {
+  // Iris goes over /a, /b, /c in this order.
+  const auto inThree = [](FileLines a, FileLines b, FileLines c) {
+    Diagnostics diagnostics;
+    return discoverOptions({{"/a", std::move(a)}, {"/b", std::move(b)}, {"/c", std::move(c)}},
+                           diagnostics);
+  };
+  EXPECT_FALSE(inThree({"#define A", "#ifdef A"}, {"//#define A"}, {}).find("A"));
+  EXPECT_EQ(inThree({"#define A", "#ifdef A"}, {"//#define A"}, {"#define A"}).value({}, "A"),
+            "true");
+  EXPECT_FALSE(inThree({"#define A", "#ifdef A"}, {"#define A"}, {"//#define A"}).find("A"));
+  EXPECT_EQ(inThree({"#define A", "#ifdef A"}, {"//#define A", "#define A"}, {}).value({}, "A"),
+            "true");
+  EXPECT_EQ(inThree({"#define Q 2 // [1 2]"}, {"#define Q 2 // two [2 4]"}, {}).find("Q")->values,
+            (std::vector<std::string>{"2", "4"}));
+}
+
+TEST(Options, files_of_other_mods_make_none) {
+  Diagnostics diagnostics;
+  OptionSet options = discoverOptions({{"/a", {"#define Q 2 // [1 2]"}}}, diagnostics);
+  addModFiles({{"/clrwl", {"#define Q 2 // [1 2]", "#define R 1 // [1 2]"}}}, options);
+  EXPECT_EQ(options.find("Q")->at.size(), 2u);
+  EXPECT_FALSE(options.find("R"));
+  EXPECT_EQ(missingOptionHint(options, "R"),
+            "/clrwl:2 defines it, but only programs of other mods read that file, which Iris does "
+            "not search for options");
+}
+
+TEST(Options, two_blanks_make_an_empty_value) {
+  EXPECT_THAT(discover({"#define Q 2 // [1  2 3 ]"}).find("Q")->values,
+              ElementsAre("1", "", "2", "3"));
+  EXPECT_THAT(discover({"#define Q 2 // [ 1 2]"}).find("Q")->values, ElementsAre("", "1", "2"));
 }
 
 TEST(Options, chosen_value_goes_before_the_default) {

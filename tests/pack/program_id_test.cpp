@@ -30,13 +30,13 @@ TEST(ProgramId, numbers_go_from_1_to_99_without_zeros_in_front) {
 }
 
 TEST(ProgramId, compute_shaders_belong_to_passes_that_run_them) {
-  for (const char* name : {"/setup.csh", "/setup7_c.csh", "/begin.csh", "/shadow.csh",
+  for (const char* name : {"/setup.csh", "/setup7.csh", "/begin.csh", "/shadow.csh",
                            "/shadow_b.csh", "/shadowcomp_z.csh", "/prepare.csh", "/final_a.csh"}) {
     EXPECT_TRUE(parseProgramFile(name)) << name;
   }
   for (const char* name :
        {"/gbuffers_terrain.csh", "/shadow_solid.csh", "/dh_terrain.csh", "/composite_A.csh",
-        "/composite_ab.csh", "/composite_a.fsh", "/setup.fsh"}) {
+        "/composite_ab.csh", "/composite_a.fsh", "/setup.fsh", "/setup_a.csh", "/setup7_c.csh"}) {
     EXPECT_FALSE(parseProgramFile(name)) << name;
   }
 }

@@ -40,12 +40,6 @@ TEST(PropertiesText, preprocessed_skips_blank_lines_but_ends_at_a_directive) {
             (Pairs{{"a", "1 "}, {"b", "2"}}));
 }
 
-TEST(PropertiesText, id_map_goes_on_after_a_directive) {
-  EXPECT_EQ(pairs(parseProperties("f", "block.1 = a \\\n\nb\n", Continuation::IdMap,
-                                  "block.1 = a \\\n#endif\nb\n")),
-            (Pairs{{"block.1", "a b"}}));
-}
-
 TEST(PropertiesText, last_value_stands_where_the_key_came_first) {
   EXPECT_EQ(pairs(lastValues(parseProperties("f", "a=1\nb=2\na=3\n", Continuation::Java))),
             (Pairs{{"a", "3"}, {"b", "2"}}));

@@ -217,6 +217,86 @@ TEST(ShaderPack, features_define_macros_where_the_contract_says) {
   EXPECT_FALSE(loaded.pack->properties.flag("sun", true));
 }
 
+TEST(ShaderPack, a_feature_macro_is_written_as_its_line_is) {
+  const Loaded loaded =
+      loadFiles({{"/composite.fsh",
+                  "#version 330\n#ifdef IRIS_FEATURE_ssbo\nint lower;\n#endif\n"
+                  "#ifdef IRIS_FEATURE_SSBO\nint upper;\n#endif\nvoid main() {}\n"},
+                 {"/shaders.properties", "iris.features.optional = ssbo\n"}});
+  ASSERT_TRUE(loaded.pack);
+  EXPECT_EQ(loaded.first(),
+            "/shaders.properties:1:26: warning: Iris defines the macro IRIS_FEATURE_ssbo, as it is "
+            "written here\n  iris.features.optional = ssbo\n                           ^\n"
+            "  hint: write SSBO");
+  const std::string& text = loaded.pack->programs[0].stages[1].text.text;
+  EXPECT_THAT(text, HasSubstr("int lower"));
+  EXPECT_THAT(text, testing::Not(HasSubstr("int upper")));
+  EXPECT_TRUE(loaded.pack->properties.feature("SSBO"));
+}
+
+/// Files of a pack that Iris refuses; the first diagnostic.
+struct RefusedCase {
+  Files files;
+  const char* first;
+};
+
+TEST(ShaderPack, what_iris_refuses_is_refused_unless_all_mistakes_are_wanted) {
+  const RefusedCase kCases[] = {
+      {{{"/composite.fsh", "#version 330\n/* RENDERTARGETS: 0, 1 */\nvoid main() {}\n"}},
+       "/composite.fsh:2:1: error: a blank stands beside a comma of RENDERTARGETS; Iris refuses "
+       "the whole pack\n  /* RENDERTARGETS: 0, 1 */\n  ^\n  hint: write /* RENDERTARGETS: 0,1 */"},
+      {{{"/composite.fsh",
+         "#version 330\nconst vec4 colortex0ClearColor = vec4(0.0);\nvoid main() {}\n"}},
+       "/composite.fsh:2:1: error: vec4(0.0) is no clear colour; Iris refuses the whole pack\n"
+       "  const vec4 colortex0ClearColor = vec4(0.0);\n  ^\n  hint: write vec4 with four numbers"},
+      {{{"/composite.csh", "#version 430\nconst ivec3 workGroups = ivec3(8);\nvoid main() {}\n"}},
+       "/composite.csh:2:1: error: workGroups is \"ivec3(8)\"; Iris refuses the whole pack\n"
+       "  const ivec3 workGroups = ivec3(8);\n  ^\n  hint: write ivec3 with 3 numbers"},
+      {{{"/composite.fsh", "\xEF\xBB\xBF#version 330\nvoid main() {}\n"}},
+       "/composite.fsh:1:1: error: the file begins with a byte-order mark; Iris refuses the whole "
+       "pack\n  hint: save it as UTF-8 without one (\"UTF-8\", not \"UTF-8 with BOM\")"},
+      {{{"/composite.fsh", "#version 330\n#include \"/lib.glsl\"\nvoid main() {}\n"},
+        {"/lib.glsl", "\xEF\xBB\xBF// settings\n"}},
+       "/lib.glsl:1:1: error: the file begins with a byte-order mark; Iris refuses the whole "
+       "pack\n  included from /composite.fsh:2\n"
+       "  hint: save it as UTF-8 without one (\"UTF-8\", not \"UTF-8 with BOM\")"},
+      {{{"/composite.fsh", kFragment},
+        {"/shaders.properties", "iris.features.required = TESSELATION_SHADERS\n"}},
+       "/shaders.properties:1:26: error: this host does not offer the feature TESSELATION_SHADERS; "
+       "Iris refuses the whole pack\n  iris.features.required = TESSELATION_SHADERS\n"
+       "                           ^\n  hint: did you mean TESSELLATION_SHADERS?"},
+  };
+  for (const RefusedCase& test : kCases) {
+    const Loaded refused = loadFiles(test.files);
+    EXPECT_FALSE(refused.pack);
+    EXPECT_EQ(refused.first(), test.first);
+    EXPECT_TRUE(loadFiles(test.files, {.keepGoing = true}).pack);
+  }
+}
+
+TEST(ShaderPack, a_name_of_iris_is_an_error_of_its_program) {
+  const Loaded loaded =
+      loadFiles({{"/composite.fsh", kFragment},
+                 {"/final.fsh", "#version 330\nfloat iris_fog;\nvoid main() {}\n"},
+                 {"/clrwl_gbuffers.fsh", "#version 330\nfloat iris_fog;\n"}});
+  ASSERT_TRUE(loaded.pack);
+  ASSERT_EQ(loaded.diagnostics.size(), 1u);
+  EXPECT_EQ(loaded.first(),
+            "/final.fsh:2:7: error: iris_fog begins with iris_, as Iris's own names do; Iris "
+            "refuses the program\n  hint: choose another name");
+}
+
+TEST(ShaderPack, options_come_from_programs_that_iris_reads) {
+  const Loaded loaded =
+      loadFiles({{"/composite.fsh", "#version 330\n#define A 1 // [1 2]\nvoid main() {}\n"},
+                 {"/dh_terrain.fsh", "#version 330\n#define B 1 // [1 2]\nvoid main() {}\n"},
+                 {"/clrwl_gbuffers.fsh", "#version 330\n#define C 1 // [1 2]\nvoid main() {}\n"}});
+  ASSERT_TRUE(loaded.pack);
+  EXPECT_TRUE(loaded.pack->options.find("A"));
+  EXPECT_TRUE(loaded.pack->options.find("B"));
+  EXPECT_FALSE(loaded.pack->options.find("C"));
+}
+
 TEST(ShaderPack, languages_and_ids_are_read) {
   const Loaded loaded =
       loadFiles({{"/composite.fsh", kFragment},
@@ -250,7 +330,7 @@ TEST(ShaderPack, shadow_colours_above_the_second_need_their_flag) {
   const Loaded without = loadFiles({{"/shadow.fsh", fragment}});
   EXPECT_EQ(without.first(),
             "/shadow.fsh:2:1: error: shadow colours above shadowcolor1 without the feature flag "
-            "HIGHER_SHADOWCOLOR are refused\n"
+            "HIGHER_SHADOWCOLOR; Iris refuses the whole pack\n"
             "  hint: add iris.features.required=HIGHER_SHADOWCOLOR");
   const Loaded with =
       loadFiles({{"/shadow.fsh", fragment},
@@ -299,6 +379,17 @@ TEST(StandardMacros, name_the_host) {
   EXPECT_TRUE(has("CAT_UNDERGROUND", "18"));
   EXPECT_TRUE(has("BIOME_PLAINS", std::to_string(biomeId("minecraft:plains")).c_str()));
   EXPECT_EQ(biomeId("nowhere"), -1);
+}
+
+TEST(StandardMacros, mesa_has_a_macro_of_optifine_only) {
+  const auto vendor = [](bool iris) {
+    for (const auto& [name, body] : standardMacros({.iris = iris})) {
+      if (name.starts_with("MC_GL_VENDOR_")) return name;
+    }
+    return std::string();
+  };
+  EXPECT_EQ(vendor(true), "MC_GL_VENDOR_OTHER");
+  EXPECT_EQ(vendor(false), "MC_GL_VENDOR_MESA");
 }
 
 }  // namespace

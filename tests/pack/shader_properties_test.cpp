@@ -47,7 +47,7 @@ TEST(ShaderProperties, programs_are_enabled_by_conditions) {
 
 TEST(ShaderProperties, typed_keys) {
   const ShaderProperties p = parseValid(
-      "alphaTest.gbuffers_water = GREATER  0.25\nalphaTest.gbuffers_clouds = off\n"
+      "alphaTest.gbuffers_water = GREATER 0.25\nalphaTest.gbuffers_clouds = off\n"
       "blend.gbuffers_water = SRC_ALPHA ONE ZERO ONE\nblend.gbuffers_water.gaux1 = off\n"
       "flip.composite.gcolor = false\nflip.composite_pre.colortex2 = true\nscale.composite = 0.5 "
       "0.25 0.25\n"
@@ -157,20 +157,111 @@ TEST(ShaderProperties, first_definition_of_a_custom_uniform_is_kept) {
   EXPECT_TRUE(p.customUniforms[0].uploaded);
   EXPECT_FALSE(p.customUniforms[1].uploaded);
   ASSERT_EQ(diagnostics.size(), 1u);
-  EXPECT_EQ(diagnostics[0].message, "a is already defined in line 1; this line is ignored");
+  EXPECT_EQ(diagnostics[0].message, "a is already defined in line 1; Iris ignores this line");
 }
 
 TEST(ShaderProperties, option_names_become_their_values) {
   EXPECT_EQ(parseValid("uniform.float.a = Q + BLOOM\n").customUniforms[0].expression, "2 + 1");
 }
 
+struct LineCase {
+  const char* line;
+  Effect effect;
+};
+
+// Iris: ShaderProperties, whose readers split values at single blanks.
+TEST(ShaderProperties, what_the_game_does_about_a_line) {
+  using enum Effect;
+  const LineCase kCases[] = {
+      {"blend.gbuffers_water = SRC_ALPHA ONE ZERO ONE", Unstated},
+      {"blend.gbuffers_water = SRC_ALPHA  ONE ZERO ONE", RefusesPack},
+      {"blend.gbuffers_water = SRC_ALPHA\tONE ZERO ONE", RefusesPack},
+      {"blend.gbuffers_water = SRC_ALPHA ONE ZERO", RefusesPack},
+      {"blend.gbuffers_water = src_alpha ONE ZERO ONE", RefusesPack},
+      {"blend.gbuffers_water = SRC_ALPHA ONE ZERO ONE ONE", Unstated},
+      {"blend.gbuffers_water.foo = off", RefusesPack},
+      {"blend.gbuffers_water.colortexA = off", RefusesPack},
+      {"blend.gbuffers_water.colortex1 = SRC_ALPHA  ONE ZERO ONE", RefusesPack},
+      {"alphaTest.gbuffers_water = GREATER 0.5", Unstated},
+      {"alphaTest.gbuffers_water = GREATER 0.5 more", Unstated},
+      {"alphaTest.gbuffers_water = GL_ALWAYS 0.5", Unstated},
+      {"alphaTest.gbuffers_water = GREATER  0.5", IgnoresLine},
+      {"alphaTest.gbuffers_water = greater 0.5", IgnoresLine},
+      {"alphaTest.gbuffers_water = GL_GREATER 0.5", IgnoresLine},
+      {"alphaTest.gbuffers_water = GREATER", IgnoresLine},
+      {"scale.composite = 0.5 0.25 0.25 1", Unstated},
+      {"scale.composite = 0.5  0.25 0.25", IgnoresLine},
+      {"scale.composite = 0.5 0.25", IgnoresLine},
+      {"size.buffer.colortex1 = 0.5 128", Unstated},
+      {"size.buffer.colortex1 = 0.5  128", IgnoresLine},
+      {"size.buffer.colortex1 = a b", RefusesPack},
+      {"size.buffer.nothing = a b", RefusesPack},
+      {"size.buffer.colortex1 = 0.5 128f", RefusesPack},
+      {"flip.composite.colortex1 = true", Unstated},
+      {"flip.composite.colortex1 = yes", IgnoresLine},
+      {"flip.composite = true", RefusesPack},
+      {"program.composite = BLOOM", RefusesPack},
+      {"indirect.composite = 1 16 3", Unstated},
+      {"indirect.composite = 1", IgnoresLine},
+      {"texture.composite = a.png", RefusesPack},
+      {"texture.sky.a = a.png", IgnoresLine},
+      {"texture.composite.a = a.dat TEXTURE_2D R8 4 4 RED UNSIGNED_BYTE", Unstated},
+      {"texture.composite.a = a.dat TEXTURE_2D R8 4 x RED UNSIGNED_BYTE", RefusesPack},
+      {"texture.composite.a = a.dat TEXTURE_2D R9 4 4 RED UNSIGNED_BYTE", RefusesPack},
+      {"texture.composite.a = a.dat  TEXTURE_2D R8 4 4 RED UNSIGNED_BYTE", RefusesPack},
+      {"texture.composite.a = a.dat TEXTURE_2D R8", IgnoresLine},
+      {"image.a = none RED R8", RefusesPack},
+      {"image.a = none RED R8 UNSIGNED_BYTE false false", IgnoresLine},
+      {"image.a = none RED R8 UNSIGNED_BYTE false true 1", RefusesPack},
+      {"image.a = none RED R8 UNSIGNED_BYTE false true 1 x", RefusesPack},
+      {"image.a = none RED R8 UNSIGNED_BYTE false false 8 8 8 8", IgnoresLine},
+      {"bufferObject.0 = 16 true 1", IgnoresLine},
+      {"clouds = Off", IgnoresLine},
+      {"particles.ordering = Mixed", Unstated},
+      {"sun = yes", IgnoresLine},
+  };
+  for (const LineCase& test : kCases) {
+    Diagnostics diagnostics;
+    parseShaderProperties("/shaders.properties", test.line, {}, switchesAndQ(), diagnostics);
+    const auto stated =
+        std::ranges::find_if(diagnostics, [](const Diagnostic& d) { return d.effect != Unstated; });
+    EXPECT_EQ(stated == diagnostics.end() ? Unstated : stated->effect, test.effect) << test.line;
+    EXPECT_TRUE(test.effect != RefusesPack || hasErrors(diagnostics)) << test.line;
+  }
+}
+
+TEST(ShaderProperties, words_of_the_weather_other_than_true_are_false) {
+  Diagnostics diagnostics;
+  const auto weather = [&](const char* value) {
+    return parseShaderProperties("/shaders.properties", std::string("weather = ") + value, {}, {},
+                                 diagnostics)
+        .settings.at("weather");
+  };
+  EXPECT_EQ(weather("true false"), "true false");
+  EXPECT_TRUE(diagnostics.empty());
+  EXPECT_EQ(weather("1"), "false");
+  EXPECT_EQ(diagnostics.size(), 1u);
+}
+
+TEST(ShaderProperties, textures_may_lie_beside_the_shaders_folder) {
+  const ShaderProperties p = parseValid(
+      "texture.noise = ../assets/noise.png\ncustomTexture.a = /../shaders/tex/a.png\n"
+      "bufferObject.0 = 16 ../data.bin\n");
+  EXPECT_EQ(p.textures[0].path, "/../assets/noise.png");
+  EXPECT_EQ(p.textures[1].path, "/tex/a.png");
+  EXPECT_EQ(p.bufferObjects[0].file, "/../data.bin");
+}
+
 TEST(BooleanExpression, and_goes_before_or) {
   const auto value = [](std::string_view text) {
-    return evaluateCondition(text, [](std::string_view name) { return name == "yes"; });
+    return evaluateCondition(text, [](std::string_view name) { return name != "no"; });
   };
   EXPECT_EQ(value("yes || no && no"), true);
   EXPECT_EQ(value("(yes || no) && no"), false);
   EXPECT_EQ(value("!!yes&&1"), true);
+  EXPECT_EQ(value("yes & no"), false);
+  EXPECT_EQ(value("no | yes"), true);
+  EXPECT_EQ(value("yes &no"), true);  // "o" is no option, and those are on
   EXPECT_EQ(value(""), std::nullopt);
   EXPECT_EQ(value("yes no"), std::nullopt);
   EXPECT_EQ(value("A == 2"), std::nullopt);
