@@ -48,15 +48,6 @@ constexpr std::array<Rule, 15> kRules = {{
     {ruleVersion, false},
 }};
 
-bool bracesBalance(const TokenStream& stream) {
-  int depth = 0;
-  for (const Token& token : stream.tokens) {
-    depth += token.text == "{" ? 1 : token.text == "}" ? -1 : 0;
-    if (depth < 0) return false;
-  }
-  return depth == 0;
-}
-
 bool writesFragData(const TokenStream& stream, Stage stage) {
   if (stage != Stage::Fragment) return false;
   return std::any_of(stream.tokens.begin(), stream.tokens.end(), [](const Token& token) {

@@ -61,20 +61,6 @@ bool isVaryingBuiltin(std::string_view name) {
                      [name](std::string_view prefix) { return name.starts_with(prefix); });
 }
 
-// Built-in functions that glslang does not fold although they are constant expressions: matrices,
-// bit patterns, packing. GLSL 4.50, section 4.3.3.
-bool isUnfoldedBuiltin(std::string_view name) {
-  constexpr std::array<std::string_view, 16> kNames = {
-      "acosh",   "asinh",   "atanh",     "bitCount",       "cosh",  "determinant",
-      "findLSB", "findMSB", "fma",       "inverse",        "ldexp", "matrixCompMult",
-      "sinh",    "tanh",    "transpose", "uintBitsToFloat"};
-  constexpr std::array<std::string_view, 5> kPrefixes = {"bitfield", "floatBitsTo", "intBitsTo",
-                                                         "pack", "unpack"};
-  return std::find(kNames.begin(), kNames.end(), name) != kNames.end() ||
-         std::any_of(kPrefixes.begin(), kPrefixes.end(),
-                     [name](std::string_view prefix) { return name.starts_with(prefix); });
-}
-
 class ConstantChecker {
  public:
   explicit ConstantChecker(const std::vector<Token>& tokens) : tokens_(tokens) {}
@@ -108,6 +94,18 @@ bool isOutColorName(std::string_view name) {
 
 }  // namespace
 
+bool isUnfoldedBuiltin(std::string_view name) {
+  constexpr std::array<std::string_view, 16> kNames = {
+      "acosh",   "asinh",   "atanh",     "bitCount",       "cosh",  "determinant",
+      "findLSB", "findMSB", "fma",       "inverse",        "ldexp", "matrixCompMult",
+      "sinh",    "tanh",    "transpose", "uintBitsToFloat"};
+  constexpr std::array<std::string_view, 5> kPrefixes = {"bitfield", "floatBitsTo", "intBitsTo",
+                                                         "pack", "unpack"};
+  return std::find(kNames.begin(), kNames.end(), name) != kNames.end() ||
+         std::any_of(kPrefixes.begin(), kPrefixes.end(),
+                     [name](std::string_view prefix) { return name.starts_with(prefix); });
+}
+
 // GLSL 4.50 allows an empty declaration, but glslang does not.
 void ruleStraySemicolon(RewriteContext& context) {
   auto& tokens = context.stream.tokens;
@@ -133,7 +131,12 @@ void ruleUnusedFunctions(RewriteContext& context) {
     if (item.kind != OutlineItem::Kind::Function || tokens[item.name].text == "main") continue;
     if (mentions[tokens[item.name].text] > 1) continue;
     context.fired("unused-functions", tokens[item.name].origin);
-    edits.erase(item.begin, item.end);
+    if (context.iris) {
+      // Iris has parsed it by then, so that it is judged for itself.
+      for (std::size_t i = item.begin; i < item.end; ++i) tokens[i].unused = true;
+    } else {
+      edits.erase(item.begin, item.end);
+    }
   }
   edits.apply(tokens);
 }
@@ -195,7 +198,9 @@ void ruleHostNames(RewriteContext& context) {
     if (token.kind == TokenKind::Identifier) used.emplace(token.text, token.origin);
   }
   std::vector<const HostName*> wanted;
-  for (const auto names : {std::span<const HostName>(kHostNames), context.moreNames}) {
+  // What Iris declares depends on the program, so rule iris-names does it.
+  const auto always = context.iris ? std::span<const HostName>() : std::span(kHostNames);
+  for (const auto names : {always, context.moreNames}) {
     for (const HostName& name : names) {
       const bool possible = !name.stage || *name.stage == context.stage;
       if (possible && used.contains(name.name)) wanted.push_back(&name);

@@ -1,4 +1,4 @@
-// The rule for fragment stages that write both gl_FragData and outputs of their own.
+// The rules for fragment stages that write gl_FragData: beside outputs of their own, and as Iris does.
 #include <algorithm>
 #include <charconv>
 #include <set>
@@ -53,7 +53,29 @@ std::vector<Use> usesOfFragData(const std::vector<Token>& tokens) {
   return uses;
 }
 
-std::string outputName(int output) { return "orris_FragData" + std::to_string(output); }
+/// The uses become outputs of that name and location.
+void declareOutputs(RewriteContext& context, std::string_view rule, std::string_view name,
+                    const std::vector<Use>& uses) {
+  auto& tokens = context.stream.tokens;
+  std::set<int> outputs;
+  TokenEdits edits;
+  for (const Use& use : uses) {
+    context.fired(rule, tokens[use.first].origin);
+    outputs.insert(use.output);
+    tokens[use.first].text = std::string(name) + std::to_string(use.output);
+    if (use.first + 1 < use.last) edits.erase(use.first + 1, use.last);
+  }
+  std::vector<Token> declarations;
+  for (const int output : outputs) {
+    const std::string number = std::to_string(output);
+    const std::vector<Token> one = hostTokens(
+        "layout(location = " + number + ") out vec4 " + std::string(name) + number + ";", true);
+    declarations.insert(declarations.end(), one.begin(), one.end());
+  }
+  edits.apply(tokens);
+  tokens.front().newlinesBefore = std::max(tokens.front().newlinesBefore, 1);
+  tokens.insert(tokens.begin(), declarations.begin(), declarations.end());
+}
 
 }  // namespace
 
@@ -66,24 +88,15 @@ void ruleFragData(RewriteContext& context) {
   const bool known =
       std::all_of(uses.begin(), uses.end(), [](auto& u) { return u.first < u.last; });
   if (uses.empty() || !known || !declaresOutput(tokens)) return;
-  std::set<int> outputs;
-  TokenEdits edits;
-  for (const Use& use : uses) {
-    context.fired("frag-data", tokens[use.first].origin);
-    outputs.insert(use.output);
-    tokens[use.first].text = outputName(use.output);
-    if (use.first + 1 < use.last) edits.erase(use.first + 1, use.last);
-  }
-  std::vector<Token> declarations;
-  for (const int output : outputs) {
-    const std::vector<Token> one = hostTokens(
-        "layout(location = " + std::to_string(output) + ") out vec4 " + outputName(output) + ";",
-        true);
-    declarations.insert(declarations.end(), one.begin(), one.end());
-  }
-  edits.apply(tokens);
-  tokens.front().newlinesBefore = std::max(tokens.front().newlinesBefore, 1);
-  tokens.insert(tokens.begin(), declarations.begin(), declarations.end());
+  declareOutputs(context, "frag-data", "orris_FragData", uses);
+}
+
+// Iris does it in every fragment stage; an index that is no literal stays, and fails.
+void ruleIrisFragData(RewriteContext& context) {
+  if (context.stage != Stage::Fragment) return;
+  std::vector<Use> uses = usesOfFragData(context.stream.tokens);
+  std::erase_if(uses, [](const Use& use) { return use.first == use.last; });
+  if (!uses.empty()) declareOutputs(context, "iris-frag-data", "iris_FragData", uses);
 }
 
 }  // namespace orris

@@ -42,52 +42,53 @@ struct TextureFunction {
   std::string_view legacy;
   std::string_view modern;
   Wrap wrap = Wrap::None;
+  bool iris = false;  ///< Iris renames it, too
 };
 
 // contract/README "Calls renamed"; beyond it the other names of GLSL 1.20, EXT_gpu_shader4 and
 // ARB_shader_texture_lod that GLSL 4.50 offers under one name.
 constexpr TextureFunction kTextureFunctions[] = {
     {"texture1D", "texture"},
-    {"texture2D", "texture"},
-    {"texture3D", "texture"},
+    {"texture2D", "texture", Wrap::None, true},
+    {"texture3D", "texture", Wrap::None, true},
     {"textureCube", "texture"},
     {"texture2DRect", "texture"},
     {"texture1DArray", "texture"},
     {"texture2DArray", "texture"},
     {"texture1DLod", "textureLod"},
-    {"texture2DLod", "textureLod"},
-    {"texture3DLod", "textureLod"},
+    {"texture2DLod", "textureLod", Wrap::None, true},
+    {"texture3DLod", "textureLod", Wrap::None, true},
     {"textureCubeLod", "textureLod"},
     {"texture2DLodEXT", "textureLod"},
     {"texture2DArrayLod", "textureLod"},
     {"texture1DProj", "textureProj"},
-    {"texture2DProj", "textureProj"},
-    {"texture3DProj", "textureProj"},
+    {"texture2DProj", "textureProj", Wrap::None, true},
+    {"texture3DProj", "textureProj", Wrap::None, true},
     {"texture1DProjLod", "textureProjLod"},
     {"texture2DProjLod", "textureProjLod"},
     {"texture3DProjLod", "textureProjLod"},
     {"texture1DGrad", "textureGrad"},
-    {"texture2DGrad", "textureGrad"},
-    {"texture3DGrad", "textureGrad"},
+    {"texture2DGrad", "textureGrad", Wrap::None, true},
+    {"texture3DGrad", "textureGrad", Wrap::None, true},
     {"textureCubeGrad", "textureGrad"},
     {"texture1DGradARB", "textureGrad"},
-    {"texture2DGradARB", "textureGrad"},
+    {"texture2DGradARB", "textureGrad", Wrap::None, true},
     {"texture3DGradARB", "textureGrad"},
     {"textureCubeGradARB", "textureGrad"},
     {"texture2DGradEXT", "textureGrad"},
     {"texture2DProjGradARB", "textureProjGrad"},
     {"texelFetch1D", "texelFetch"},
-    {"texelFetch2D", "texelFetch"},
-    {"texelFetch3D", "texelFetch"},
+    {"texelFetch2D", "texelFetch", Wrap::None, true},
+    {"texelFetch3D", "texelFetch", Wrap::None, true},
     {"texelFetch2DArray", "texelFetch"},
     {"texelFetchBuffer", "texelFetch"},
     {"textureSize1D", "textureSize"},
-    {"textureSize2D", "textureSize"},
+    {"textureSize2D", "textureSize", Wrap::None, true},
     {"textureSize3D", "textureSize"},
     {"textureSizeCube", "textureSize"},
     {"shadow1D", "texture", Wrap::Vec4},
-    {"shadow2D", "texture", Wrap::Vec4},
-    {"shadow2DLod", "textureLod", Wrap::Vec4},
+    {"shadow2D", "texture", Wrap::Vec4, true},
+    {"shadow2DLod", "textureLod", Wrap::Vec4, true},
     {"shadow2DProj", "textureProj", Wrap::Vec4},
 };
 
@@ -198,6 +199,7 @@ void ruleTextureFunctions(RewriteContext& context) {
     if (tokens[i].kind != TokenKind::Identifier) continue;
     const TextureFunction* function = textureFunction(tokens[i].text);
     if (!function || ownNames.contains(tokens[i].text) || !followedBy(tokens, i, "(")) continue;
+    if (context.iris && !function->iris) continue;
     rename(context, "texture-functions", tokens[i], function->modern);
     const std::size_t close = closingBracket(tokens, nextCode(tokens, i));
     if (function->wrap != Wrap::Vec4 || close >= tokens.size()) continue;
@@ -242,12 +244,14 @@ void ruleTextureName(RewriteContext& context) {
 }
 
 // A word that newer GLSL reserves, used as a name: "float sample = ...". Where it stands before
-// another word it is the qualifier and stays. Iris renames `sample` in every version.
+// another word it is the qualifier and stays. Iris renames `sample` only, and sends the author's
+// version, which knows the others as names.
 void ruleReservedNames(RewriteContext& context) {
   auto& tokens = context.stream.tokens;
   std::unordered_set<std::string> names;
   for (std::size_t i = 0; i < tokens.size(); ++i) {
     if (tokens[i].kind != TokenKind::Identifier || names.contains(tokens[i].text)) continue;
+    if (context.iris && tokens[i].text != "sample") continue;
     if (context.packVersion < reservedSince(tokens[i].text) && isNameDeclaredHere(tokens, i)) {
       names.insert(tokens[i].text);
     }

@@ -21,6 +21,15 @@ void RewriteContext::fired(std::string_view rule, const Origin& origin) {
   }
 }
 
+bool bracesBalance(const TokenStream& stream) {
+  int depth = 0;
+  for (const Token& token : stream.tokens) {
+    depth += token.text == "{" ? 1 : token.text == "}" ? -1 : 0;
+    if (depth < 0) return false;
+  }
+  return depth == 0;
+}
+
 void TokenEdits::insertBefore(std::size_t index, std::vector<Token> tokens) {
   edits_.push_back({index, index, std::move(tokens)});
 }

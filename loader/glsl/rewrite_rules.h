@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "glsl/iris_text.h"
 #include "glsl/rewrite.h"
 
 namespace orris {
@@ -24,7 +25,8 @@ class RewriteContext {
 
   TokenStream& stream;
   const Stage stage;
-  const int packVersion;  ///< before the version rule; no #version means 110
+  const int packVersion;              ///< before the version rule; no #version means 110
+  const IrisProgram* iris = nullptr;  ///< of the text that Iris makes (glsl/iris_text.h)
   std::vector<AppliedRule> rules;
   std::span<const HostName> moreNames{};  ///< of this kind of program, for host-names
 };
@@ -55,6 +57,13 @@ bool precededBy(const std::vector<Token>& tokens, std::size_t index, std::string
 /// Index of the token that closes the bracket at `open`; tokens.size() when there is none.
 std::size_t closingBracket(const std::vector<Token>& tokens, std::size_t open);
 
+/// Functions that glslang does not fold although they make constant expressions: of matrices, bit
+/// patterns, packing. GLSL 4.50, section 4.3.3.
+bool isUnfoldedBuiltin(std::string_view name);
+
+/// Does each brace have its partner? Without it an outline means nothing.
+bool bracesBalance(const TokenStream& stream);
+
 /// Tokens made by the host out of GLSL text; the first starts a line when `newLine`.
 std::vector<Token> hostTokens(std::string_view text, bool newLine);
 
@@ -73,5 +82,12 @@ void ruleOutColor(RewriteContext& context);
 void ruleFragData(RewriteContext& context);
 void ruleHostNames(RewriteContext& context);
 void ruleVersion(RewriteContext& context);
+
+// Of the text that Iris makes, in which `context.iris` is set.
+void ruleIrisExtensions(RewriteContext& context);
+void ruleIrisConst(RewriteContext& context);
+void ruleIrisFragData(RewriteContext& context);
+void ruleIrisNames(RewriteContext& context);
+void ruleIrisVersion(RewriteContext& context);
 
 }  // namespace orris

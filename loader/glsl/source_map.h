@@ -46,8 +46,14 @@ struct MappedText {
     int macro = -1;  ///< index into macroNames of the outermost macro it was expanded from, or -1
     Origin written;  ///< of a token from a macro's body: its place in the definition; site -1: none
   };
+  /// A function that nothing calls: `text` has blanks in its place, but for its line breaks.
+  struct Unused {
+    std::size_t offset = 0;  ///< in `text`
+    std::string source;      ///< what would stand there
+  };
   std::string text;
   std::vector<std::vector<Segment>> lines;
+  std::vector<Unused> unused;  ///< in the order of the text
   std::vector<IncludeSite> sites;
   std::vector<std::string> macroNames;
   std::vector<Origin> macroOrigins;  ///< where each was defined; site -1: by the host

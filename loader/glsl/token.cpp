@@ -185,6 +185,7 @@ class Printer {
     for (const Token& token : stream_.tokens) printToken(token);
     if (column_ > 1) newline();
     out_.lines.pop_back();
+    blankUnused();
     return std::move(out_);
   }
 
@@ -222,10 +223,28 @@ class Printer {
       append(" ");
     }
     out_.lines.back().push_back({column_, token.origin, token.macro, token.written});
+    if (token.unused) markUnused(token.text.size());
     append(token.text);
     previous_ = &token;
     newlines_ = 0;
     space_ = false;
+  }
+
+  void markUnused(std::size_t length) {
+    const bool goesOn = previous_ && previous_->unused && !unused_.empty();
+    if (!goesOn) unused_.push_back({out_.text.size(), 0});
+    unused_.back().end = out_.text.size() + length;
+  }
+
+  // Columns and lines stay, so that the map is right for both.
+  void blankUnused() {
+    for (const auto& [begin, end] : unused_) {
+      out_.unused.push_back({begin, out_.text.substr(begin, end - begin)});
+      std::replace_if(
+          out_.text.begin() + static_cast<std::ptrdiff_t>(begin),
+          out_.text.begin() + static_cast<std::ptrdiff_t>(end), [](char c) { return c != '\n'; },
+          ' ');
+    }
   }
 
   // Tokens of the pack run together as Iris prints them: with N defined as 16, "N.0" is 16.0.
@@ -252,8 +271,13 @@ class Printer {
     column_ = 1;
   }
 
+  struct Range {
+    std::size_t begin, end;
+  };
+
   const TokenStream& stream_;
   MappedText out_;
+  std::vector<Range> unused_;  ///< in the text
   const Token* previous_ = nullptr;
   int column_ = 1;
   int newlines_ = 0;

@@ -20,6 +20,7 @@ struct Token {
   int macro = -1;        ///< index into TokenStream::macroNames, or -1
   Origin written;        ///< of a token from a macro's body: its place in the definition
   bool painted = false;  ///< the preprocessor's mark: never expand this name again
+  bool unused = false;   ///< of a function that nothing calls: printed as MappedText::Unused
 };
 
 bool isPunctuator(const Token& token, std::string_view text);

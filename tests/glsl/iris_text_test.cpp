@@ -1,0 +1,153 @@
+#include "glsl/iris_text.h"
+
+#include <gtest/gtest.h>
+
+#include "glsl/glsl_test.h"
+
+namespace orris {
+namespace {
+
+constexpr IrisProgram kFullscreen{.patch = IrisPatch::Fullscreen};
+constexpr IrisProgram kVanilla{.patch = IrisPatch::Vanilla};
+constexpr IrisProgram kEntities{.patch = IrisPatch::Vanilla, .entities = true};
+constexpr IrisProgram kTerrain{.patch = IrisPatch::Terrain};
+
+TokenStream streamOf(const std::string& text, Stage stage, const IrisProgram& program,
+                     RewriteResult* result = nullptr) {
+  Diagnostics diagnostics;
+  TokenStream stream = preprocess(test::source(text), {}, diagnostics);
+  const RewriteResult applied = rewriteAsIris(stream, stage, program);
+  if (result) *result = applied;
+  return stream;
+}
+
+/// The text that Iris would make, without the #version line.
+std::string sent(const std::string& text, const IrisProgram& program,
+                 Stage stage = Stage::Fragment) {
+  std::string sent;
+  for (const std::string& line : test::splitLines(print(streamOf(text, stage, program)).text)) {
+    // The host's lines stand above the author's, whose indentation does not matter here.
+    const std::size_t start = line.find_first_not_of(' ');
+    if (start != std::string::npos && !line.starts_with("#version"))
+      sent += line.substr(start) + "\n";
+  }
+  return sent;
+}
+
+std::string versionSent(const std::string& text, const IrisProgram& program,
+                        Stage stage = Stage::Fragment) {
+  const TokenStream stream = streamOf(text, stage, program);
+  return std::to_string(stream.version) + " " + stream.profile;
+}
+
+TEST(IrisVersion, is_the_authors_and_core_but_at_least_330) {
+  EXPECT_EQ(versionSent("#version 120\n", kFullscreen), "330 ");
+  EXPECT_EQ(versionSent("#version 330 compatibility\n", kVanilla), "330 ");
+  EXPECT_EQ(versionSent("#version 430 core\n", kTerrain), "430 ");
+  EXPECT_EQ(
+      versionSent("#version 430 compatibility\n", {.patch = IrisPatch::Compute}, Stage::Compute),
+      "430 ");
+  EXPECT_EQ(
+      versionSent("#version 330 compatibility\n", {.patch = IrisPatch::Vanilla, .lines = true}),
+      "330 compatibility");
+}
+
+TEST(IrisVersion, is_raised_by_an_extension_that_a_later_version_contains) {
+  EXPECT_EQ(versionSent("#version 330\n#extension GL_ARB_gpu_shader5 : enable\n", kFullscreen),
+            "400 ");
+  EXPECT_EQ(versionSent("#version 330\n#extension GL_ARB_gpu_shader5 : disable\n", kFullscreen),
+            "330 ");
+  EXPECT_EQ(versionSent("#version 120\n#extension GL_ARB_shader_texture_lod : enable\n", kVanilla),
+            "330 ");
+  EXPECT_EQ(sent("#version 330\n#extension GL_NV_foo : enable\nin int a;\n", kFullscreen),
+            "#extension GL_NV_foo : enable\nin int a;\n");
+}
+
+TEST(IrisNames, stand_for_the_built_ins_that_the_patcher_of_the_program_knows) {
+  EXPECT_EQ(
+      sent("#version 120\nvoid main() { gl_Position = gl_Vertex; }\n", kFullscreen, Stage::Vertex),
+      "in vec3 Position;\nvoid main() { gl_Position = vec4(Position, 1.0); }\n");
+  EXPECT_EQ(sent("#version 120\nvec3 n = gl_NormalMatrix * gl_Normal;\n", kVanilla, Stage::Vertex),
+            "uniform mat3 iris_NormalMat;\nin vec3 iris_Normal;\n"
+            "vec3 n = iris_NormalMat * iris_Normal;\n");
+  EXPECT_EQ(sent("#version 330 core\nvec4 v = gl_Vertex;\n", kTerrain, Stage::Vertex),
+            "vec4 v = gl_Vertex;\n");
+  EXPECT_EQ(sent("#version 120\nmat4 m = gl_ModelViewMatrixInverse;\n", kFullscreen),
+            "mat4 m = gl_ModelViewMatrixInverse;\n");
+}
+
+TEST(IrisNames, of_core_programs_are_declared_where_the_author_does_not) {
+  EXPECT_EQ(sent("#version 330 core\nvec3 p = vaPosition;\n", kVanilla, Stage::Vertex),
+            "in vec3 vaPosition;\nvec3 p = vaPosition;\n");
+  EXPECT_EQ(sent("#version 330 core\nin vec3 vaPosition;\nvec3 p = vaPosition;\n", kVanilla,
+                 Stage::Vertex),
+            "in vec3 vaPosition;\nvec3 p = vaPosition;\n");
+  EXPECT_EQ(sent("#version 120\nint i = entityId;\n", kEntities),
+            "uniform int entityId;\nint i = entityId;\n");
+  EXPECT_EQ(sent("#version 120\nint i = entityId;\n", kTerrain), "int i = entityId;\n");
+}
+
+TEST(IrisNames, texture_matrices_have_an_index_that_is_known) {
+  EXPECT_EQ(
+      sent("#version 120\nmat4 m = gl_TextureMatrix[7] * gl_TextureMatrix[ i ];\n", kFullscreen),
+      "mat4 m = mat4(1.0) * gl_TextureMatrix[ i ];\n");
+  EXPECT_EQ(sent("#version 120\nmat4 m = gl_TextureMatrix[1] * gl_TextureMatrix[2];\n", kVanilla),
+            "mat4 m = mat4(1.0) * gl_TextureMatrix[2];\n");
+}
+
+TEST(IrisNames, a_texture_middle_of_the_authors_keeps_the_old_coordinate_unknown) {
+  EXPECT_EQ(sent("#version 120\nvec4 t = gl_MultiTexCoord3;\n", kVanilla, Stage::Vertex),
+            "in vec4 mc_midTexCoord;\nvec4 t = mc_midTexCoord;\n");
+  EXPECT_EQ(sent("#version 120\nattribute vec2 mc_midTexCoord;\nvec4 t = gl_MultiTexCoord3;\n",
+                 kVanilla, Stage::Vertex),
+            "in vec2 mc_midTexCoord;\nvec4 t = gl_MultiTexCoord3;\n");
+}
+
+TEST(IrisCalls, are_translated_as_far_as_iris_does) {
+  EXPECT_EQ(sent("#version 120\nvec4 a = texture2D(s, u) + textureCube(s, u);\n", kFullscreen),
+            "vec4 a = texture(s, u) + textureCube(s, u);\n");
+  EXPECT_EQ(sent("#version 330 core\nvec4 a = texture2D(s, u);\n", kFullscreen),
+            "vec4 a = texture2D(s, u);\n");
+  EXPECT_EQ(sent("#version 330 core\nvec4 a = texture2D(s, u);\n", kVanilla),
+            "vec4 a = texture(s, u);\n");
+}
+
+TEST(IrisFragData, becomes_outputs) {
+  EXPECT_EQ(
+      sent("#version 120\nvoid main() { gl_FragColor = c; gl_FragData[2] = d; }\n", kFullscreen),
+      "layout(location = 0) out vec4 iris_FragData0;\n"
+      "layout(location = 2) out vec4 iris_FragData2;\n"
+      "void main() { iris_FragData0 = c; iris_FragData2 = d; }\n");
+}
+
+TEST(IrisConst, goes_where_a_const_parameter_is_needed) {
+  EXPECT_EQ(sent("#version 330\nfloat f(const float x, float y) {\n  const float a = x * 2.0;\n"
+                 "  const float b = a + 1.0;\n  const float c = 3.0;\n  return f(b, c);\n}\n",
+                 kFullscreen),
+            "float f(const float x, float y) {\nfloat a = x * 2.0;\nfloat b = a + 1.0;\n"
+            "const float c = 3.0;\nreturn f(b, c);\n}\n");
+}
+
+TEST(IrisConst, goes_where_glslang_does_not_fold) {
+  EXPECT_EQ(sent("#version 330\nconst mat2 m = inverse(mat2(2.0));\nconst vec2 v = m[0];\n"
+                 "const float k = 2.0;\n",
+                 kFullscreen),
+            "mat2 m = inverse(mat2(2.0));\nvec2 v = m[0];\nconst float k = 2.0;\n");
+}
+
+TEST(UnusedFunctions, leave_a_gap_and_are_kept_beside_the_text) {
+  const MappedText text =
+      print(streamOf("#version 330\nfloat f(float x) {\n  return x;\n}\n"
+                     "void main() { }\n",
+                     Stage::Fragment, kFullscreen));
+  EXPECT_EQ(text.text.find("return"), std::string::npos);
+  EXPECT_NE(text.text.find("void main() { }"), std::string::npos);
+  ASSERT_EQ(text.unused.size(), 1u);
+  EXPECT_EQ(text.unused[0].source, "float f(float x) {\n  return x;\n}");
+  const std::string whole = std::string(text.text).replace(
+      text.unused[0].offset, text.unused[0].source.size(), text.unused[0].source);
+  EXPECT_EQ(whole, "#version 330\nfloat f(float x) {\n  return x;\n}\nvoid main() { }\n");
+}
+
+}  // namespace
+}  // namespace orris
