@@ -62,6 +62,9 @@ std::vector<ShaderPack> makeFolders(const ShaderPack& outline,
   for (const std::string& dimension : dimensions) {
     request.dimension = dimension;
     auto pack = rebuildShaderPack(outline, request, found.emplace_back());
+    // OptiFine takes a stage without #version for GLSL 1.20.
+    if (!checker.target.iris)
+      std::erase_if(found.back(), [](const Diagnostic& d) { return d.id == "version-missing"; });
     if (pack) {
       folders.push_back(std::move(*pack));
     } else {
@@ -193,6 +196,7 @@ PackVerdict validatePack(const std::string& path, const ValidateOptions& options
 
   request->buildSources = true;
   request->buildModPrograms = true;
+  request->irisTexts = checker.target.iris;
   request->uniformTypes = uniformTypes();
   const std::vector<std::string> profiles =
       chosen(options.profiles, namesOf(outline->properties.profiles));

@@ -264,6 +264,8 @@ void explainUnknownNames(DefinitionIndex& index, const std::vector<const StageTe
     std::size_t explained = 0;
     for (std::size_t i = 0; i < count && explained < kMostExplained; ++i) {
       if (found[i].severity != Severity::Error || !hints.isOf(found[i])) continue;
+      // What another version or profile of GLSL has, no declaration is missing for.
+      if (!found[i].hint.empty() && !unknownName(found[i].message).empty()) continue;
       hints.explain(i);
       ++explained;
     }

@@ -37,11 +37,9 @@ std::optional<Diagnostics> diagnosticsWith(const ShaderPack& pack, const Program
   const auto units = programUnits(program);
   const auto same = std::ranges::find(units, unit.name, &ProgramUnit::name);
   if (same == units.end()) return std::nullopt;
-  std::vector<StageText> stages;
-  for (const StageText* stage : same->stages) stages.push_back(*stage);
   Diagnostics left = program.diagnostics;
   validateWithGlslang(
-      stages, [](const std::string&, int) { return std::string(); }, left);
+      same->judged, [](const std::string&, int) { return std::string(); }, left);
   return left;
 }
 

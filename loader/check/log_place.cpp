@@ -105,7 +105,7 @@ const LogPlacer::Alignment& LogPlacer::alignmentOf(const PatchedShader& patched,
 
 const Diagnostics& LogPlacer::problemsOf(const StageText& stage) {
   const auto [place, isNew] = problems_.try_emplace(&stage);
-  if (isNew) validateWithGlslang({stage}, {}, place->second);
+  if (isNew) validateWithGlslang({&stage}, {}, place->second);
   return place->second;
 }
 

@@ -110,8 +110,9 @@ const FolderBuild& MatrixVariants::get(std::size_t build, const OptionValues& va
   const FolderBuild& base = *plan_.builds[build];
   const bool current = last_ && last_->values() == values;
   if (current && last_->folder() == base.folder()) return *last_;
-  last_ = std::make_shared<const FolderBuild>(base.sharedFiles(), base.folder(), values,
-                                              environment_, current ? last_.get() : &base);
+  last_ =
+      std::make_shared<const FolderBuild>(base.sharedFiles(), base.folder(), values, environment_,
+                                          base.irisTexts(), current ? last_.get() : &base);
   return *last_;
 }
 

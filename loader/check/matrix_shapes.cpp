@@ -60,7 +60,10 @@ std::vector<std::string> filesOf(const ProgramEntry& entry) {
 UnitShapes unitShapes(const ProgramEntry& entry, const std::vector<std::uint64_t>& parts) {
   UnitShapes units(parts.begin() + static_cast<std::ptrdiff_t>(entry.stages.size()), parts.end());
   if (entry.stages.empty()) return units;
-  std::uint64_t hash = 0;
+  // Iris makes other texts of one file for a fullscreen program than for terrain.
+  const IrisProgram program = irisProgramOf(entry.name);
+  std::uint64_t hash = static_cast<std::uint64_t>(program.patch) * 4 +
+                       (program.entities ? 2u : 0u) + (program.lines ? 1u : 0u);
   for (std::size_t i = 0; i < entry.stages.size(); ++i) hash = (hash ^ parts[i]) * 0x100000001b3u;
   units.push_back(hash);
   return units;

@@ -31,9 +31,7 @@ Diagnostics compile(const ProgramUnit& unit, const FolderBuild& build) {
     return known && line > 0 && index < known->size() ? (*known)[index] : std::string();
   };
   Diagnostics found;
-  std::vector<StageText> stages;
-  for (const StageText* stage : unit.stages) stages.push_back(*stage);
-  validateWithGlslang(stages, lines, found);
+  validateWithGlslang(unit.judged, lines, found);
   return errorsOf(std::move(found));
 }
 

@@ -13,6 +13,7 @@
 #include "check/screen_checks.h"
 #include "check/slip_checks.h"
 #include "check/texture_checks.h"
+#include "check/unused_functions.h"
 
 namespace orris {
 namespace {
@@ -40,7 +41,8 @@ constexpr WholePackCheck kWholePackChecks[] = {
     checkDecimals,         //
     checkPropertyNames,    //
     checkMacroNames,       //
-    checkTexturesUsed,
+    checkTexturesUsed,     //
+    checkUnusedFunctions,
 };
 
 }  // namespace

@@ -9,6 +9,8 @@
 #include "check/compile_hints.h"
 #include "check/diagnostic_codec.h"
 #include "check/line_trial.h"
+#include "check/unused_functions.h"
+#include "check/version_hints.h"
 #include "glsl/validate.h"
 #include "pack/mods.h"
 
@@ -46,13 +48,22 @@ SourceLines sourceLinesOf(const ShaderPack& pack) {
   return [&pack](const std::string& file, int line) { return pack.sourceLine(file, line); };
 }
 
-// The tables of built-in functions are made once, before the workers are forked.
-void warmUp() {
-  StageText stage;
-  stage.text.text = "#version 450 compatibility\nvoid main() {}\n";
-  Diagnostics ignored;
-  validateWithGlslang(
-      {stage}, [](const std::string&, int) { return std::string(); }, ignored);
+// The tables of built-in functions of a version are made once, before the workers are forked.
+void warmUp(const std::vector<ProgramUnit>& units) {
+  std::set<std::string> versions;
+  for (const ProgramUnit& unit : units) {
+    for (const StageText* stage : unit.judged) {
+      const std::string& text = stage->text.text;
+      versions.insert(text.substr(0, text.find('\n')));
+    }
+  }
+  for (const std::string& version : versions) {
+    StageText stage;
+    stage.text.text = version + "\nvoid main() {}\n";
+    Diagnostics ignored;
+    validateWithGlslang(
+        {&stage}, [](const std::string&, int) { return std::string(); }, ignored);
+  }
 }
 
 }  // namespace
@@ -60,16 +71,24 @@ void warmUp() {
 std::vector<ProgramUnit> programUnits(const ProgramSource& program) {
   std::vector<ProgramUnit> units;
   const ModFamily* family = modFamilyOf(program.group);
-  const auto add = [&](const std::string& name, std::vector<const StageText*> stages) {
-    const std::uint64_t hash = hashOf(stages);
-    units.push_back({unitName(program, name), hash, std::move(stages), &program,
+  using Stages = std::vector<const StageText*>;
+  const auto add = [&](const std::string& name, Stages stages, Stages judged) {
+    std::uint64_t hash = hashOf(stages);
+    if (judged.empty()) judged = stages;
+    // Versions that the text for drawing levels may tell texts apart.
+    if (judged != stages) hash = hash * 31 + hashOf(judged);
+    units.push_back({unitName(program, name), hash, std::move(stages), std::move(judged), &program,
                      family ? family->name : std::string_view(), program.incomplete});
   };
   // A fullscreen program and a compute shader may share their name.
-  for (const ComputeSource& compute : program.computes) add(compute.name + ".csh", {&compute.text});
-  std::vector<const StageText*> stages;
+  for (const ComputeSource& compute : program.computes) {
+    add(compute.name + ".csh", {&compute.text},
+        compute.irisText ? Stages{&*compute.irisText} : Stages{});
+  }
+  Stages stages, judged;
   for (const StageText& stage : program.stages) stages.push_back(&stage);
-  if (!stages.empty()) add(program.name, std::move(stages));
+  for (const StageText& stage : program.irisStages) judged.push_back(&stage);
+  if (!stages.empty()) add(program.name, std::move(stages), std::move(judged));
   return units;
 }
 
@@ -121,20 +140,20 @@ void checkWithGlslang(const ShaderPack& pack, int jobs, Verdicts& verdicts,
   std::vector<Diagnostics> found(units.size());
   const SourceLines lines = sourceLinesOf(pack);
   DefinitionIndex index(pack);
-  warmUp();
+  warmUp(units);
   const auto check = [&](size_t i) {
     // Names that a missing file would declare are no further mistakes.
     if (units[i].incomplete) return encodeDiagnostics({});
-    std::vector<StageText> stages;
-    for (const StageText* stage : units[i].stages) stages.push_back(*stage);
     Diagnostics messages;
-    validateWithGlslang(stages, lines, messages);
+    validateWithGlslang(units[i].judged, lines, messages);
+    for (const StageText* stage : units[i].judged) checkUnusedSyntax(pack, *stage, messages);
     if (hasErrors(messages)) {
+      if (units[i].judged != units[i].stages) explainVersions(units[i].judged, lines, messages);
       const Diagnostics errors = messages;
       const IncludeTrial trial = [&](const MissingInclude& added) {
         return healsWith(pack, units[i], added, errors);
       };
-      explainUnknownNames(index, units[i].stages, trial, messages);
+      explainUnknownNames(index, units[i].judged, trial, messages);
     }
     return encodeDiagnostics(messages);
   };

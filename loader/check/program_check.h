@@ -18,6 +18,7 @@ struct ProgramUnit {
   std::string name;  ///< "/world0/composite3", of a compute shader "/world0/composite3_a.csh"
   std::uint64_t hash = 0;
   std::vector<const StageText*> stages;
+  std::vector<const StageText*> judged;    ///< what glslang judges: Iris's text, or else `stages`
   const ProgramSource* program = nullptr;  ///< that it is of
   std::string_view mod{};   ///< the mod that would draw with it ("Distant Horizons"), "" for none
   bool incomplete = false;  ///< an #include is missing: reported, and not to be compiled

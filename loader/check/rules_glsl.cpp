@@ -13,6 +13,8 @@ std::span<const Rule> glslRules() {
       {"glsl-compile", Severity::Error, "a stage does not compile"},
       {"glsl-link", Severity::Error, "the stages of a program do not fit together"},
       {"rule-applied", Severity::Note, "the host changed the source so that modern GLSL takes it"},
+      {"unused-function-broken", Severity::Warning,
+       "a function that nothing calls would not compile"},
   };
   return kRules;
 }

@@ -67,9 +67,21 @@ bool isUnknownExtension(const LogEntry& entry) {
   return entry.message.find("extension not supported") != std::string::npos;
 }
 
+// `varying` in core GLSL below 4.20, which every driver takes.
+bool isDeprecation(const LogEntry& entry) {
+  return entry.severity == Severity::Warning &&
+         entry.message.find("deprecated in version") != std::string::npos;
+}
+
 // Its linker takes redeclared built-in varyings (gl_FogFragCoord, gl_TexCoord) for a clash of names.
+// And stages of different versions, which GL links, know other members of the built-in block.
 bool isFalseLinkAlarm(const LogEntry& entry) {
-  return entry.message.find("Anonymous member name used for global variable") != std::string::npos;
+  const auto isBuiltInBlock = [](const std::string& note) {
+    return note.find("Block: gl_PerVertex") != std::string::npos;
+  };
+  return entry.message.find("Anonymous member name used for global variable") !=
+             std::string::npos ||
+         std::any_of(entry.notes.begin(), entry.notes.end(), isBuiltInBlock);
 }
 
 // Compilers name the place where a brace made no sense any more; what they say of the lines behind
@@ -107,6 +119,7 @@ bool compile(glslang::TShader& shader, const StageText& stage, const SourceLines
   std::vector<LogEntry> entries = parseCompilerLog(shader.getInfoLog(), Severity::Error);
   if (!ok && reportMissingBrace(entries, stage, lines, diagnostics)) return false;
   for (LogEntry& entry : entries) {
+    if (isDeprecation(entry)) continue;
     if (isUnknownExtension(entry)) entry.severity = Severity::Warning;
     diagnostics.push_back(locateLogEntry(entry, "glsl-compile", stage, lines));
   }
@@ -114,37 +127,36 @@ bool compile(glslang::TShader& shader, const StageText& stage, const SourceLines
 }
 
 // Messages of the linker have no place: "Linking fragment stage: ...".
-void reportLink(const glslang::TProgram& program, const std::vector<StageText>& stages,
+void reportLink(const glslang::TProgram& program, const std::vector<const StageText*>& stages,
                 const SourceLines& lines, Diagnostics& diagnostics) {
   for (LogEntry& entry :
        parseCompilerLog(const_cast<glslang::TProgram&>(program).getInfoLog(), Severity::Error)) {
     if (isFalseLinkAlarm(entry)) continue;
-    const auto named = std::find_if(stages.begin(), stages.end(), [&entry](const StageText& stage) {
-      return entry.message.find(fmt::format("{} stage", stageName(stage.stage))) !=
+    const auto named = std::find_if(stages.begin(), stages.end(), [&entry](const StageText* stage) {
+      return entry.message.find(fmt::format("{} stage", stageName(stage->stage))) !=
              std::string::npos;
     });
-    diagnostics.push_back(
-        locateLogEntry(entry, "glsl-link", named == stages.end() ? stages.front() : *named, lines));
+    diagnostics.push_back(locateLogEntry(entry, "glsl-link",
+                                         named == stages.end() ? *stages.front() : **named, lines));
   }
 }
 
 }  // namespace
 
-void validateWithGlslang(const std::vector<StageText>& written, const SourceLines& lines,
+void validateWithGlslang(const std::vector<const StageText*>& written, const SourceLines& lines,
                          Diagnostics& diagnostics) {
   static const GlslangProcess kProcess;
   if (written.empty()) return;
-  std::vector<const StageText*> pointers;
-  for (const StageText& stage : written) pointers.push_back(&stage);
-  const auto repaired = repairInterface(pointers);
-  const std::vector<StageText>& stages = repaired ? repaired->stages : written;
+  const auto repaired = repairInterface(written);
+  std::vector<const StageText*> stages = written;
+  for (std::size_t i = 0; repaired && i < stages.size(); ++i) stages[i] = &repaired->stages[i];
   // The program refers to the shaders, so it is declared after and dies before them.
   std::vector<std::unique_ptr<glslang::TShader>> shaders;
   glslang::TProgram program;
   bool compiled = true;
-  for (const StageText& stage : stages) {
-    shaders.push_back(std::make_unique<glslang::TShader>(languageOf(stage.stage)));
-    compiled = compile(*shaders.back(), stage, lines, diagnostics) && compiled;
+  for (const StageText* stage : stages) {
+    shaders.push_back(std::make_unique<glslang::TShader>(languageOf(stage->stage)));
+    compiled = compile(*shaders.back(), *stage, lines, diagnostics) && compiled;
     program.addShader(shaders.back().get());
   }
   if (!compiled) return;

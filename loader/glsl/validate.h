@@ -21,7 +21,7 @@ using SourceLines = std::function<std::string(const std::string& file, int line)
 
 /// Compiles each stage and links the program with glslang, its interfaces repaired as Iris does it
 /// (glsl/interface_repair.h). Thread-safe.
-void validateWithGlslang(const std::vector<StageText>& stages, const SourceLines& lines,
+void validateWithGlslang(const std::vector<const StageText*>& stages, const SourceLines& lines,
                          Diagnostics& diagnostics);
 
 /// Maps the info log of a GL driver (Mesa, NVIDIA, AMD, Apple and Intel forms) for `stage` back to

@@ -10,9 +10,12 @@
 namespace orris {
 
 FolderBuild::FolderBuild(std::shared_ptr<const PackFiles> files, std::string folder,
-                         OptionValues values, const MacroDefinitions& environment,
+                         OptionValues values, const MacroDefinitions& environment, bool irisTexts,
                          const FolderBuild* similar)
-    : files_(std::move(files)), folder_(std::move(folder)), values_(std::move(values)) {
+    : files_(std::move(files)),
+      folder_(std::move(folder)),
+      values_(std::move(values)),
+      irisTexts_(irisTexts) {
   readProperties(environment, similar);
   edited_ = editedFiles(files_->graph.files, files_->options, values_);
   listAll();
@@ -25,6 +28,7 @@ FolderBuild::FolderBuild(const FolderBuild& host, const ModFamily& mod,
     : files_(host.files_),
       folder_(host.folder_),
       values_(host.values_),
+      irisTexts_(host.irisTexts_),
       mod_(&mod),
       edited_(host.edited_) {
   // Packs ask for the mod in shaders.properties too, often to enable its programs.
@@ -73,7 +77,8 @@ BuildContext FolderBuild::context(const IncludeGraph& graph, const FileLookup& l
           properties_->shaderMacros,
           files_->optionNames,
           mod_ ? mod_->names : std::span<const HostName>(),
-          voxyPrelude_};
+          voxyPrelude_,
+          irisTexts_};
 }
 
 void FolderBuild::readProperties(const MacroDefinitions& environment, const FolderBuild* similar) {

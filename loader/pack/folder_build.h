@@ -25,9 +25,10 @@ struct AddedLine {
 class FolderBuild {
  public:
   /// `similar`, a build of the same pack with other values, lends its properties if the values that
-  /// differ leave them as they are. Nothing is built yet.
+  /// differ leave them as they are. `irisTexts` as in LoadRequest. Nothing is built yet.
   FolderBuild(std::shared_ptr<const PackFiles> files, std::string folder, OptionValues values,
-              const MacroDefinitions& environment, const FolderBuild* similar = nullptr);
+              const MacroDefinitions& environment, bool irisTexts,
+              const FolderBuild* similar = nullptr);
   /// The programs of another mod, as if it were there. `uniformTypes` as in LoadRequest.
   FolderBuild(const FolderBuild& host, const ModFamily& mod, const MacroDefinitions& environment,
               const std::map<std::string, std::string>& uniformTypes,
@@ -38,6 +39,7 @@ class FolderBuild {
   const std::string& folder() const { return folder_; }
   const ModFamily* mod() const { return mod_; }  ///< nullptr: the host's own programs
   const OptionValues& values() const { return values_; }
+  bool irisTexts() const { return irisTexts_; }
   const PackProperties& properties() const { return *properties_; }
   /// Enabled programs in frame order, then name.
   const std::vector<ProgramEntry>& programs() const { return programs_; }
@@ -67,6 +69,7 @@ class FolderBuild {
   std::shared_ptr<const PackFiles> files_;
   std::string folder_;
   OptionValues values_;
+  bool irisTexts_ = false;
   const ModFamily* mod_ = nullptr;
   std::string voxyPrelude_;
   std::shared_ptr<const PackProperties> properties_;

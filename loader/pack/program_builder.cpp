@@ -101,12 +101,21 @@ class ProgramBuild {
       built_.constSites = stream.sites;
       watchConstLines();
     }
+    addIrisText(stage, stream);
     RewriteResult result = rewrite(stream, stage, context_.names);
     built_.writesFragData |= result.writesFragData;
     addRules(result.rules);
     if (entry_.name.group == ProgramGroup::Voxy) keepVoxyVersion(stream);
     built_.stages.push_back({stage, print(stream)});
     addToHash(stageName(stage), built_.stages.back().text.text);
+  }
+
+  void addIrisText(Stage stage, const TokenStream& stream) {
+    const IrisProgram program = irisProgramOf(entry_.name);
+    if (!context_.irisTexts || program.patch == IrisPatch::None) return;
+    TokenStream own = stream;
+    rewriteAsIris(own, stage, program, context_.names);
+    built_.irisStages.push_back({stage, print(own)});
   }
 
   // A const line inside a comment is a directive although no token of the text names it.
@@ -125,6 +134,11 @@ class ProgramBuild {
     ComputeSource compute{.name = name};
     compute.directives = readProgramDirectives(stream, kColorTargets, built_.diagnostics);
     compute.localSize = readLocalSize(stream.tokens);
+    if (context_.irisTexts) {
+      TokenStream own = stream;
+      rewriteAsIris(own, Stage::Compute, {.patch = IrisPatch::Compute});
+      compute.irisText = {Stage::Compute, print(own)};
+    }
     compute.rules = rewrite(stream, Stage::Compute).rules;
     compute.text = {Stage::Compute, print(stream)};
     addToHash(name, compute.text.text.text);

@@ -36,6 +36,7 @@ struct BuildContext {
   const std::vector<std::string>& optionNames;  ///< sorted
   std::span<const HostName> names{};            ///< that a mod declares for its programs
   std::string voxyPrelude{};                    ///< stands before the code of its programs
+  bool irisTexts = false;                       ///< as in LoadRequest
 };
 
 /// One file of a program preprocessed, nothing rewritten.

@@ -106,6 +106,34 @@ bool isFullscreen(ProgramGroup group) {
   }
 }
 
+IrisProgram irisProgramOf(const ProgramFile& program) {
+  // Those that Sodium draws, and those whose vertices have the format of entities.
+  constexpr std::string_view kTerrain[] = {
+      "gbuffers_terrain", "gbuffers_terrain_solid", "gbuffers_terrain_cutout", "gbuffers_water",
+      "shadow",           "shadow_solid",           "shadow_cutout",           "shadow_water"};
+  constexpr std::string_view kEntities[] = {"gbuffers_entities",
+                                            "gbuffers_entities_translucent",
+                                            "gbuffers_entities_glowing",
+                                            "gbuffers_block",
+                                            "gbuffers_block_translucent",
+                                            "gbuffers_hand",
+                                            "gbuffers_hand_water",
+                                            "gbuffers_spidereyes",
+                                            "gbuffers_item",
+                                            "shadow_entities",
+                                            "shadow_block"};
+  const auto isOneOf = [&program](const auto& names) {
+    return std::find(std::begin(names), std::end(names), program.program) != std::end(names);
+  };
+  if (isFullscreen(program.group)) return {.patch = IrisPatch::Fullscreen};
+  if (program.group == ProgramGroup::DistantHorizons) return {.patch = IrisPatch::DistantHorizons};
+  if (program.group != ProgramGroup::Gbuffers && program.group != ProgramGroup::Shadow) return {};
+  if (isOneOf(kTerrain)) return {.patch = IrisPatch::Terrain};
+  return {.patch = IrisPatch::Vanilla,
+          .entities = isOneOf(kEntities),
+          .lines = program.program == "gbuffers_line"};
+}
+
 std::string_view fallbackOf(std::string_view program) {
   for (const GeometryProgram& known : geometryPrograms()) {
     if (known.name == program) return known.fallback;

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "glsl/iris_text.h"
 #include "glsl/rewrite.h"
 
 namespace orris {
@@ -42,6 +43,9 @@ std::optional<ProgramFile> parseProgramFile(std::string_view path);
 
 /// Is the group drawn as a fullscreen quad?
 bool isFullscreen(ProgramGroup group);
+
+/// Which patcher of Iris takes the stages of the program that draw. Iris: ShaderKey.
+IrisProgram irisProgramOf(const ProgramFile& program);
 
 /// The next program to try when `program` is absent ("gbuffers_water" -> "gbuffers_terrain"); "" at
 /// a root.

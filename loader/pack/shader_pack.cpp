@@ -186,9 +186,9 @@ std::optional<ShaderPack> buildPack(const std::shared_ptr<const PackFiles>& file
   const OptionValues values = chooseValues(request, files->options, files->profiles, chosen);
   append(chosen, diagnostics);
   if (hasErrors(chosen)) return std::nullopt;
-  const auto host =
-      std::make_shared<const FolderBuild>(files, files->dimensions.resolve(request.dimension),
-                                          values, request.environment, buildOf(previous, nullptr));
+  const auto host = std::make_shared<const FolderBuild>(
+      files, files->dimensions.resolve(request.dimension), values, request.environment,
+      request.irisTexts, buildOf(previous, nullptr));
   append(host->properties().diagnostics, diagnostics);
   if (host->properties().refused && !request.keepGoing) return std::nullopt;
   ShaderPack pack = emptyPack(*files, request, *host);

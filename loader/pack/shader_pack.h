@@ -25,6 +25,7 @@ class FolderBuild;
 struct ComputeSource {
   std::string name;  ///< "composite3_a"
   StageText text;
+  std::optional<StageText> irisText;  ///< as ProgramSource::irisStages
   ProgramDirectives directives;
   std::array<int, 3> localSize{1, 1, 1};
   std::vector<AppliedRule> rules;
@@ -37,6 +38,9 @@ struct ProgramSource {
   ProgramGroup group = ProgramGroup::Gbuffers;
   int index = 0;
   std::vector<StageText> stages;  ///< vertex, [tess, geometry,] fragment; empty if only computes
+  /// With LoadRequest::irisTexts what Iris hands to the driver, stage by stage (glsl/iris_text.h);
+  /// empty for programs that Iris does not draw.
+  std::vector<StageText> irisStages;
   std::vector<ComputeSource> computes;  ///< in dispatch order
   ProgramDirectives directives;
   std::vector<int> drawBuffers;        ///< directive, or the group's default
@@ -67,6 +71,7 @@ struct LoadRequest {
   MacroDefinitions environment;                   ///< see standardMacros()
   bool buildSources = true;                       ///< false: options, properties and screens only
   bool buildModPrograms = false;                  ///< those of other mods too
+  bool irisTexts = false;                         ///< make ProgramSource::irisStages
   /// GLSL types of the host's uniforms by name, for shader code that does not declare them (Voxy).
   std::map<std::string, std::string> uniformTypes{};
   /// Go on after errors for which Iris refuses the whole pack, so that all mistakes are told.

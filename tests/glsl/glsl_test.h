@@ -83,6 +83,12 @@ inline std::string rewritten(const std::string& text, Stage stage = Stage::Fragm
   return printed.rfind(usual, 0) == 0 ? printed.substr(usual.size()) : printed;
 }
 
+inline std::vector<const StageText*> pointersTo(const std::vector<StageText>& stages) {
+  std::vector<const StageText*> pointers;
+  for (const StageText& stage : stages) pointers.push_back(&stage);
+  return pointers;
+}
+
 inline std::string ruleNames(const RewriteResult& result) {
   std::string names;
   for (const AppliedRule& rule : result.rules) {

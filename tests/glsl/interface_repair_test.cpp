@@ -29,9 +29,9 @@ std::optional<RepairedInterface> repaired(const std::string& vertex, const std::
 /// What glslang says about the two stages, repaired.
 std::string verdict(const std::string& vertex, const std::string& fragment) {
   Diagnostics diagnostics;
+  const StageText from = stageOf(Stage::Vertex, vertex), to = stageOf(Stage::Fragment, fragment);
   validateWithGlslang(
-      {stageOf(Stage::Vertex, vertex), stageOf(Stage::Fragment, fragment)},
-      [](const std::string&, int) { return ""; }, diagnostics);
+      {&from, &to}, [](const std::string&, int) { return ""; }, diagnostics);
   return test::format(diagnostics);
 }
 

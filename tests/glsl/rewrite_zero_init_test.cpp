@@ -29,8 +29,8 @@ std::string glslangVerdict(const std::string& text) {
   Diagnostics diagnostics;
   TokenStream stream = preprocess(test::source(text), {}, diagnostics);
   rewrite(stream, Stage::Fragment);
-  validateWithGlslang({{Stage::Fragment, print(stream)}}, test::linesOf({{"/a.fsh", text}}),
-                      diagnostics);
+  const StageText stage{Stage::Fragment, print(stream)};
+  validateWithGlslang({&stage}, test::linesOf({{"/a.fsh", text}}), diagnostics);
   return test::format(diagnostics);
 }
 

@@ -25,7 +25,7 @@ std::string validated(const test::Files& files, const std::vector<std::string>& 
     rewrite(stream, stage);
     stages.push_back({stage, print(stream)});
   }
-  validateWithGlslang(stages, test::linesOf(files), diagnostics);
+  validateWithGlslang(test::pointersTo(stages), test::linesOf(files), diagnostics);
   return test::format(diagnostics);
 }
 

@@ -26,7 +26,9 @@ std::vector<std::string> names(const ProgramList& programs) {
 std::string verdict(const Loaded& loaded) {
   Diagnostics diagnostics = loaded.diagnostics;
   const ProgramSource& program = loaded.pack->modPrograms.at(0);
-  validateWithGlslang(program.stages, {}, diagnostics);
+  std::vector<const StageText*> stages;
+  for (const StageText& stage : program.stages) stages.push_back(&stage);
+  validateWithGlslang(stages, {}, diagnostics);
   return diagnostics.empty() ? "" : formatDiagnostic(diagnostics[0]);
 }
 
