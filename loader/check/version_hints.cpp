@@ -117,6 +117,16 @@ void explainSyntax(Diagnostic& d, const SentVersion& version) {
   }
 }
 
+/// What a compiler says of a kind of stage as a whole stands at its #version.
+void moveToVersion(Diagnostic& d, const StageText& stage, const SourceLines& lines) {
+  const bool ofStage = d.message.starts_with("#version") ||
+                       d.message.starts_with("'compute shaders'") ||
+                       d.message.starts_with("'tessellation shaders'");
+  if (!ofStage || d.at.line > 0) return;
+  d.at = stage.text.locate(1, 1);
+  if (lines) d.sourceLine = lines(d.at.file, d.at.line);
+}
+
 void explainVersion(Diagnostic& d, const SentVersion& version) {
   const std::string_view quoted = quotedIn(d.message);
   if (says(d, "syntax error")) return explainSyntax(d, version);
@@ -132,6 +142,10 @@ void explainVersion(Diagnostic& d, const SentVersion& version) {
   if (says(d, "global const initializers must be constant")) {
     d.hint = "take const away: what is not known before the program runs is no constant";
     d.notes.emplace_back(kLaxDriver);
+    return;
+  }
+  if (says(d, "compute shaders require")) {
+    d.hint = "write #version 430";
     return;
   }
   if (quoted == "mix" && says(d, "no matching overloaded function")) {
@@ -159,7 +173,10 @@ void explainVersions(const std::vector<const StageText*>& stages, const SourceLi
                      Diagnostics& found) {
   for (Diagnostic& d : found) {
     if (d.severity != Severity::Error || !d.hint.empty()) continue;
-    if (const StageText* stage = stageOf(stages, d)) explainVersion(d, sentVersion(*stage, lines));
+    const StageText* stage = stageOf(stages, d);
+    if (!stage) continue;
+    moveToVersion(d, *stage, lines);
+    explainVersion(d, sentVersion(*stage, lines));
   }
 }
 

@@ -13,7 +13,7 @@
 namespace orris {
 namespace {
 
-/// A row. `scope` is "decl" (file scope), "main", or "both": the code before '|' at file scope.
+/// A row. `scope` is "decl" (file scope), "main", "version" (main, and #version is the mistake) or "both": the code before '|' at file scope.
 struct Mistake {
   std::string program, stage, version, scope, code, compilesAs, hint;
 };
@@ -45,18 +45,22 @@ std::vector<Mistake> mistakes() {
 }
 
 constexpr int kDeclarationLine = 3, kStatementLine = 5;
-int lineOf(const Mistake& row) { return row.scope == "decl" ? kDeclarationLine : kStatementLine; }
+int lineOf(const Mistake& row) {
+  if (row.scope == "version") return 1;
+  return row.scope == "decl" ? kDeclarationLine : kStatementLine;
+}
 
 std::string sourceOf(const Mistake& row, const std::string& version) {
   const std::size_t bar = row.code.find('|');
   const std::string first = row.code.substr(0, bar);
   const std::string rest = bar == std::string::npos ? "" : row.code.substr(bar + 1);
+  const bool inMain = row.scope == "main" || row.scope == "version";
   const std::string head =
       row.stage == "csh"   ? "layout(local_size_x = 8) in; const ivec3 workGroups = ivec3(1, 1, 1);"
       : row.stage == "gsh" ? "layout(triangles) in; layout(triangle_strip, max_vertices = 3) out;"
                            : "";
-  return "#version " + version + "\n" + head + "\n" + (row.scope == "main" ? "" : first) +
-         "\nvoid main() {\n" + (row.scope == "main" ? first : rest) + "\n}\n";
+  return "#version " + version + "\n" + head + "\n" + (inMain ? "" : first) + "\nvoid main() {\n" +
+         (inMain ? first : rest) + "\n}\n";
 }
 
 /// What validation says of the program that has the mistake, its stages in `version`.
