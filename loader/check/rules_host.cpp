@@ -29,6 +29,7 @@ std::span<const Rule> hostRules() {
       {"graph-format-unknown", Severity::Error, "no form of the pass graph has this file ending"},
       {"graphviz-failed", Severity::Error, "Graphviz did not draw the pass graph"},
       {"graphviz-missing", Severity::Error, "Graphviz is not installed"},
+      {"image-codecs", Severity::Error, "the picture codecs of Orris cannot be loaded"},
       {"image-decode", Severity::Error, "a picture file is damaged"},
       {"image-read", Severity::Error, "a picture cannot be opened"},
       {"image-write", Severity::Error, "a picture cannot be written"},
