@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
+#include <memory>
 
 #include "image/image_size.h"
 
@@ -35,6 +36,25 @@ void parseAssignment(const std::string& flag, const std::string& text, OptionVal
   values[text.substr(0, equals)] = text.substr(equals + 1);
 }
 
+std::string versionHelp(std::string_view what, const Version& newest) {
+  return fmt::format("version of {} that the pack runs in (default {}, the newest known)", what,
+                     versionText(newest));
+}
+
+HostVersions requireVersions(const std::string& iris, const std::string& game, SeriesEnd end) {
+  std::string error;
+  const auto chosen = chooseVersions(iris, game, end, error);
+  if (!chosen) throw CLI::ValidationError(iris.empty() ? "--game" : "--iris", error);
+  return *chosen;
+}
+
+/// "1.8..1.11": both; another text is both of its ends.
+std::pair<std::string, std::string> endsOf(const std::string& text) {
+  const std::size_t dots = text.find("..");
+  if (dots == std::string::npos) return {text, text};
+  return {text.substr(0, dots), text.substr(dots + 2)};
+}
+
 void parseBackendName(const std::string& text, gl::Backend& backend) {
   const std::optional<gl::Backend> parsed = gl::parseBackend(text);
   if (!parsed) {
@@ -55,6 +75,40 @@ void addPackFlags(CLI::App& command, PackOptions& options) {
   command
       .add_option("--dimension", options.dimension, "world0, world-1, world1 or a dimension name")
       ->type_name("NAME");
+}
+
+void addVersionFlags(CLI::App& command, HostVersions& versions) {
+  const auto asked = std::make_shared<std::pair<std::string, std::string>>();
+  command.add_option("--iris", asked->first, versionHelp("Iris", versions.iris))
+      ->type_name("VERSION");
+  command.add_option("--game", asked->second, versionHelp("Minecraft", versions.game))
+      ->type_name("VERSION");
+  // Either decides what the other is when it is not given.
+  command.parse_complete_callback([asked, &versions] {
+    versions = requireVersions(asked->first, asked->second, SeriesEnd::Last);
+  });
+}
+
+void addVersionRangeFlags(CLI::App& command, std::optional<VersionRange>& range) {
+  const auto asked = std::make_shared<std::pair<std::string, std::string>>();
+  const HostVersions newest;
+  command
+      .add_option("--iris", asked->first,
+                  versionHelp("Iris", newest.iris) + "; A..B: check the oldest and the newest")
+      ->type_name("VERSION");
+  command
+      .add_option("--game", asked->second, versionHelp("Minecraft", newest.game) + "; A..B as well")
+      ->type_name("VERSION");
+  command.parse_complete_callback([asked, &range] {
+    if (asked->first.empty() && asked->second.empty()) return;
+    const auto [oldIris, newIris] = endsOf(asked->first);
+    const auto [oldGame, newGame] = endsOf(asked->second);
+    const bool one = oldIris == newIris && oldGame == newGame;
+    range = {requireVersions(oldIris, oldGame, one ? SeriesEnd::Last : SeriesEnd::First),
+             requireVersions(newIris, newGame, SeriesEnd::Last)};
+    if (range->newest.iris < range->oldest.iris || range->newest.game < range->oldest.game)
+      throw CLI::ValidationError("--iris", "the range ends before it begins");
+  });
 }
 
 void addSceneFlags(CLI::App& command, SceneOptions& options) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "gl/context.h"
+#include "pack/iris_versions.h"
 #include "pack/options.h"
 
 namespace CLI {
@@ -24,6 +25,7 @@ struct PackOptions {
   OptionValues values;  ///< --set, wins over --settings, which wins over --profile
   std::string settingsFile;
   std::string dimension;  ///< "" for the world's own
+  HostVersions versions;  ///< of Iris and the game
 };
 
 /// Which world, seen how.
@@ -48,7 +50,15 @@ struct OutputOptions {
   bool verbose = false;  ///< notes too
 };
 
-void addPackFlags(CLI::App& command, PackOptions& options);    ///< all but the path
+void addPackFlags(CLI::App& command, PackOptions& options);  ///< all but path and versions
+/// --iris and --game, for commands that run a pack as one version.
+void addVersionFlags(CLI::App& command, HostVersions& versions);
+/// The oldest and the newest that a pack is checked for; equal when it is one.
+struct VersionRange {
+  HostVersions oldest, newest;
+};
+/// The same flags, which also take a range: 1.8..1.11. Nothing asked: nullopt.
+void addVersionRangeFlags(CLI::App& command, std::optional<VersionRange>& range);
 void addSceneFlags(CLI::App& command, SceneOptions& options);  ///< all but the path
 void addImageFlags(CLI::App& command, ImageOptions& options);
 void addSizeFlag(CLI::App& command, ImageOptions& options);  ///< of addImageFlags

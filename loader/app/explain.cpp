@@ -48,8 +48,9 @@ PackVerdict explainGameLog(const std::string& packPath, const ValidateOptions& o
   if (!log || !patched) return verdict;
   verdict.files = openPackFiles(packPath, report, verdict.status);
   if (!verdict.files) return verdict;
-  auto request =
-      makeLoadRequest(verdict.files, options.pack, standardMacros({}), report, verdict.status);
+  const HostVersions versions = options.versions ? options.versions->newest : HostVersions();
+  const MacroDefinitions environment = standardMacros({.versions = versions});
+  auto request = makeLoadRequest(verdict.files, options.pack, environment, report, verdict.status);
   if (!request) return verdict;
   request->buildModPrograms = true;
   Diagnostics diagnostics;

@@ -141,7 +141,8 @@ int runOptions(const OptionsOptions& options) {
   Report report(options.output);
   const auto files = openPackFiles(options.pack.path, report, status);
   const auto request =
-      files ? makeLoadRequest(files, options.pack, standardMacros({}), report, status)
+      files ? makeLoadRequest(files, options.pack,
+                              standardMacros({.versions = options.pack.versions}), report, status)
             : std::nullopt;
   const auto pack = request ? loadPack(files, *request, report, status) : std::nullopt;
   if (!pack) {
@@ -166,6 +167,7 @@ void addOptionsCommand(CLI::App& app, int& status) {
       "options", "options of a pack: values, profiles, screens, programs reached");
   addPackArgument(*command, options->pack.path);
   addPackFlags(*command, options->pack);
+  addVersionFlags(*command, options->pack.versions);
   command
       ->add_option(
           "--graph", options->graph,

@@ -37,6 +37,7 @@ std::optional<SessionRequest> makeRequest(const RenderOptions& options, const Wo
   SessionRequest request;
   request.openPack = [files](Diagnostics&) { return files; };
   request.load = *load;
+  request.versions = options.pack.versions;
   request.renderer = {options.image.width, options.image.height, isLinear(options.outputs.picture),
                       !options.outputs.timings.empty()};
   request.camera = *camera;
@@ -50,7 +51,7 @@ bool showSources(const RenderOptions& options, const SessionRequest& request,
   if (options.outputs.patched.empty() && !options.output.verbose) return true;
   Diagnostics diagnostics;
   LoadRequest load = request.load;
-  load.environment = environmentFor(driver);
+  load.environment = environmentFor(driver, request.versions);
   const auto pack = loadShaderPack(request.openPack(diagnostics), load, diagnostics);
   if (!pack) return true;  // the session says why
   Diagnostics notes = ruleNotes(*pack);
@@ -122,6 +123,7 @@ void addRenderCommand(CLI::App& app, int& status) {
   addWorldArgument(*command, options->scene.path);
   addOutputPaths(*command, options->outputs);
   addPackFlags(*command, options->pack);
+  addVersionFlags(*command, options->pack.versions);
   addSceneFlags(*command, options->scene);
   addImageFlags(*command, options->image);
   addOutputFlags(*command, options->output);

@@ -179,7 +179,8 @@ std::optional<StudyInput> readStudyInput(const StudyOptions& options, Report& re
   if (!files) return std::nullopt;
   PackOptions packOptions = options.pack;
   if (packOptions.dimension.empty()) packOptions.dimension = world->environment.dimension;
-  const auto load = makeLoadRequest(files, packOptions, standardMacros({}), report, status);
+  const MacroDefinitions environment = standardMacros({.versions = options.pack.versions});
+  const auto load = makeLoadRequest(files, packOptions, environment, report, status);
   if (!load) return std::nullopt;
   LoadRequest optionsOnly = *load;
   optionsOnly.buildSources = false;
@@ -192,6 +193,7 @@ std::optional<StudyInput> readStudyInput(const StudyOptions& options, Report& re
   input.pack = std::make_shared<const ShaderPack>(std::move(*pack));
   input.request.openPack = [files](Diagnostics&) { return files; };
   input.request.load = *load;
+  input.request.versions = options.pack.versions;
   if (!readCameras(options, input, report, status)) return std::nullopt;
   input.request.camera = input.cameras.front();
   input.request.seed = options.scene.seed;

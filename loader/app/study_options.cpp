@@ -86,6 +86,7 @@ void addStudyFlags(CLI::App& command, StudyOptions& options) {
   addPlanFlags(command, options.plan);
   addBudgetFlag(command, options.budget, "end after this time, 90s or 10m; the next run goes on");
   addPackFlags(command, options.pack);
+  addVersionFlags(command, options.pack.versions);
   addSizeFlag(command, options.image);
   addBackendFlag(command, options.image.backend);
   addOutputFlags(command, options.output);

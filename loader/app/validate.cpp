@@ -45,6 +45,7 @@ void addValidateCommand(CLI::App& app, int& status, const FolderConfig& folder) 
       ->type_name("PACK")
       ->required();
   addPackFlags(*command, options->pack);
+  addVersionRangeFlags(*command, options->versions);
   command->add_option("--profiles", options->profiles, "check these profiles: all, or NAME,...")
       ->delimiter(',')
       ->allow_extra_args(false);

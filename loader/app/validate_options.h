@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -18,8 +19,9 @@ struct ValidateOptions {
   std::vector<std::string> profiles;  ///< {"all"}, names, or none: the values as they are
   std::vector<std::string> dimensions{"all"};
   int jobs = std::max(1, int(std::thread::hardware_concurrency()));
-  std::string target = "mesa";  ///< row of targetTable()
-  std::string patched;          ///< folder
+  std::string target = "mesa";           ///< row of targetTable()
+  std::optional<VersionRange> versions;  ///< nullopt: from what the pack states to the newest
+  std::string patched;                   ///< folder
   bool draw = false;
   gl::Backend backend = gl::Backend::Auto;
   std::string explainLog;      ///< file, or "-"

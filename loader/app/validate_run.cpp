@@ -158,10 +158,81 @@ bool knowsOptions(const ShaderPack& pack, const std::vector<std::string>& names,
   return all;
 }
 
+/// What the pack is without its sources, and how it was asked for.
+struct Outline {
+  std::optional<ShaderPack> pack;
+  LoadRequest request;
+};
+
+std::string nameOf(const HostVersions& versions) {
+  return fmt::format("Iris {} and Minecraft {}", versionText(versions.iris),
+                     versionText(versions.game));
+}
+
+std::optional<Outline> loadOutline(const HostVersions& versions, const ValidateOptions& options,
+                                   const Checker& checker, PackVerdict& verdict, Report& report) {
+  const auto& files = verdict.files;
+  auto request =
+      makeLoadRequest(files, options.pack, checker.environment(versions), report, verdict.status);
+  if (!request) return std::nullopt;
+  request->buildSources = false;
+  request->keepGoing = true;
+  Outline outline{loadPack(files, *request, report, verdict.status), *request};
+  if (!outline.pack) return std::nullopt;
+  if (!knowsOptions(*outline.pack, options.matrix.options, report)) {
+    verdict.status = kUsage;
+    return std::nullopt;
+  }
+  outline.request.buildSources = true;
+  outline.request.buildModPrograms = true;
+  outline.request.irisTexts = checker.target.iris;
+  outline.request.uniformTypes = uniformTypes();
+  return outline;
+}
+
+/// The newest first: what is wrong there is the more urgent.
+std::vector<HostVersions> versionsToCheck(const ShaderPack& pack, const ValidateOptions& options) {
+  VersionRange range;
+  if (options.versions) {
+    range = *options.versions;
+  } else {
+    range.oldest = statedMinimum(pack.properties).value_or(range.newest);
+  }
+  if (range.oldest == range.newest) return {range.newest};
+  return {range.newest, range.oldest};
+}
+
+void checkVersion(Outline& outline, const std::vector<std::string>& profiles,
+                  const std::string& versions, const ValidateOptions& options, Checker& checker,
+                  PackVerdict& verdict, Report& report) {
+  LoadRequest& request = outline.request;
+  for (const std::string& profile : profiles) {
+    checker.budget.beginChecks();
+    if (!profile.empty()) request.profile = profile;
+    const std::string context = profiles.size() > 1 ? "profile " + profile : "";
+    const bool both = !context.empty() && !versions.empty();
+    report.setContext(context + (both ? ", " : "") + versions);
+    const std::vector<ShaderPack> folders =
+        makeFolders(*outline.pack, chosen(options.dimensions, outline.pack->dimensions), request,
+                    checker, verdict, report);
+    for (const ShaderPack& folder : folders) {
+      request.dimension = folder.folder;
+      checkOne(folder, request, checker, verdict, report);
+      if (!options.patched.empty() && versions.empty())
+        writePatchedWithMap(options.patched, folder, report, verdict.status);
+    }
+    if (folders.size() == outline.pack->dimensions.size()) {
+      Diagnostics diagnostics = checkWholePack(folders);
+      report.add(diagnostics);
+    }
+    checkMatrix(folders, request, options, checker, verdict, report);
+  }
+}
+
 }  // namespace
 
-MacroDefinitions Checker::environment() const {
-  return gpu ? environmentFor(*gpu) : standardMacros(hostOf(target));
+MacroDefinitions Checker::environment(const HostVersions& versions) const {
+  return gpu ? environmentFor(*gpu, versions) : standardMacros(hostOf(target, versions));
 }
 
 bool Checker::passed(std::uint64_t hash) const {
@@ -179,49 +250,23 @@ bool findDriver(const ValidateOptions& options, Checker& checker) {
 PackVerdict validatePack(const std::string& path, const ValidateOptions& options, Checker& checker,
                          Report& report) {
   PackVerdict verdict{.path = path};
-  const auto files = openPackFiles(path, report, verdict.status);
-  verdict.files = files;
-  if (!files) return verdict;
-  auto request =
-      makeLoadRequest(files, options.pack, checker.environment(), report, verdict.status);
-  if (!request) return verdict;
-  request->buildSources = false;
-  request->keepGoing = true;
-  const auto outline = loadPack(files, *request, report, verdict.status);
+  verdict.files = openPackFiles(path, report, verdict.status);
+  if (!verdict.files) return verdict;
+  const HostVersions newest = options.versions ? options.versions->newest : HostVersions();
+  auto outline = loadOutline(newest, options, checker, verdict, report);
   if (!outline) return verdict;
-  if (!knowsOptions(*outline, options.matrix.options, report)) {
-    verdict.status = kUsage;
-    return verdict;
-  }
-
-  request->buildSources = true;
-  request->buildModPrograms = true;
-  request->irisTexts = checker.target.iris;
-  request->uniformTypes = uniformTypes();
+  const std::vector<HostVersions> all = versionsToCheck(*outline->pack, options);
   const std::vector<std::string> profiles =
-      chosen(options.profiles, namesOf(outline->properties.profiles));
-  checker.budget.beginPack(profiles.size());
-  for (const std::string& profile : profiles) {
-    checker.budget.beginChecks();
-    if (!profile.empty()) request->profile = profile;
-    if (profiles.size() > 1) report.setContext("profile " + profile);
-    const std::vector<ShaderPack> folders =
-        makeFolders(*outline, chosen(options.dimensions, outline->dimensions), *request, checker,
-                    verdict, report);
-    for (const ShaderPack& folder : folders) {
-      request->dimension = folder.folder;
-      checkOne(folder, *request, checker, verdict, report);
-      if (!options.patched.empty())
-        writePatchedWithMap(options.patched, folder, report, verdict.status);
-    }
-    if (folders.size() == outline->dimensions.size()) {
-      Diagnostics diagnostics = checkWholePack(folders);
-      report.add(diagnostics);
-    }
-    checkMatrix(folders, *request, options, checker, verdict, report);
+      chosen(options.profiles, namesOf(outline->pack->properties.profiles));
+  checker.budget.beginPack(profiles.size() * all.size());
+  for (const HostVersions& versions : all) {
+    const std::string name = versions == newest ? "" : nameOf(versions);
+    report.setContext(name);
+    if (!name.empty()) outline = loadOutline(versions, options, checker, verdict, report);
+    if (outline) checkVersion(*outline, profiles, name, options, checker, verdict, report);
   }
   report.setContext("");
-  report.noteContexts(profiles.size());
+  report.noteContexts(profiles.size() * all.size());
   return verdict;
 }
 

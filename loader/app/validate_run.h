@@ -43,7 +43,7 @@ struct Checker {
   std::optional<gl::DriverInfo> gpu;
   Verdicts glslang, driver;
 
-  MacroDefinitions environment() const;
+  MacroDefinitions environment(const HostVersions& versions) const;
   bool passed(std::uint64_t hash) const;
 };
 

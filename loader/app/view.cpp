@@ -23,6 +23,7 @@ void addViewCommand(CLI::App& app, int& status) {
   addPackArgument(*command, options->pack.path);
   addWorldArgument(*command, options->scene.path);
   addPackFlags(*command, options->pack);
+  addVersionFlags(*command, options->pack.versions);
   addSceneFlags(*command, options->scene);
   addImageFlags(*command, options->image);
   command->add_option("--screenshot", options->screenshot, "picture to write at the end")

@@ -115,6 +115,7 @@ bool Viewer::openSession(World world, const Camera& camera) {
     return std::shared_ptr<const FileSource>(openPack(path, diagnostics));
   };
   request.load = *load;
+  request.versions = options_.pack.versions;
   if (options_.pack.dimension.empty()) request.load.dimension = world.environment.dimension;
   request.renderer = {.width = options_.image.width, .height = options_.image.height};
   request.camera = camera;
@@ -139,7 +140,7 @@ std::optional<LoadRequest> Viewer::readChoices(bool withOptionFile) {
   pack.settingsFile = wanted ? optionFile_ : "";
   const auto files = openPackFiles(pack.path, report_, status_);
   if (!files) return std::nullopt;
-  const MacroDefinitions environment = environmentFor(context_->driver());
+  const MacroDefinitions environment = environmentFor(context_->driver(), options_.pack.versions);
   auto request = makeLoadRequest(files, pack, environment, report_, status_);
   if (request) request->name = withoutEndSlash(pack.path).filename().string();
   return request;

@@ -36,6 +36,8 @@ void addCamera(Digest& digest, const Camera& camera) {
 
 void addRequest(Digest& digest, const SessionRequest& request) {
   digest.add(request.load.profile).add(request.load.dimension);
+  const HostVersions& versions = request.versions;
+  digest.add(versionNumber(versions.iris)).add(versionNumber(versions.game));
   addValues(digest, request.load.values);
   addValues(digest, request.load.fileValues);
   addCamera(digest, request.camera);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "check/version_checks.h"
 #include "glsl/compiler_log.h"
 
 namespace orris {
@@ -12,7 +13,8 @@ namespace {
 using ProgramCheck = void (*)(const ProgramInterface&, DeclarationReport&);
 
 // In the order of the report.
-constexpr ProgramCheck kChecks[] = {checkVaryings, checkNames, checkOutputs, checkResourceCounts};
+constexpr ProgramCheck kChecks[] = {checkVaryings, checkNames, checkNewNames, checkOutputs,
+                                    checkResourceCounts};
 
 ProgramInterface interfaceOf(const ProgramSource& program) {
   ProgramInterface result{.program = &program};

@@ -14,6 +14,7 @@
 #include "check/slip_checks.h"
 #include "check/texture_checks.h"
 #include "check/unused_functions.h"
+#include "check/version_checks.h"
 
 namespace orris {
 namespace {
@@ -22,7 +23,8 @@ using FolderCheck = void (*)(const FolderInput&, Diagnostics&);
 using WholePackCheck = void (*)(std::span<const ShaderPack>, Diagnostics&);
 
 // In the order of the report.
-constexpr FolderCheck kFolderChecks[] = {checkDeclarations, checkCustomUniforms, checkFrame};
+constexpr FolderCheck kFolderChecks[] = {checkDeclarations, checkCustomUniforms, checkNewProperties,
+                                         checkFrame};
 constexpr WholePackCheck kWholePackChecks[] = {
     checkOptionLists,      //
     checkOptionUse,        //

@@ -37,6 +37,8 @@ std::span<const Rule> interfaceRules() {
       {"varying-type", Severity::Error, "a varying has different types in two stages"},
       {"varying-unread", Severity::Note, "a stage writes what the next one does not read"},
       {"varying-unwritten", Severity::Warning, "a stage reads what the one before it never writes"},
+      {"version-newer", Severity::Warning,
+       "a name is newer than the Iris or the game that the pack is checked for"},
   };
   return kRules;
 }

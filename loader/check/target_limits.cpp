@@ -67,8 +67,9 @@ const TargetLimits* findTarget(std::string_view name) {
   return found == kTargets.end() ? nullptr : &*found;
 }
 
-HostDescription hostOf(const TargetLimits& target) {
+HostDescription hostOf(const TargetLimits& target, const HostVersions& versions) {
   HostDescription host;
+  host.versions = versions;
   host.glVendor = target.glVendor;
   host.glRenderer = target.glRenderer;
   host.system = target.system;

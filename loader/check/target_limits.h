@@ -33,6 +33,6 @@ std::span<const TargetLimits> targetTable();
 const TargetLimits* findTarget(std::string_view name);
 
 /// What the preprocessor macros say on the target.
-HostDescription hostOf(const TargetLimits& target);
+HostDescription hostOf(const TargetLimits& target, const HostVersions& versions = {});
 
 }  // namespace orris

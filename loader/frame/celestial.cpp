@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <random>
 
 namespace orris {
 namespace {
@@ -30,6 +31,24 @@ glm::vec3 sunDirection(float skyAngle, float sunPathRotation) {
 glm::vec3 shadowLightDirection(float skyAngle, float sunPathRotation) {
   const glm::vec3 sun = sunDirection(skyAngle, sunPathRotation);
   return sunAngleOf(skyAngle) <= 0.5f ? sun : -sun;
+}
+
+EndFlash endFlashAt(long long gameTime) {
+  constexpr long long kPeriod = 600;
+  std::minstd_rand random(
+      static_cast<unsigned>(gameTime / kPeriod * 2654435761LL % 2147483647 + 1));
+  const auto between = [&](float low, float high) {
+    return low + (high - low) * static_cast<float>(random() % 4096) / 4095;
+  };
+  const float begin = between(0, 200), length = between(100, 380);
+  const float pitch = between(-60, 10), yaw = between(-180, 180);
+  const float phase = (static_cast<float>(gameTime % kPeriod) - begin) / length;
+  EndFlash flash;
+  // Iris: CelestialUniforms.
+  flash.direction = glm::vec3(rotation(180 - yaw, {0, 1, 0}) * rotation(-90 - pitch, {1, 0, 0}) *
+                              glm::vec4(0, 1, 0, 0));
+  if (phase > 0 && phase < 1) flash.intensity = std::sin(phase * 3.14159265f);
+  return flash;
 }
 
 glm::mat4 shadowModelViewMatrix(float sunAngle, float sunPathRotation, float interval,

@@ -19,6 +19,15 @@ glm::vec3 sunDirection(float skyAngle, float sunPathRotation);
 /// camera's matrices, it stays the same to the bit while the camera turns.
 glm::vec3 shadowLightDirection(float skyAngle, float sunPathRotation);
 
+/// The flash in the sky of the End.
+struct EndFlash {
+  glm::vec3 direction{0, 1, 0};  ///< world axes, unit length
+  float intensity = 0;           ///< 0..1
+};
+/// In each 600 ticks of the world one flash rises and falls, as in the game; when, for how long and
+/// where is this host's own choice, the same for the same `gameTime`.
+EndFlash endFlashAt(long long gameTime);
+
 /// Player space to shadow view, with the snap to the interval grid.
 glm::mat4 shadowModelViewMatrix(float sunAngle, float sunPathRotation, float interval,
                                 const glm::dvec3& cameraPosition);

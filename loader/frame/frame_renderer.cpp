@@ -197,6 +197,7 @@ void FrameRenderer::drawGeometry(const Step& step, const FrameState& state) {
   gl::Viewport(0, 0, shadow ? size : options_.width, shadow ? size : options_.height);
   DrawState draw;
   draw.atlasSize = draw.gtextureSize = loaded_->scene->atlasSize();
+  draw.gtextureId = static_cast<int>(loaded_->scene->atlas().id());
   setGeometryState(step, source, draw);
   const GpuProgram& program = programOf(step);
   if (isSky(step.geometry)) {
@@ -229,12 +230,15 @@ void FrameRenderer::drawTerrain(const Step& step, const GpuProgram& program,
   useProgram(program, step, state, draw);
   loaded_->scene->bindTerrain();
   bindVertices(program.program);
+  if (!shadow && step.geometry != Geometry::BlockEntity) setChunkFade(program.program);
   const Frustum frustum(projection * view);
   const float mul = pack_->directives.shadowDistanceRenderMul;
   float reach = mul >= 0 ? pack_->directives.shadowDistance * mul
                          : static_cast<float>(state.environment.renderDistance);
   const auto culling = pack_->properties.settings.find("shadow.culling");
-  if (culling != pack_->properties.settings.end() && culling->second == "reversed")
+  // Two names of one mode. Iris: ShaderProperties.
+  if (culling != pack_->properties.settings.end() &&
+      (culling->second == "reversed" || culling->second == "safe_zone"))
     reach = std::max(reach, pack_->directives.voxelDistance);
   std::vector<std::pair<float, const MeshSection*>> visible;
   for (const MeshSection& section : loaded_->scene->sections()) {

@@ -45,6 +45,15 @@ void setSky(FrameState& state, const PackDirectives& directives) {
   state.upPosition = view * glm::vec3(0, 100, 0);
 }
 
+void setEndFlash(FrameState& state, const FrameState* previous) {
+  if (state.environment.dimension != "minecraft:the_end") return;
+  const EndFlash flash = endFlashAt(state.environment.day * 24000LL + state.environment.time);
+  state.endFlashPosition = glm::mat3(viewMatrix(state.camera)) * (100.0f * flash.direction);
+  state.endFlashIntensity = flash.intensity;
+  state.previousEndFlashIntensity =
+      previous != nullptr ? previous->endFlashIntensity : flash.intensity;
+}
+
 // The game darkens sky and fog at night by the height of the sun.
 void dimColors(FrameState& state) {
   const float height = std::cos(state.skyAngle * 2 * 3.14159265f) * 2 + 0.5f;
@@ -60,6 +69,7 @@ void setSmoothed(FrameState& state, const FrameInput& input, const PackDirective
   const float rain = input.environment.rain;
   state.eyeBrightness = input.eye.brightness;
   state.isEyeInWater = input.eye.fluid;
+  state.feetInWater = input.eye.feetInWater && input.eye.fluid != 1;
   if (previous == nullptr) {
     state.eyeBrightnessSmooth = glm::vec2(input.eye.brightness);
     state.wetness = rain;
@@ -95,6 +105,7 @@ FrameState nextFrameState(const FrameInput& input, const PackDirectives& directi
   state.frameTime = input.frameTime;
   state.cameraPosition = input.camera.position;
   setSky(state, directives);
+  setEndFlash(state, previous);
   dimColors(state);
   setMatrices(state, directives);
   setSmoothed(state, input, directives, previous);

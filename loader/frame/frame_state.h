@@ -37,7 +37,11 @@ struct FrameState {
   glm::vec2 eyeBrightnessSmooth{0, 240};
   float wetness = 0;
   float centerDepthSmooth = 1;
-  int isEyeInWater = 0;  ///< 0 none, 1 water, 2 lava
+  int isEyeInWater = 0;      ///< 0 none, 1 water, 2 lava
+  bool feetInWater = false;  ///< the feet are in water and the eye is not
+  /// Of the End only. View space, length 100; 0..1 now and in the frame before.
+  glm::vec3 endFlashPosition{0};
+  float endFlashIntensity = 0, previousEndFlashIntensity = 0;
   VolumeLights volumeLights{};
   int emptyHandId = -1;  ///< heldItemId of an empty hand; 0 for a pack without item.properties
 };
@@ -46,6 +50,7 @@ struct FrameState {
 struct EyeSurroundings {
   glm::ivec2 brightness{0, 240};
   int fluid = 0;
+  bool feetInWater = false;
 };
 
 /// The state of the next frame; `previous` is null for the first one.

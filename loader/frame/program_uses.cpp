@@ -64,9 +64,12 @@ std::optional<BufferName> parseBufferName(std::string_view name, bool watershado
     int count;
   };
   static constexpr Prefix kPrefixes[] = {
-      {"colortex", Kind::Color, false, 16},         {"colorimg", Kind::Color, true, 16},
-      {"shadowcolor", Kind::ShadowColor, false, 8}, {"shadowcolorimg", Kind::ShadowColor, true, 8},
-      {"depthtex", Kind::Depth, false, 3},          {"shadowtex", Kind::ShadowDepth, false, 2},
+      {"colortex", Kind::Color, false, kColorTargets},
+      {"colorimg", Kind::Color, true, kColorTargets},
+      {"shadowcolor", Kind::ShadowColor, false, kShadowColorTargets},
+      {"shadowcolorimg", Kind::ShadowColor, true, kShadowColorTargets},
+      {"depthtex", Kind::Depth, false, 3},
+      {"shadowtex", Kind::ShadowDepth, false, 2},
       {"stenciltex", Kind::Stencil, false, 2}};
   for (const Prefix& prefix : kPrefixes)
     if (const auto index = numberAfter(canonical, prefix.text); index && *index < prefix.count)

@@ -26,8 +26,9 @@ std::shared_ptr<const ShaderPack> withoutErrors(std::optional<ShaderPack> pack,
 
 }  // namespace
 
-MacroDefinitions environmentFor(const gl::DriverInfo& driver) {
+MacroDefinitions environmentFor(const gl::DriverInfo& driver, const HostVersions& versions) {
   HostDescription host;
+  host.versions = versions;
   host.glVendor = driver.vendor;
   host.glRenderer = driver.renderer;
   host.glExtensions = driver.extensions;
@@ -42,7 +43,7 @@ RenderSession::RenderSession(SessionRequest request, SceneData scene)
 
 std::unique_ptr<RenderSession> RenderSession::create(gl::Context& context, SessionRequest request,
                                                      World world, Diagnostics& diagnostics) {
-  request.load.environment = environmentFor(context.driver());
+  request.load.environment = environmentFor(context.driver(), request.versions);
   if (request.time) world.environment.time = *request.time;
   auto session = std::unique_ptr<RenderSession>(new RenderSession(std::move(request), SceneData()));
   const auto asked = session->loadPack(diagnostics);

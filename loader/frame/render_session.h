@@ -17,7 +17,8 @@ using PackOpener = std::function<std::shared_ptr<const FileSource>(Diagnostics&)
 
 struct SessionRequest {
   PackOpener openPack;
-  LoadRequest load;  ///< options, profile, dimension; the environment is filled in
+  LoadRequest load;       ///< options, profile, dimension; the environment is filled in
+  HostVersions versions;  ///< that the environment states
   RendererOptions renderer;
   Camera camera;
   std::optional<int> time;  ///< overrides the world's
@@ -96,6 +97,6 @@ class RenderSession {
 };
 
 /// Environment macros for the driver of a context.
-MacroDefinitions environmentFor(const gl::DriverInfo& driver);
+MacroDefinitions environmentFor(const gl::DriverInfo& driver, const HostVersions& versions = {});
 
 }  // namespace orris

@@ -37,6 +37,10 @@ EyeSurroundings SceneData::surroundings(const glm::dvec3& position) const {
   const std::uint32_t index = world.blocks.indexAt(cell);
   if (facts[index].fluid)
     eye.fluid = world.blocks.palette()[index].name == "minecraft:lava" ? 2 : 1;
+  constexpr double kEyeHeight = 1.62;  // of a standing player, blocks
+  const glm::ivec3 feet(glm::floor(position - glm::dvec3(0, kEyeHeight, 0)));
+  const std::uint32_t below = world.blocks.indexAt(feet);
+  eye.feetInWater = facts[below].fluid && world.blocks.palette()[below].name != "minecraft:lava";
   return eye;
 }
 

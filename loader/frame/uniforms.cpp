@@ -58,6 +58,9 @@ int categoryOf(const FrameState& s) {
 // GL_LINEAR and GL_EXP2, as uniform fogMode gives them.
 constexpr int kLinearFog = 9729, kExp2Fog = 2049;
 
+// Milliseconds in which the game fades a new chunk in unless its user chooses others.
+constexpr float kChunkFadeTime = 750;
+
 using S = const FrameState&;
 using D = const DrawState&;
 #define FRAME(name, type, expr)                         \
@@ -157,9 +160,9 @@ std::vector<UniformRow> makeTable() {
     FRAME("wetness", Float, valueOf(s.wetness)),
     FRAME("thunderStrength", Float, valueOf(s.environment.thunder)),
     FRAME("lightningBoltPosition", Vec4, valueOf(glm::vec4(0))),
-    FRAME("endFlashPosition", Vec3, valueOf(glm::vec3(0))),
-    FRAME("endFlashIntensity", Float, valueOf(0.0f)),
-    FRAME("previousEndFlashIntensity", Float, valueOf(0.0f)),
+    FRAME("endFlashPosition", Vec3, valueOf(s.endFlashPosition)),
+    FRAME("endFlashIntensity", Float, valueOf(s.endFlashIntensity)),
+    FRAME("previousEndFlashIntensity", Float, valueOf(s.previousEndFlashIntensity)),
     // Biome and dimension
     FRAME("biome", Int, Value::ofInt(biomeId(s.environment.biome))),
     FRAME("biome_category", Int, Value::ofInt(categoryOf(s))),
@@ -173,6 +176,8 @@ std::vector<UniformRow> makeTable() {
     FRAME("hasSkylight", Bool, Value::ofBool(!isNether(s) && !isEnd(s))),
     FRAME("heightLimit", Int, Value::ofInt(384)),
     FRAME("logicalHeightLimit", Int, Value::ofInt(384)),
+    FRAME("seaLevel", Int, Value::ofInt(isNether(s) ? 32 : isEnd(s) ? 0 : 63)),
+    FRAME("heavyFog", Bool, Value::ofBool(false)),  // that of a boss
     // Rendering
     FRAME("near", Float, valueOf(0.05f)),
     FRAME("far", Float, valueOf(static_cast<float>(s.environment.renderDistance))),
@@ -189,10 +194,15 @@ std::vector<UniformRow> makeTable() {
     DRAW("blendFunc", IVec3, ivec4Value(d.blendFunc)),
     DRAW("atlasSize", IVec2, valueOf(d.atlasSize)),
     DRAW("gtextureSize", IVec2, valueOf(d.gtextureSize)),
+    DRAW("gtextureId", Int, Value::ofInt(d.gtextureId)),
+    DRAW("textureReloadCount", Int, Value::ofInt(0)),  // the atlas is made once
     DRAW("renderStage", Int, Value::ofInt(d.renderStage)),
     FRAME("textureFilteringMode", Int, Value::ofInt(0)),
+    FRAME("anisotropicFiltering", Int, Value::ofInt(0)),
+    FRAME("chunkFadeTimeInv", Float, valueOf(1 / kChunkFadeTime)),
     // Player
     FRAME("isEyeInWater", Int, Value::ofInt(s.isEyeInWater)),
+    FRAME("feetInWater", Bool, Value::ofBool(s.feetInWater)),
     FRAME("blindness", Float, valueOf(s.environment.player.blindness)),
     FRAME("nightVision", Float, valueOf(s.environment.player.nightVision)),
     FRAME("darknessFactor", Float, valueOf(s.environment.player.darkness)),
@@ -251,7 +261,7 @@ std::vector<UniformRow> makeTable() {
     FRAME("vivecraftRelativeOffHandRot", Mat4, valueOf(glm::mat4(1))),
   };
   addVolumeLights(rows, std::make_index_sequence<kMostVolumeLights>());
-  for (const char* name : {"vehicleInWater", "isRiding", "inSwimmingAnimation", "feetInWater",
+  for (const char* name : {"vehicleInWater", "isRiding", "inSwimmingAnimation",
                            "isElytraFlying", "is_child", "is_glowing", "is_in_lava", "is_in_water",
                            "is_ridden", "is_riding", "is_wet", "vivecraftIsVR"})
     rows.push_back(FRAME(name, Bool, Value::ofBool(false)));

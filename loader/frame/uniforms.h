@@ -17,6 +17,7 @@ struct DrawState {
   glm::mat4 modelView{1}, projection{1}, textureMatrix{1};
   glm::vec3 chunkOffset{0};
   glm::ivec2 atlasSize{0}, gtextureSize{0};
+  int gtextureId = 0;  ///< GL name of the texture of unit 0, 0 for none
   glm::ivec4 blendFunc{0};
   int renderStage = 0;  ///< MC_RENDER_STAGE_*
   float alphaTestRef = 0.1f;

@@ -174,6 +174,13 @@ void unbindVertices(const gl::Program& program) {
   gl::DisableClientState(GL_VERTEX_ARRAY);
 }
 
+void setChunkFade(const gl::Program& program) {
+  for (const gl::ActiveVariable& attribute : program.attributes) {
+    if (attribute.name == "mc_chunkFade" && attribute.location >= 0)
+      gl::VertexAttrib4f(attribute.location, 1, 0, 0, 1);
+  }
+}
+
 void setConstantColor(const gl::Program& program, const glm::vec4& color) {
   gl::DisableClientState(GL_COLOR_ARRAY);
   gl::Color4f(color.r, color.g, color.b, color.a);

@@ -43,6 +43,8 @@ std::vector<GpuVertex> packVertices(const BlockMesh& mesh, const std::vector<int
 /// the layout does not know get their contract default. Undo with unbindVertices.
 void bindVertices(const gl::Program& program);
 void unbindVertices(const gl::Program& program);
+/// Chunks are there for long: mc_chunkFade is 1, not the -1 of what is no chunk. After bindVertices.
+void setChunkFade(const gl::Program& program);
 /// One colour for all vertices of the next draws, after bindVertices.
 void setConstantColor(const gl::Program& program, const glm::vec4& color);
 

@@ -120,6 +120,8 @@ constexpr PixelType kPixelTypes[] = {
     {"UNSIGNED_INT_8_8_8_8_REV", GL_UNSIGNED_INT_8_8_8_8_REV, 4},
     {"UNSIGNED_INT_10_10_10_2", GL_UNSIGNED_INT_10_10_10_2, 4},
     {"UNSIGNED_INT_2_10_10_10_REV", GL_UNSIGNED_INT_2_10_10_10_REV, 4},
+    {"UNSIGNED_INT_10F_11F_11F_REV", GL_UNSIGNED_INT_10F_11F_11F_REV, 4},
+    {"UNSIGNED_INT_5_9_9_9_REV", GL_UNSIGNED_INT_5_9_9_9_REV, 4},
 };
 
 bool equalIgnoringCase(std::string_view a, std::string_view b) {

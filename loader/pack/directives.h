@@ -16,7 +16,8 @@
 
 namespace orris {
 
-inline constexpr int kColorTargets = 16;
+/// colortex0 to colortex31. Iris: IrisLimits.MAX_COLOR_BUFFERS. One bit each in the masks of a Step.
+inline constexpr int kColorTargets = 32;
 inline constexpr int kShadowColorTargets = 8;
 
 /// Settings of one colortex or shadowcolor.

@@ -27,7 +27,7 @@ void requireFlag(const ShaderProperties& properties, const std::string& flag, st
 
 }  // namespace
 
-const std::vector<std::string>& supportedFeatures() {
+std::vector<std::string> supportedFeatures(const Version& iris) {
   static const std::vector<std::string> kNames{"SEPARATE_HARDWARE_SAMPLERS",
                                                "HIGHER_SHADOWCOLOR",
                                                "CUSTOM_IMAGES",
@@ -41,7 +41,9 @@ const std::vector<std::string>& supportedFeatures() {
                                                "CAN_DISABLE_WEATHER",
                                                "FADE_VARIABLE",
                                                "TEXTURE_FILTERING"};
-  return kNames;
+  std::vector<std::string> names = kNames;
+  std::erase_if(names, [&](auto& name) { return !offers(iris, Offer::Feature, name); });
+  return names;
 }
 
 const std::vector<std::string>& supportedOrrisFeatures() {
@@ -52,6 +54,16 @@ const std::vector<std::string>& supportedOrrisFeatures() {
 void requireFeatures(const PropertyContext& context, const std::vector<std::string>& supported) {
   for (const std::string& flag : splitBlanks(context.entry.value)) {
     if (contains(supported, upperCase(flag))) continue;
+    if (const OfferRow* newer = findOffer(Offer::Feature, upperCase(flag))) {
+      context.refuse(
+          "feature-unsupported",
+          fmt::format("Iris {} does not offer the feature {}", versionText(context.iris), flag),
+          fmt::format("Iris {} is the first one that does; iris.features.optional lets older ones "
+                      "load the pack",
+                      versionText(newer->iris)),
+          flag);
+      continue;
+    }
     const std::string hint = suggest(flag, supported);
     const bool ofIris = context.entry.key.starts_with("iris.");
     (context.*(ofIris ? &PropertyContext::refuse : &PropertyContext::fail))(
@@ -99,21 +111,21 @@ void checkShadowColors(const ProgramList& programs, const ShaderProperties& prop
   }
 }
 
-MacroDefinitions propertyFeatureMacros() {
+MacroDefinitions propertyFeatureMacros(const Version& iris) {
   MacroDefinitions macros;
-  for (const std::string& flag : supportedFeatures())
+  for (const std::string& flag : supportedFeatures(iris))
     macros.emplace_back("IRIS_FEATURE_" + flag, "");
   for (const std::string& flag : supportedOrrisFeatures())
     macros.emplace_back("ORRIS_FEATURE_" + flag, "");
   return macros;
 }
 
-MacroDefinitions shaderFeatureMacros(const ShaderProperties& properties) {
+MacroDefinitions shaderFeatureMacros(const ShaderProperties& properties, const Version& iris) {
   MacroDefinitions macros;
   // Iris: ShaderPack, which takes the name as it is written.
+  const std::vector<std::string> offered = supportedFeatures(iris);
   for (const std::string& flag : properties.optionalAsWritten) {
-    if (contains(supportedFeatures(), upperCase(flag)))
-      macros.emplace_back("IRIS_FEATURE_" + flag, "");
+    if (contains(offered, upperCase(flag))) macros.emplace_back("IRIS_FEATURE_" + flag, "");
   }
   // Our own extension has one rule for both lists: what is there has its macro.
   for (const auto* list : {&properties.orrisRequiredFeatures, &properties.orrisOptionalFeatures}) {

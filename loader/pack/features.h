@@ -18,8 +18,9 @@ inline constexpr const char* kShadowVolumes = "STENCIL_SHADOW_VOLUMES";
 /// Options whose value is AUTO get the value whose cost the pack's `auto.*` lines put lowest.
 inline constexpr const char* kAutoOptions = "AUTO_OPTIONS";
 
-/// Flags of iris.features.* and of orris.features.* that this host offers, upper case.
-const std::vector<std::string>& supportedFeatures();
+/// Flags of iris.features.* that this host offers as that version of Iris, and of orris.features.*;
+/// upper case.
+std::vector<std::string> supportedFeatures(const Version& iris = HostVersions().iris);
 const std::vector<std::string>& supportedOrrisFeatures();
 
 /// An error for each flag on the entry's line that `supported` lacks.
@@ -37,7 +38,8 @@ void checkShadowColors(const ProgramList& programs, const ShaderProperties& prop
 
 /// IRIS_FEATURE_* and ORRIS_FEATURE_* as the *.properties files see them (all supported flags), and
 /// as shaders see them (those listed as optional).
-MacroDefinitions propertyFeatureMacros();
-MacroDefinitions shaderFeatureMacros(const ShaderProperties& properties);
+MacroDefinitions propertyFeatureMacros(const Version& iris);
+MacroDefinitions shaderFeatureMacros(const ShaderProperties& properties,
+                                     const Version& iris = HostVersions().iris);
 
 }  // namespace orris

@@ -1,7 +1,9 @@
 // The macros that every pack can rely on. Contract: macros.csv. Iris: StandardMacros, IrisDefines.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 
 #include "pack/shader_pack.h"
 #include "pack/text.h"
@@ -39,7 +41,7 @@ constexpr const char* kSystem = "MC_OS_MAC";
 #elif defined(__linux__)
 constexpr const char* kSystem = "MC_OS_LINUX";
 #else
-constexpr const char* kSystem = "MC_OS_OTHER";
+constexpr const char* kSystem = "MC_OS_UNKNOWN";
 #endif
 
 // Values are the positions.
@@ -101,15 +103,17 @@ enum Category {
 struct Biome {
   std::string_view name;
   Category category;
+  Version game{};  ///< the first one that has it
 };
-constexpr std::array<Biome, 64> kBiomes{{{"the_void", kNone},
+// The position is the number: new ones stand at the end.
+constexpr std::array<Biome, 65> kBiomes{{{"the_void", kNone},
                                          {"plains", kPlains},
                                          {"sunflower_plains", kPlains},
                                          {"snowy_plains", kIcy},
                                          {"ice_spikes", kIcy},
                                          {"desert", kDesert},
                                          {"swamp", kSwamp},
-                                         {"mangrove_swamp", kSwamp},
+                                         {"mangrove_swamp", kSwamp, {1, 19, 0}},
                                          {"forest", kForest},
                                          {"flower_forest", kForest},
                                          {"birch_forest", kForest},
@@ -131,13 +135,13 @@ constexpr std::array<Biome, 64> kBiomes{{{"the_void", kNone},
                                          {"badlands", kMesa},
                                          {"eroded_badlands", kMesa},
                                          {"wooded_badlands", kMesa},
-                                         {"meadow", kMountain},
-                                         {"cherry_grove", kMountain},
-                                         {"grove", kForest},
-                                         {"snowy_slopes", kMountain},
-                                         {"frozen_peaks", kMountain},
-                                         {"jagged_peaks", kMountain},
-                                         {"stony_peaks", kMountain},
+                                         {"meadow", kMountain, {1, 18, 0}},
+                                         {"cherry_grove", kMountain, {1, 20, 0}},
+                                         {"grove", kForest, {1, 18, 0}},
+                                         {"snowy_slopes", kMountain, {1, 18, 0}},
+                                         {"frozen_peaks", kMountain, {1, 18, 0}},
+                                         {"jagged_peaks", kMountain, {1, 18, 0}},
+                                         {"stony_peaks", kMountain, {1, 18, 0}},
                                          {"river", kRiver},
                                          {"frozen_river", kRiver},
                                          {"beach", kBeach},
@@ -153,9 +157,9 @@ constexpr std::array<Biome, 64> kBiomes{{{"the_void", kNone},
                                          {"frozen_ocean", kOcean},
                                          {"deep_frozen_ocean", kOcean},
                                          {"mushroom_fields", kMushroom},
-                                         {"dripstone_caves", kUnderground},
-                                         {"lush_caves", kUnderground},
-                                         {"deep_dark", kUnderground},
+                                         {"dripstone_caves", kUnderground, {1, 18, 0}},
+                                         {"lush_caves", kUnderground, {1, 18, 0}},
+                                         {"deep_dark", kUnderground, {1, 19, 0}},
                                          {"nether_wastes", kNether},
                                          {"warped_forest", kNether},
                                          {"crimson_forest", kNether},
@@ -165,7 +169,8 @@ constexpr std::array<Biome, 64> kBiomes{{{"the_void", kNone},
                                          {"end_highlands", kTheEnd},
                                          {"end_midlands", kTheEnd},
                                          {"small_end_islands", kTheEnd},
-                                         {"end_barrens", kTheEnd}}};
+                                         {"end_barrens", kTheEnd},
+                                         {"pale_garden", kForest, {1, 21, 4}}}};
 
 template <size_t Count>
 std::string_view byPrefix(std::string_view name, const std::array<PrefixMacro, Count>& table,
@@ -192,32 +197,41 @@ void addNumbered(const char* prefix, const std::array<std::string_view, Count>& 
   }
 }
 
+/// Those of Iris's own that the version has.
 void addIrisMacros(const HostDescription& host, MacroDefinitions& macros) {
-  const MacroDefinitions own{{"IRIS_VERSION", std::to_string(host.irisVersion)},
+  const Version& iris = host.versions.iris;
+  const MacroDefinitions own{{"IRIS_VERSION", std::to_string(versionNumber(iris))},
                              {"IS_IRIS", ""},
-                             {"MAX_COLOR_BUFFERS", std::to_string(kColorTargets)},
+                             {"IRIS_REQUIRES_SEPARATE_ENTITY_DRAWS", ""},
+                             {"MAX_COLOR_BUFFERS", std::to_string(colorBuffersOf(iris))},
+                             {"MC_MIPMAP_LEVEL", "4"},  // the game's default
                              {"IRIS_HAS_TRANSLUCENCY_SORTING", ""},
                              {"IRIS_TAG_SUPPORT", "2"}};
-  macros.insert(macros.end(), own.begin(), own.end());
+  std::copy_if(own.begin(), own.end(), std::back_inserter(macros),
+               [&](const auto& macro) { return offers(iris, Offer::Macro, macro.first); });
   addNumbered("DH_BLOCK_", kDistantBlocks, macros);
+}
+
+std::string_view rendererMacro(const HostDescription& host) {
+  constexpr std::string_view kOther = "MC_GL_RENDERER_OTHER";
+  const std::string_view macro = byPrefix(host.glRenderer, kRenderers, kOther);
+  return offers(host.versions.iris, Offer::Macro, macro) ? macro : kOther;
 }
 
 }  // namespace
 
 MacroDefinitions standardMacros(const HostDescription& host) {
-  MacroDefinitions macros{
-      {"MC_VERSION", std::to_string(host.minecraftVersion)},
-      {"MC_GL_VERSION", std::to_string(host.glVersion)},
-      {"MC_GLSL_VERSION", std::to_string(host.glslVersion)},
-      {host.system.empty() ? kSystem : host.system, ""},
-      {vendorMacro(host), ""},
-      {std::string(byPrefix(host.glRenderer, kRenderers, "MC_GL_RENDERER_OTHER")), ""},
-      {"MC_NORMAL_MAP", ""},
-      {"MC_SPECULAR_MAP", ""},
-      {"MC_RENDER_QUALITY", "1.0"},
-      {"MC_SHADOW_QUALITY", "1.0"},
-      {"MC_HAND_DEPTH", "0.125"},
-      {"MC_MIPMAP_LEVEL", "4"}};  // the game's default
+  MacroDefinitions macros{{"MC_VERSION", std::to_string(versionNumber(host.versions.game))},
+                          {"MC_GL_VERSION", std::to_string(host.glVersion)},
+                          {"MC_GLSL_VERSION", std::to_string(host.glslVersion)},
+                          {host.system.empty() ? kSystem : host.system, ""},
+                          {vendorMacro(host), ""},
+                          {std::string(rendererMacro(host)), ""},
+                          {"MC_NORMAL_MAP", ""},
+                          {"MC_SPECULAR_MAP", ""},
+                          {"MC_RENDER_QUALITY", "1.0"},
+                          {"MC_SHADOW_QUALITY", "1.0"},
+                          {"MC_HAND_DEPTH", "0.125"}};
   if (host.iris) addIrisMacros(host, macros);
   for (const std::string& extension : host.glExtensions) macros.emplace_back("MC_" + extension, "");
   if (host.labPbr) {
@@ -228,6 +242,7 @@ MacroDefinitions standardMacros(const HostDescription& host) {
   addNumbered("PPT_", kPrecipitations, macros);
   addNumbered("CAT_", kCategories, macros);
   for (const Biome& biome : kBiomes) {
+    if (host.versions.game < biome.game) continue;
     macros.emplace_back("BIOME_" + upperCase(biome.name), std::to_string(biomeId(biome.name)));
   }
   return macros;

@@ -1,7 +1,5 @@
 #include "pack/pack_properties.h"
 
-#include <algorithm>
-
 #include "glsl/name_watch.h"
 #include "pack/auto_properties.h"
 #include "pack/counter_warning.h"
@@ -13,12 +11,6 @@
 namespace orris {
 namespace {
 
-/// Does the host have feature flags? Those are Iris's.
-bool isIris(const MacroDefinitions& environment) {
-  return std::any_of(environment.begin(), environment.end(),
-                     [](const auto& macro) { return macro.first == "IS_IRIS"; });
-}
-
 /// Environment, features and options as *.properties files see them: no macro is empty there.
 MacroDefinitions propertyMacros(const PackFiles& files, const OptionValues& values,
                                 const MacroDefinitions& environment) {
@@ -28,8 +20,9 @@ MacroDefinitions propertyMacros(const PackFiles& files, const OptionValues& valu
     if (!option.isBoolean || value == "true")
       macros.emplace_back(name, option.isBoolean ? "1" : value);
   }
-  const MacroDefinitions features =
-      isIris(environment) ? propertyFeatureMacros() : MacroDefinitions();
+  // Feature flags are Iris's.
+  const auto iris = irisVersionOf(environment);
+  const MacroDefinitions features = iris ? propertyFeatureMacros(*iris) : MacroDefinitions();
   for (const MacroDefinitions* more : {&environment, &features}) {
     for (const auto& [name, body] : *more) macros.emplace_back(name, body.empty() ? "1" : body);
   }
@@ -78,8 +71,8 @@ PackProperties readPackProperties(const PackFiles& files, const OptionValues& va
   }
   out.refused = hasErrors(out.diagnostics);
   out.shaderMacros = environment;
-  if (isIris(environment)) {
-    for (auto& macro : shaderFeatureMacros(out.shader))
+  if (const auto iris = irisVersionOf(environment)) {
+    for (auto& macro : shaderFeatureMacros(out.shader, *iris))
       out.shaderMacros.push_back(std::move(macro));
   }
   readIds(files, macros, watch, out);

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "pack/iris_versions.h"
 #include "pack/properties_text.h"
 #include "pack/shader_properties.h"
 
@@ -16,6 +17,7 @@ struct PropertyContext {
   const PropertyEntry& entry;
   const OptionSet& options;
   Diagnostics& diagnostics;
+  Version iris = HostVersions().iris;  ///< whose features may be required
 
   /// Reports at `word` of the entry, or at its key.
   void warn(std::string id, std::string message, std::string hint = {},
@@ -31,6 +33,13 @@ struct PropertyContext {
 
 /// `rest` is the key without the prefix that chose the reader.
 using PropertyReader = void (*)(const PropertyContext& context, std::string_view rest);
+
+void readWeather(const PropertyContext& context, std::string_view rest);
+void readVolumeLights(const PropertyContext& context, std::string_view rest);
+/// The buffer that is drawn to without a program of the pack.
+void readFallbackBuffer(const PropertyContext& context, std::string_view rest);
+/// Together with what is read so far of the other key.
+void readMinimum(const PropertyContext& context, std::string_view rest);
 
 void readProgramEnabled(const PropertyContext& context, std::string_view rest);
 void readAlphaTest(const PropertyContext& context, std::string_view program);
@@ -50,7 +59,7 @@ void readVariable(const PropertyContext& context, std::string_view rest);
 
 /// Screens, sliders, columns and feature flags of the unpreprocessed file.
 void readScreens(const std::vector<PropertyEntry>& entries, ShaderProperties& out,
-                 const OptionSet& options, Diagnostics& diagnostics);
+                 const OptionSet& options, const Version& iris, Diagnostics& diagnostics);
 /// profile.*: parents applied; recursion and unknown parents are errors.
 void readProfiles(const std::vector<PropertyEntry>& entries, ShaderProperties& out,
                   const OptionSet& options, Diagnostics& diagnostics);

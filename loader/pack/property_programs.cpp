@@ -25,7 +25,7 @@ const std::vector<std::string> kBlendFactors{"ZERO",
                                              "DST_ALPHA",
                                              "ONE_MINUS_DST_ALPHA",
                                              "SRC_ALPHA_SATURATE"};
-const std::vector<std::string> kBufferNames{"colortex0 to colortex15",
+const std::vector<std::string> kBufferNames{"colortex0 to colortex31",
                                             "gcolor",
                                             "gdepth",
                                             "gnormal",

@@ -18,6 +18,7 @@ const Words kStages{"setup", "begin", "shadowcomp", "prepare", "gbuffers", "defe
 constexpr size_t kMostImages = 16;
 constexpr int kLargestSide = 16384;
 constexpr long long kLargestBuffer = 1LL << 30;
+constexpr int kLastBufferObject = 12;  // Iris: ShaderProperties; the next ones are its own
 
 /// A pack path, "/../..." beside the shaders folder. "" when it leaves the pack.
 std::string filePath(const std::string& written) {
@@ -226,14 +227,14 @@ void readBufferObject(const PropertyContext& context, std::string_view index) {
   const Words words = splitSingleBlanks(context.entry.value);
   const auto number = parseInteger(index);
   const auto bytes = words.empty() ? std::nullopt : parseInteger(words[0]);
-  const bool known = number && *number >= 0 && *number <= 8;
+  const bool known = number && *number >= 0 && *number <= kLastBufferObject;
   if (!known || !bytes || *bytes > kLargestBuffer || words.size() == 3) {
     context.ignore(
         "buffer-object-syntax",
         fmt::format("{} = {} is no buffer object", context.entry.key, context.entry.value),
-        fmt::format("write bufferObject.0 to .8 = BYTES, BYTES FILE or BYTES RELATIVE X "
+        fmt::format("write bufferObject.0 to .{} = BYTES, BYTES FILE or BYTES RELATIVE X "
                     "Y; at most {} bytes",
-                    kLargestBuffer));
+                    kLastBufferObject, kLargestBuffer));
     return;
   }
   if (*bytes < 1) return;  // how packs switch a buffer off

@@ -63,7 +63,7 @@ void readFeatures(const PropertyContext& context) {
   if (key == "orris.features.optional") context.out.orrisOptionalFeatures = flags();
   if (key == "iris.features.required") {
     context.out.requiredFeatures = flags();
-    requireFeatures(context, supportedFeatures());
+    requireFeatures(context, supportedFeatures(context.iris));
   }
   if (key == "orris.features.required") {
     context.out.orrisRequiredFeatures = flags();
@@ -243,11 +243,11 @@ void checkScreens(const std::vector<PropertyEntry>& entries, const ShaderPropert
 }  // namespace
 
 void readScreens(const std::vector<PropertyEntry>& entries, ShaderProperties& out,
-                 const OptionSet& options, Diagnostics& diagnostics) {
+                 const OptionSet& options, const Version& iris, Diagnostics& diagnostics) {
   for (const PropertyEntry& entry : entries) {
     if (readScreenKey({out, entry, options, diagnostics})) continue;
     if (entry.key == "sliders") out.sliders = splitBlanks(entry.value);
-    readFeatures({out, entry, options, diagnostics});
+    readFeatures({out, entry, options, diagnostics, iris});
   }
   checkScreens(entries, out, options, diagnostics);
 }

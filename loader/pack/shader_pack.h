@@ -13,6 +13,7 @@
 #include "glsl/validate.h"
 #include "pack/directives.h"
 #include "pack/id_map.h"
+#include "pack/iris_versions.h"
 #include "pack/program_id.h"
 #include "pack/program_list.h"
 #include "pack/shader_properties.h"
@@ -116,7 +117,7 @@ struct HostDescription {
   std::string system;  ///< "MC_OS_MAC"; "" for the system that this runs on
   std::vector<std::string> glExtensions;
   int glVersion = 450, glslVersion = 450;
-  int minecraftVersion = 12101, irisVersion = 10800;
+  HostVersions versions;
   bool labPbr = false;  ///< the specular maps follow labPBR
   bool iris = true;     ///< false: OptiFine, which has none of the macros of Iris and its mods
 };

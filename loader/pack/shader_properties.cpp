@@ -6,9 +6,9 @@
 #include <array>
 #include <tuple>
 
+#include "pack/directives.h"
 #include "pack/property_keys.h"
 #include "pack/text.h"
-#include "pack/volume_lights.h"
 
 namespace orris {
 namespace {
@@ -35,6 +35,13 @@ constexpr std::array<PrefixReader, 13> kReaders{{{"program.", readProgramEnabled
                                                  {"uniform.", readUniform},
                                                  {"variable.", readVariable}}};
 
+/// Keys that are no prefix and whose value is more than one of a few words.
+constexpr std::array<PrefixReader, 5> kOwnReaders{{{"weather", readWeather},
+                                                   {"shadowvolume.lights", readVolumeLights},
+                                                   {"fallbackTex", readFallbackBuffer},
+                                                   {"orris.minimum.iris", readMinimum},
+                                                   {"orris.minimum.game", readMinimum}}};
+
 /// A key with one word as value. No words: a boolean.
 struct Setting {
   std::string_view key;
@@ -44,7 +51,7 @@ const std::vector<Setting>& settings() {
   static const std::vector<Setting> kSettings = [] {
     std::vector<Setting> all{{"clouds", {"off", "fast", "fancy"}},
                              {"dhClouds", {"off", "on", "fancy"}},
-                             {"shadow.culling", {"true", "false", "reversed"}},
+                             {"shadow.culling", {"true", "false", "reversed", "safe_zone"}},
                              {"particles.ordering", {"mixed", "after", "before"}},
                              {"shadowvolume.method", {"auto", "zpass", "zfail"}}};
     for (const std::string_view key : {"shadow.enabled",
@@ -72,6 +79,7 @@ const std::vector<Setting>& settings() {
                                        "oldHandLight",
                                        "dynamicHandLight",
                                        "separateAo",
+                                       "breaksAnisotropy",
                                        "supportsColorCorrection",
                                        "backFace.solid",
                                        "backFace.cutout",
@@ -89,15 +97,14 @@ const std::vector<Setting>& settings() {
 }
 
 std::vector<std::string> settingNames() {
-  std::vector<std::string> names{"weather",
-                                 "shadowvolume.lights",
-                                 "sliders",
+  std::vector<std::string> names{"sliders",
                                  "screen",
                                  "screen.columns",
                                  "iris.features.required",
                                  "iris.features.optional",
                                  "orris.features.required",
                                  "orris.features.optional"};
+  for (const PrefixReader& reader : kOwnReaders) names.emplace_back(reader.prefix);
   for (const Setting& setting : settings()) names.emplace_back(setting.key);
   return names;
 }
@@ -123,41 +130,15 @@ void readSetting(const PropertyContext& context, const Setting& setting) {
                                                fmt::join(setting.words, ", ")));
 }
 
-void readWeather(const PropertyContext& context) {
-  auto words = splitSingleBlanks(context.entry.value);
-  words.resize(std::min<size_t>(words.size(), 2));
-  std::string taken;
-  for (const std::string& word : words) {
-    if (word != "true" && word != "false") {
-      context.warn("property-value",
-                   fmt::format("weather has \"{}\", which Iris takes for false", word),
-                   "write one or two of true and false, with one blank between them");
-    }
-    taken += (taken.empty() ? "" : " ") + std::string(word == "true" ? "true" : "false");
-  }
-  context.out.settings["weather"] = taken;
-}
-
-void readVolumeLights(const PropertyContext& context) {
-  if (parseVolumeLights(context.entry.value)) {
-    context.out.settings["shadowvolume.lights"] = context.entry.value;
-  } else {
-    context.warn("property-value",
-                 fmt::format("shadowvolume.lights is \"{}\", expected a number of lamps from 0 to "
-                             "{} and, if wanted, blocks of range a light level",
-                             context.entry.value, kMostVolumeLights));
-  }
-}
-
 /// "texure.composite.x" for "texture.composite.x": a key whose first part is misspelt.
 std::string nearestByPrefix(const std::string& key) {
-  static const std::vector<std::string> kPrefixes = [] {
+  static const std::vector<std::string> kBeginnings = [] {
     std::vector<std::string> all{"screen.", "profile."};
     for (const PrefixReader& reader : kReaders) all.emplace_back(reader.prefix);
     return all;
   }();
   constexpr size_t kMostSlips = 2;
-  for (const std::string& prefix : kPrefixes) {
+  for (const std::string& prefix : kBeginnings) {
     const size_t dots = static_cast<size_t>(std::count(prefix.begin(), prefix.end(), '.'));
     size_t end = 0;
     for (size_t i = 0; i < dots && end != std::string::npos; ++i) {
@@ -190,9 +171,10 @@ void reportUnknown(const PropertyContext& context) {
 
 bool isKnownKey(std::string_view key) {
   const auto& names = settings();
-  return key == "weather" || key == "shadowvolume.lights" || key == "screen" ||
-         key.starts_with("screen.") || key.starts_with("profile.") || key.starts_with("auto.") ||
-         key.starts_with("warn.") ||
+  return key == "screen" || key.starts_with("screen.") || key.starts_with("profile.") ||
+         key.starts_with("auto.") || key.starts_with("warn.") ||
+         std::any_of(kOwnReaders.begin(), kOwnReaders.end(),
+                     [&](auto& reader) { return reader.prefix == key; }) ||
          std::any_of(names.begin(), names.end(),
                      [&](auto& setting) { return setting.key == key; }) ||
          std::any_of(kReaders.begin(), kReaders.end(),
@@ -201,8 +183,9 @@ bool isKnownKey(std::string_view key) {
 
 void readEntry(const PropertyContext& context) {
   const std::string& key = context.entry.key;
-  if (key == "weather") return readWeather(context);
-  if (key == "shadowvolume.lights") return readVolumeLights(context);
+  for (const PrefixReader& reader : kOwnReaders) {
+    if (key == reader.prefix) return reader.read(context, key);
+  }
   for (const Setting& setting : settings()) {
     if (key == setting.key) return readSetting(context, setting);
   }
@@ -260,7 +243,8 @@ std::string canonicalBuffer(std::string_view name) {
 }
 
 std::vector<std::string_view> settingKeys() {
-  std::vector<std::string_view> keys{"weather", "shadowvolume.lights"};
+  std::vector<std::string_view> keys;
+  for (const PrefixReader& reader : kOwnReaders) keys.push_back(reader.prefix);
   for (const Setting& setting : settings()) keys.push_back(setting.key);
   return keys;
 }
@@ -277,7 +261,8 @@ std::string knownBuffer(std::string_view name) {
   if (!canonical.starts_with(kPrefix)) return "";
   const std::string digits = canonical.substr(kPrefix.size());
   const auto index = parseInteger(digits);
-  return index && *index >= 0 && *index < 16 && std::to_string(*index) == digits ? canonical : "";
+  const bool exists = index && *index >= 0 && *index < kColorTargets;
+  return exists && std::to_string(*index) == digits ? canonical : "";
 }
 
 ShaderProperties parseShaderProperties(const std::string& file, const std::string& text,
@@ -295,7 +280,8 @@ ShaderProperties parseShaderProperties(const std::string& file, const std::strin
     if (!isKnownKey(entry.key)) reportUnknown({properties, entry, options, diagnostics});
   }
   readProfiles(original, properties, options, diagnostics);
-  readScreens(original, properties, options, diagnostics);
+  const Version iris = irisVersionOf(macros).value_or(HostVersions().iris);
+  readScreens(original, properties, options, iris, diagnostics);
   return properties;
 }
 

@@ -11,6 +11,7 @@
 #include "core/diagnostic.h"
 #include "glsl/preprocessor.h"
 #include "pack/expression.h"
+#include "pack/iris_versions.h"
 #include "pack/options.h"
 
 namespace orris {
@@ -112,6 +113,10 @@ struct ShaderProperties {
   /// Does the pack list `name` ("SSBO") as a required or optional feature?
   bool feature(const std::string& name) const;
 };
+
+/// The oldest versions that the pack is for, as orris.minimum.iris and orris.minimum.game state them;
+/// nullopt when they do not.
+std::optional<HostVersions> statedMinimum(const ShaderProperties& properties);
 
 /// "gcolor" -> "colortex0", "gaux1" -> "colortex4"; other names unchanged.
 std::string canonicalBuffer(std::string_view name);

@@ -49,7 +49,9 @@ const std::vector<std::string>& pixelTypeNames() {
                                                "UNSIGNED_INT_8_8_8_8",
                                                "UNSIGNED_INT_8_8_8_8_REV",
                                                "UNSIGNED_INT_10_10_10_2",
-                                               "UNSIGNED_INT_2_10_10_10_REV"};
+                                               "UNSIGNED_INT_2_10_10_10_REV",
+                                               "UNSIGNED_INT_10F_11F_11F_REV",
+                                               "UNSIGNED_INT_5_9_9_9_REV"};
   return kNames;
 }
 

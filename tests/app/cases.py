@@ -88,6 +88,32 @@ USAGE = [
 ]
 
 PACKS = [
+    Case("versions_that_never_were", ["validate pack --iris 1.11 --game 1.20.1",
+                                      f"{RENDER} --iris 1.11 --game 1.20.1",
+                                      "options pack --iris 1.11.2 --game 1.20.1"], 2, PACK,
+         errors=[r"--iris: Iris 1\.11.* is for Minecraft 26\.1 to 26\.2, not 1\.20\.1"]),
+    Case("unknown_version", ["validate pack --iris 3.0", "validate pack --iris 1.8..3.0"], 2, PACK,
+         errors=[r"--iris: Iris 3\.0 is unknown; known are 1\.6 to "]),
+    Case("version_range_turned_round", ["validate pack --iris 1.11..1.8"], 2, PACK,
+         errors=[r"--iris: the range ends before it begins"]),
+    Case("name_of_a_newer_iris", ["validate pack --iris 1.8 --game 1.21.5"], 0, pack({
+        "composite.fsh": VERSION + "uniform int seaLevel;\n"
+                                   "void main() { gl_FragData[0] = vec4(seaLevel); }\n"}),
+         stderr=[r"^/composite\.fsh:2:13: warning: 'seaLevel' is there since Iris 1\.9\.5; with Iris "
+                 r"1\.8\.12 and Minecraft 1\.21\.5 it stays 0 \[version-newer\]",
+                 r"hint: guard it with #if IRIS_VERSION >= 10905"]),
+    Case("oldest_version_that_a_pack_states", ["validate pack"], 1, pack({
+        "shaders.properties": "orris.minimum.iris = 1.7\n",
+        "composite.fsh": VERSION + "void main() {\n#if IRIS_VERSION >= 10800\n"
+                                   "  gl_FragData[0] = vec4(1.0);\n#else\n"
+                                   "  gl_FragData[0] = vec4(old);\n#endif\n}\n"}),
+         [r"^/composite\.fsh:6:\d+: error: .*old"],
+         [r"first met with Iris 1\.7 and Minecraft 1\.20\.1"]),
+    Case("range_of_versions", ["validate pack --iris 1.7..1.11 --strict"], 0, pack({
+        "shaders.properties": "orris.minimum.iris = 1.7\n",
+        "composite.fsh": VERSION + "#if MAX_COLOR_BUFFERS >= 32\nuniform sampler2D colortex20;\n"
+                                   "#endif\nvoid main() { gl_FragData[0] = vec4(1.0); }\n"}),
+         stdout=[r"2/2 programs"]),
     Case("missing_include", ON_PACK, 1, pack({
         "final.fsh": VERSION + '#include "/lib/none.glsl"\nvoid main() { }\n'}),
         [r"^/final\.fsh:2:\d+: error: .*none\.glsl"]),

@@ -52,13 +52,26 @@ void main() {
   bool light = vaUV2 == ivec2(gl_MultiTexCoord1.xy) && gl_MultiTexCoord1 == gl_MultiTexCoord2;
   bool other = gl_MultiTexCoord3.xy == mc_midTexCoord && gl_MultiTexCoord5 == vec4(0, 0, 0, 1) &&
                abs(dot(at_tangent.xyz, vaNormal)) < 0.01;
-  bool constant = vaUV1 == ivec2(0, 10) && mc_chunkFade == -1.0 && at_velocity == vec3(0);
+  bool constant = vaUV1 == ivec2(0, 10) && mc_chunkFade == 1.0 && at_velocity == vec3(0);
   same = vec4(core, light, other, constant);
 }
 )";
   const auto value = drawn("gbuffers_terrain",
                            "flat in vec4 same;\nvoid main() { gl_FragData[0] = same; }\n", vertex);
   EXPECT_EQ(value, (std::vector<float>{1, 1, 1, 1}));
+}
+
+TEST_F(ContractGL, chunks_have_faded_in_and_nothing_else_has) {
+  const std::string vertex = R"(#version 330 compatibility
+in float mc_chunkFade;
+out vec2 uv;
+flat out float fade;
+void main() { gl_Position = ftransform(); uv = gl_MultiTexCoord0.xy; fade = mc_chunkFade; }
+)";
+  const std::string fragment =
+      "flat in float fade;\nvoid main() { gl_FragData[0] = vec4(fade, 0, 0, 1); }\n";
+  EXPECT_EQ(drawn("gbuffers_terrain", fragment, vertex), (std::vector<float>{1, 0, 0, 1}));
+  EXPECT_EQ(drawn("composite", fragment, vertex), (std::vector<float>{-1, 0, 0, 1}));
 }
 
 TEST_F(ContractGL, samplers_of_geometry_programs_have_their_textures) {

@@ -182,7 +182,7 @@ TEST(ContractBuffers, are_those_of_the_code) {
       if (parseBufferName(name, false)) known.push_back(name);
     }
   }
-  EXPECT_EQ(known.size(), 16u + 16 + 3 + 2 + 8 + 8);
+  EXPECT_EQ(known.size(), 2u * kColorTargets + 3 + 2 + 8 + 8);
   EXPECT_THAT(without(known, words), IsEmpty());
   for (const std::string& name :
        namesIn("Buffers, samplers and images", "loader/frame/sampler_binder.cpp")) {
@@ -266,7 +266,8 @@ TEST(ContractMacros, are_those_of_the_code) {
   // Of these groups a host has one each, and the last ones are never defined here.
   const std::set<std::string> kElsewhere{
       "MC_OS_*",  "MC_GL_VENDOR_*",           "MC_GL_RENDERER_*", "MC_FXAA_LEVEL",
-      "MC_OLD_*", "MC_ANISOTROPIC_FILTERING", "VIVECRAFT*",       "IRIS_HAS_CONNECTED_TEXTURES"};
+      "MC_OLD_*", "MC_ANISOTROPIC_FILTERING", "VIVECRAFT*",       "IRIS_HAS_CONNECTED_TEXTURES",
+      "IS_MONOCLE", "ALLOWS_UNKNOWN_SHADERS"};
   for (const std::string& name : namesIn("Macros", "loader/pack/macros.cpp")) {
     EXPECT_TRUE(known.contains(name) || matchesAny(name, kElsewhere)) << name;
   }
@@ -317,6 +318,9 @@ TEST(ContractProperties, each_key_is_read) {
                                 : key == "particles.ordering"  ? "mixed"
                                 : key == "shadowvolume.method" ? "auto"
                                 : key == "shadowvolume.lights" ? "4 1.5"
+                               : key == "fallbackTex"         ? "31"
+                               : key == "orris.minimum.iris"  ? "1.8"
+                               : key == "orris.minimum.game"  ? "1.21.4"
                                                                : "true";
       const ShaderProperties properties = parsed(key + "=" + value + "\n", diagnostics);
       EXPECT_TRUE(diagnostics.empty()) << formatDiagnostic(diagnostics[0]);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <glm/gtc/matrix_transform.hpp>
+#include <optional>
 
 #include "frame/frame_state.h"
 
@@ -82,6 +83,31 @@ TEST(FrameState, smoothing_halves_the_distance_in_a_half_life) {
   float value = 0;
   for (int i = 0; i < 60; ++i) value = smoothed(value, 1, 10, 1.0f / 60);  // 10 units = 1 s
   EXPECT_NEAR(value, 0.5, 1e-4);
+}
+
+TEST(FrameState, the_end_flashes_now_and_then) {
+  FrameInput input{.width = 4, .height = 4};
+  input.environment.dimension = "minecraft:the_end";
+  int dark = 0, bright = 0;
+  float previous = -1;
+  std::optional<FrameState> state;
+  for (int time = 0; time < 6000; time += 10) {
+    input.environment.time = time;
+    state = nextFrameState(input, {}, state ? &*state : nullptr);
+    EXPECT_NEAR(glm::length(state->endFlashPosition), 100, 0.01);
+    EXPECT_GE(state->endFlashIntensity, 0);
+    EXPECT_LE(state->endFlashIntensity, 1);
+    if (previous >= 0) {
+      EXPECT_EQ(state->previousEndFlashIntensity, previous);
+    }
+    previous = state->endFlashIntensity;
+    ++(previous > 0 ? bright : dark);
+  }
+  // 100 to 380 of 600 ticks.
+  EXPECT_GT(bright, 100);
+  EXPECT_GT(dark, 220);
+  input.environment.dimension = "minecraft:overworld";
+  EXPECT_EQ(nextFrameState(input, {}, nullptr).endFlashPosition, glm::vec3(0));
 }
 
 }  // namespace

@@ -385,5 +385,24 @@ TEST_F(FrameRendererGL, fifty_edits_leave_no_gl_error_and_reuse_the_targets) {
   }
 }
 
+TEST_F(FrameRendererGL, the_last_of_32_buffers_is_drawn_and_read) {
+  addProgram("composite",
+             "/*\nconst int colortex31Format = RGBA32F;\nconst int colortex16Format = RG16F;\n"
+             "const bool colortex31Clear = false;\n"
+             "const vec4 colortex16ClearColor = vec4(0.25, 0.5, 0.0, 1.0);\n*/\n"
+             "/* RENDERTARGETS: 31 */\nuniform sampler2D colortex16, colortex31;\n"
+             "void main() { gl_FragData[0] = texture2D(colortex31, uv) +\n"
+             "    vec4(texture2D(colortex16, uv).rg, 1.0, 1.0); }\n");
+  addProgram("final",
+             "uniform sampler2D colortex31;\nvoid main() {\n"
+             "  gl_FragData[0] = texture2D(colortex31, uv); }\n");
+  ASSERT_TRUE(start(floorWorld())) << messages();
+  // Flipped, kept from frame to frame, and none of the 29 others is made.
+  draw(3);
+  EXPECT_EQ(pixel("colortex31", 16, 16), (std::vector<float>{0.75f, 1.5f, 3, 3}));
+  EXPECT_EQ(pixel("colortex16", 16, 16)[0], 0.25f);
+  EXPECT_TRUE(pixel("colortex15", 16, 16).empty());
+}
+
 }  // namespace
 }  // namespace orris

@@ -21,5 +21,26 @@ TEST(SceneData, a_pack_moves_blocks_between_render_layers) {
   EXPECT_TRUE(scene.contents().cutout);
 }
 
+TEST(SceneData, feet_stand_in_water_below_the_eye) {
+  World world;
+  world.blocks = BlockWorld({0, 0, 0}, {1, 4, 1});
+  world.blocks.set({0, 1, 0}, world.blocks.paletteIndex(*parseBlockState("water")));
+  Diagnostics diagnostics;
+  const SceneData scene = buildScene(world, {}, diagnostics);
+  EXPECT_TRUE(scene.surroundings({0.5, 3.2, 0.5}).feetInWater);
+  EXPECT_FALSE(scene.surroundings({0.5, 1.5, 0.5}).feetInWater);
+  const auto feetOf = [&](const glm::dvec3& eye) {
+    return nextFrameState({.width = 4, .height = 4, .eye = scene.surroundings(eye)}, {}, nullptr)
+        .feetInWater;
+  };
+  EXPECT_TRUE(feetOf({0.5, 2.7, 0.5}));
+  world.blocks.set({0, 2, 0}, world.blocks.paletteIndex(*parseBlockState("water")));
+  const SceneData deep = buildScene(world, {}, diagnostics);
+  // Water over the eye is no shallow water.
+  EXPECT_FALSE(nextFrameState({.width = 4, .height = 4, .eye = deep.surroundings({0.5, 2.7, 0.5})},
+                              {}, nullptr)
+                   .feetInWater);
+}
+
 }  // namespace
 }  // namespace orris

@@ -314,7 +314,9 @@ TEST(ProgramUses, buffer_names_and_their_legacy_names) {
   EXPECT_EQ(parseBufferName("shadow", false)->index, 0);
   EXPECT_EQ(parseBufferName("shadow", true)->index, 1);
   EXPECT_TRUE(parseBufferName("colorimg3", false)->image);
-  EXPECT_FALSE(parseBufferName("colortex16", false));
+  EXPECT_EQ(parseBufferName("colortex31", false)->index, 31);
+  EXPECT_EQ(parseBufferName("colorimg16", false)->index, 16);
+  EXPECT_FALSE(parseBufferName("colortex32", false));
   EXPECT_FALSE(parseBufferName("colortexture", false));
 }
 

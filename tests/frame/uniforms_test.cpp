@@ -36,6 +36,23 @@ TEST(Uniforms, fog_is_exponential_in_water) {
   EXPECT_EQ(value("fogDensity").f[0], 0.0f);
 }
 
+TEST(Uniforms, newer_ones_have_values_of_the_game) {
+  FrameState state;
+  DrawState draw;
+  draw.gtextureId = 7;
+  const auto value = [&](const char* name) { return findUniform(name)->value(state, draw); };
+  state.environment.dimension = "minecraft:overworld";
+  EXPECT_EQ(value("seaLevel").i[0], 63);
+  state.environment.dimension = "minecraft:the_nether";
+  EXPECT_EQ(value("seaLevel").i[0], 32);
+  state.environment.dimension = "minecraft:the_end";
+  EXPECT_EQ(value("seaLevel").i[0], 0);
+  EXPECT_EQ(value("gtextureId").i[0], 7);
+  EXPECT_FLOAT_EQ(value("chunkFadeTimeInv").f[0], 1.0f / 750);
+  state.endFlashIntensity = 0.5f;
+  EXPECT_EQ(value("endFlashIntensity").f[0], 0.5f);
+}
+
 // First names of the contract rows: "a / b" and "a, b" name several.
 std::set<std::string> contractNames(std::ifstream& file) {
   std::set<std::string> names;

@@ -73,10 +73,11 @@ TEST(ProgramDirectives, a_keyword_that_does_not_open_its_comment_voids_the_earli
 
 TEST(ProgramDirectives, indices_beyond_the_host_are_errors) {
   std::string error;
-  EXPECT_EQ(buffers("\n/* RENDERTARGETS: 0,16 */", &error), std::nullopt);
+  EXPECT_EQ(buffers("\n/* RENDERTARGETS: 16,31 */", &error), (std::vector{16, 31}));
+  EXPECT_EQ(buffers("\n/* RENDERTARGETS: 0,32 */", &error), std::nullopt);
   EXPECT_EQ(error,
-            "/a.fsh:2:1: error: buffer 16 does not exist: the last one is 15\n"
-            "  /* RENDERTARGETS: 0,16 */\n  ^");
+            "/a.fsh:2:1: error: buffer 32 does not exist: the last one is 31\n"
+            "  /* RENDERTARGETS: 0,32 */\n  ^");
   buffers("/* RENDERTARGETS: 0,1,2,3,4,5,6,7,8 */", &error);
   EXPECT_THAT(error, testing::HasSubstr("9 buffers are listed, at most 8 can be drawn at once"));
 }
@@ -118,7 +119,7 @@ TEST(PackDirectives, what_is_no_directive) {
       "// const float shadowDistance = 1.0;\nint x; const float shadowDistance = 2.0;\n"
       "const int shadowDistance = 3;\n/* const float shadowDistance = 4.0; */\nconst float "
       "shadowDistance\n= 5.0;\n"
-      "const int colortex18Format = RGBA99;");
+      "const int colortex38Format = RGBA99;");
   EXPECT_FLOAT_EQ(directives.shadowDistance, 160);
   EXPECT_TRUE(directives.colortex.empty());
 }

@@ -72,6 +72,39 @@ TEST(ShaderProperties, legacy_buffer_name_wins_in_either_order) {
   }
 }
 
+TEST(ShaderProperties, names_of_newer_versions_of_iris) {
+  const ShaderProperties p = parseValid(
+      "iris.features.required = SSBO CUSTOM_IMAGES TEXTURE_FILTERING FADE_VARIABLE\n"
+      "bufferObject.12 = 64\nshadow.culling = safe_zone\nbreaksAnisotropy = true\n"
+      "fallbackTex = 16\nsize.buffer.colortex31 = 0.5 0.5\nflip.composite.colortex16 = true\n"
+      "blend.composite.colortex16 = off\n"
+      "image.light = none RGB R11F_G11F_B10F UNSIGNED_INT_10F_11F_11F_REV true false 8 8\n"
+      "image.sky = none RGB RGB9_E5 UNSIGNED_INT_5_9_9_9_REV true false 8 8\n");
+  EXPECT_EQ(p.bufferObjects.at(0).index, 12);
+  EXPECT_EQ(p.settings.at("shadow.culling"), "safe_zone");
+  EXPECT_EQ(p.settings.at("breaksAnisotropy"), "true");
+  EXPECT_EQ(p.settings.at("fallbackTex"), "16");
+  EXPECT_TRUE(p.bufferSize.contains("colortex31"));
+  EXPECT_EQ(p.images.size(), 2u);
+}
+
+TEST(ShaderProperties, a_pack_states_its_oldest_versions) {
+  EXPECT_FALSE(statedMinimum(parseValid("clouds = off\n")));
+  const ShaderProperties both =
+      parseValid("orris.minimum.iris = 1.8\norris.minimum.game = 1.21.4\n");
+  EXPECT_EQ(statedMinimum(both), (HostVersions{{1, 8, 0}, {1, 21, 4}}));
+  EXPECT_EQ(statedMinimum(parseValid("orris.minimum.game = 1.20.1\n")),
+            (HostVersions{{1, 7, 6}, {1, 20, 1}}));
+  Diagnostics diagnostics;
+  const ShaderProperties bad = parseShaderProperties(
+      "/shaders.properties", "orris.minimum.iris = soon\nfallbackTex = 32\n", {}, {}, diagnostics);
+  ASSERT_EQ(diagnostics.size(), 2u);
+  EXPECT_EQ(diagnostics[0].message,
+            "orris.minimum.iris: \"soon\" is no version of Iris, which look like 1.10.5");
+  EXPECT_EQ(diagnostics[1].message, "fallbackTex is \"32\", expected 0 to 31");
+  EXPECT_FALSE(statedMinimum(bad));
+}
+
 TEST(ShaderProperties, textures_images_and_buffers) {
   const ShaderProperties p = parseValid(
       "iris.features.required = ssbo\niris.features.optional = CUSTOM_IMAGES\n"

@@ -1,3 +1,3 @@
 #version 330 compatibility
-/* RENDERTARGETS: 0,16 */
+/* RENDERTARGETS: 0,32 */
 void main() {}
