@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <iostream>
+#include <map>
 #include <nlohmann/json.hpp>
 
+#include "core/limits.h"
+#include "core/message_limits.h"
 #include "core/printable.h"
 
 namespace orris {
@@ -21,19 +24,45 @@ const std::string& entryFileOf(const Diagnostic& diagnostic) {
   return diagnostic.includedFrom.empty() ? diagnostic.at.file : diagnostic.includedFrom.back().file;
 }
 
+/// Prints the first of each kind; `all` are those before it.
+class Printer {
+ public:
+  Printer(const Diagnostics& all, const OutputOptions& output) : output_(output) {
+    for (const Diagnostic& diagnostic : all) count(diagnostic);
+  }
+
+  void add(const Diagnostic& diagnostic) {
+    const std::size_t nth = count(diagnostic);
+    if (!isShown(diagnostic.severity, output_)) return;
+    if (nth <= limits::kPrintedOfAKind || output_.verbose) {
+      std::cerr << formatDiagnostic(diagnostic) << std::endl;
+    } else if (nth == limits::kPrintedOfAKind + 1) {
+      std::cerr << fmt::format("more messages of the kind {} follow; --verbose prints them\n",
+                               diagnostic.id);
+    }
+  }
+
+ private:
+  std::size_t count(const Diagnostic& diagnostic) {
+    return isShown(diagnostic.severity, output_) ? ++printed_[diagnostic.id] : 0;
+  }
+
+  const OutputOptions& output_;
+  std::map<std::string, std::size_t> printed_;
+};
+
 }  // namespace
 
-bool isShown(Severity severity, const OutputOptions& output) {
-  const Severity least = output.quiet     ? Severity::Error
-                         : output.verbose ? Severity::Note
-                                          : Severity::Warning;
-  return severity >= least;
-}
-
 void Report::add(Diagnostics& diagnostics) {
+  MessageBudget budget;
+  for (const Diagnostic& diagnostic : all_) budget.count(diagnostic);
+  Printer printer(all_, output_);
   for (Diagnostic& diagnostic : diagnostics) {
-    const auto [place, isNew] = seen_.emplace(keyOf(diagnostic), all_.size());
+    auto place = seen_.find(keyOf(diagnostic));
+    const bool isNew = place == seen_.end();
     if (isNew) {
+      if (budget.take(diagnostic) == MessageBudget::Verdict::Drop) continue;
+      place = seen_.emplace(keyOf(diagnostic), all_.size()).first;
       entryFiles_.emplace_back();
       contexts_.emplace_back();
     }
@@ -41,12 +70,17 @@ void Report::add(Diagnostics& diagnostics) {
     std::vector<std::string>& contexts = contexts_[place->second];
     if (contexts.empty() || contexts.back() != context_) contexts.push_back(context_);
     if (!isNew) continue;
-    if (mode_ == Mode::Print && isShown(diagnostic.severity, output_)) {
-      std::cerr << formatDiagnostic(diagnostic) << std::endl;
-    }
+    if (mode_ == Mode::Print) printer.add(diagnostic);
     all_.push_back(std::move(diagnostic));
   }
   diagnostics.clear();
+}
+
+bool isShown(Severity severity, const OutputOptions& output) {
+  const Severity least = output.quiet     ? Severity::Error
+                         : output.verbose ? Severity::Note
+                                          : Severity::Warning;
+  return severity >= least;
 }
 
 void Report::noteContexts(std::size_t count) {

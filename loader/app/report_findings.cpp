@@ -9,6 +9,9 @@
 #include <tuple>
 
 #include "check/ignore_comments.h"
+#include "core/limits.h"
+#include "core/message_limits.h"
+#include "core/text_file.h"
 #include "pack/text.h"
 
 namespace orris {
@@ -50,7 +53,7 @@ class SourceText {
     if (files_ == nullptr || at.line <= 0) return "";
     const auto [place, isNew] = lines_.try_emplace(at.file);
     if (isNew) {
-      if (const auto text = files_->read(at.file)) place->second = splitLines(*text);
+      if (const auto text = readText(*files_, at.file)) place->second = splitLines(*text);
     }
     const auto index = static_cast<std::size_t>(at.line - 1);
     return index < place->second.size() ? place->second[index] : "";
@@ -75,7 +78,7 @@ class Judge {
   void add(Diagnostic diagnostic, const std::set<std::string>& entryFiles) {
     Finding finding{.diagnostic = std::move(diagnostic)};
     Diagnostic& d = finding.diagnostic;
-    if (d.sourceLine.empty()) d.sourceLine = text_.line(d.at);
+    if (d.sourceLine.empty()) d.sourceLine = quoteLine(d.at);
     finding.uri = uriOf(d.at.file);
     for (const std::string& file : entryFiles) {
       if (std::string program = programOf(file); !program.empty()) finding.programs.insert(program);
@@ -106,6 +109,13 @@ class Judge {
   }
 
  private:
+  std::string quoteLine(const SourceLocation& at) {
+    if (quotedBytes_ > limits::kMessageListBytes) return "";
+    std::string line = quotedLine(text_.line(at), at.column);
+    quotedBytes_ += line.size();
+    return line;
+  }
+
   void applySeverity(Finding& finding) const {
     const auto chosen = options_.severities.find(finding.diagnostic.id);
     if (chosen == options_.severities.end()) return;
@@ -135,6 +145,7 @@ class Judge {
   SourceText text_;
   std::optional<IgnoreComments> comments_;
   std::vector<Finding> findings_;
+  std::size_t quotedBytes_ = 0;
 };
 
 }  // namespace

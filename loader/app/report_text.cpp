@@ -6,6 +6,7 @@
 
 #include "app/report_format.h"
 #include "app/validate_print.h"
+#include "core/limits.h"
 
 namespace orris {
 namespace {
@@ -46,11 +47,20 @@ std::string fullText(Diagnostic diagnostic) {
 
 std::string messagesOf(const PackResult& pack, const OutputOptions& output, bool strict) {
   std::string text;
+  std::map<std::string, std::size_t> printed;
   for (const Finding& finding : pack.findings) {
     const bool shown =
         finding.silence == Silence::None &&
         (isShown(finding.diagnostic.severity, output) || countsAsFailure(finding, strict));
-    if (shown) text += fullText(finding.diagnostic) + '\n';
+    if (!shown) continue;
+    const std::size_t count = ++printed[finding.diagnostic.id];
+    if (count <= limits::kPrintedOfAKind || output.verbose)
+      text += fullText(finding.diagnostic) + '\n';
+  }
+  for (const auto& [id, count] : printed) {
+    if (count <= limits::kPrintedOfAKind || output.verbose) continue;
+    text += fmt::format("{} more messages of the kind {}; --verbose prints all\n",
+                        count - limits::kPrintedOfAKind, id);
   }
   return text;
 }

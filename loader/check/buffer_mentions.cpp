@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/text_file.h"
 #include "pack/directive_values.h"
 #include "pack/text.h"
 
@@ -132,7 +133,7 @@ BufferMentions findBufferMentions(const ShaderPack& pack) {
   if (!pack.source) return mentions;
   for (const std::string& file : pack.source->files()) {
     if (!isShaderText(file)) continue;
-    if (const auto text = pack.source->read(file)) Scanner(file, *text, mentions).run();
+    if (const auto text = readText(*pack.source, file)) Scanner(file, *text, mentions).run();
   }
   return mentions;
 }

@@ -4,14 +4,15 @@
 #include <array>
 #include <set>
 
+#include "core/limits.h"
 #include "core/pack_path.h"
+#include "core/text_file.h"
 #include "glsl/outline.h"
 #include "pack/text.h"
 
 namespace orris {
 namespace {
 
-constexpr std::size_t kLargestFile = std::size_t{4} << 20;
 constexpr std::size_t kMostDefinitions = 256;
 
 bool endsAsShaderText(std::string_view path) {
@@ -107,11 +108,14 @@ void DefinitionIndex::load() {
 
 void DefinitionIndex::readAll() {
   files_ = pack_.files;
+  std::size_t bytes = 0;
   for (const std::string& path :
        pack_.source ? pack_.source->files() : std::vector<std::string>()) {
     if (files_.contains(path) || !endsAsShaderText(path)) continue;
-    const auto text = pack_.source->read(path);
-    if (text && text->size() <= kLargestFile) files_[path] = splitLines(*text);
+    const auto text = readText(*pack_.source, path);
+    bytes += text ? text->size() : 0;
+    if (bytes > limits::kPackTextBytes) break;
+    if (text) files_[path] = splitLines(*text);
   }
   for (const auto& [file, lines] : files_) {
     includes_[file] = includeLines(file, lines);

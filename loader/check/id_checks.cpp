@@ -10,6 +10,8 @@
 #include "check/block_states.h"
 #include "check/lost_blocks.h"
 #include "check/pack_texts.h"
+#include "core/limits.h"
+#include "core/text_file.h"
 #include "pack/id_lines.h"
 #include "pack/id_map.h"
 #include "pack/text.h"
@@ -24,7 +26,7 @@ struct IdFile {
 };
 
 IdFile readIdFile(const ShaderPack& pack, const std::string& file, std::string_view prefix) {
-  const std::string text = pack.source->read(file).value_or("");
+  const std::string text = readText(*pack.source, file).value_or("");
   Diagnostics told;
   const std::string active = preprocessProperties(file, text, pack.propertyMacros, told);
   IdFile read{parseIdLines(file, active, text, nullptr), Branches(text)};
@@ -118,9 +120,15 @@ class BlockCheck {
 
   void checkName(const std::string& name, const PropertyWord& word) {
     constexpr size_t kShortest = 4;
-    std::vector<std::string> names;
-    for (const StateProperty& property : stateProperties()) names.emplace_back(property.name);
-    const std::string meant = name.size() < kShortest ? "" : likelyMeant(name, names);
+    static const std::vector<std::string> kNames = [] {
+      std::vector<std::string> names;
+      for (const StateProperty& property : stateProperties()) names.emplace_back(property.name);
+      return names;
+    }();
+    const auto [known, isNew] = meant_.try_emplace(name);
+    if (isNew && name.size() >= kShortest && meant_.size() <= limits::kSuggestions)
+      known->second = likelyMeant(name, kNames);
+    const std::string& meant = known->second;
     if (meant.empty()) return;
     diagnostics_.push_back(
         wordDiagnostic(Severity::Warning, "id-property", word,
@@ -132,7 +140,8 @@ class BlockCheck {
                   const PropertyWord& word) {
     const auto& known = property.values;
     if (known.empty() || std::find(known.begin(), known.end(), value) != known.end()) return;
-    const std::string meant = likelyMeant(value, known);
+    const std::string meant =
+        hints_++ < limits::kSuggestions ? likelyMeant(value, known) : std::string();
     if (meant.empty() && !property.closed) return;
     diagnostics_.push_back(wordDiagnostic(
         Severity::Warning, "id-property", word,
@@ -143,8 +152,10 @@ class BlockCheck {
 
   const Branches& branches_;
   Diagnostics& diagnostics_;
+  std::size_t hints_ = 0;
   std::map<std::pair<bool, std::string>, std::vector<Before>> seen_;
   std::vector<LostBlock> lost_;
+  std::map<std::string, std::string> meant_;  ///< of names that are no property
 };
 
 void checkBlocks(const IdFile& file, Diagnostics& diagnostics) {

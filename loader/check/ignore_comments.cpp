@@ -8,14 +8,13 @@
 #include <optional>
 
 #include "check/rules.h"
+#include "core/text_file.h"
 #include "pack/text.h"
 
 namespace orris {
 namespace {
 
 constexpr std::string_view kMark = "orris:";
-// Larger files are data; the marks of a source stand in lines that a person wrote.
-constexpr std::size_t kLargestSource = std::size_t{4} << 20;
 
 bool isPropertiesFile(std::string_view file) {
   return file.ends_with(".properties") || file.ends_with(".lang");
@@ -166,8 +165,8 @@ std::vector<IgnoreMark> readIgnoreMarks(const std::string& file, std::string_vie
 IgnoreComments::IgnoreComments(const FileSource& files) {
   for (const std::string& file : files.files()) {
     if (holdsPixels(file)) continue;
-    const auto text = files.read(file);
-    if (!text || text->size() > kLargestSource) continue;
+    const auto text = readText(files, file);
+    if (!text) continue;
     std::vector<IgnoreMark> marks = readIgnoreMarks(file, *text);
     if (!marks.empty()) marks_.emplace(file, std::move(marks));
   }

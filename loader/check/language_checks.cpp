@@ -10,6 +10,8 @@
 #include <span>
 
 #include "check/pack_texts.h"
+#include "core/limits.h"
+#include "core/text_file.h"
 #include "pack/text.h"
 
 namespace orris {
@@ -62,7 +64,7 @@ std::vector<std::string> languageFiles(const ShaderPack& pack) {
 }
 
 std::vector<PropertyEntry> readLanguageFile(const ShaderPack& pack, const std::string& path) {
-  return parseProperties(path, pack.source->read(path).value_or(""), Continuation::Java);
+  return parseProperties(path, readText(*pack.source, path).value_or(""), Continuation::Java);
 }
 
 /// What a pack has, by the kind of its language keys.
@@ -117,14 +119,17 @@ class FileCheck {
     }
     if (twice_.size() <= kMostAlone) return;
     const auto& [first, again] = twice_.front();
-    report(Severity::Warning, "language-twice", *again,
-           fmt::format("{} and {} later lines of this file give keys another text, so that the "
-                       "earlier one is lost",
-                       again->key, twice_.size() - 1));
+    Diagnostic all = propertyDiagnostic(
+        Severity::Warning, "language-twice", *again,
+        fmt::format("{} and {} later lines of this file give keys another text, so that the "
+                    "earlier one is lost",
+                    again->key, twice_.size() - 1));
     for (const auto& [earlier, later] : twice_) {
-      diagnostics_.back().notes.push_back(fmt::format("{}: line {}, before it line {}", later->key,
-                                                      later->at.line, earlier->at.line));
+      if (all.notes.size() == limits::kMessageNotes) break;
+      all.notes.push_back(fmt::format("{}: line {}, before it line {}", later->key, later->at.line,
+                                      earlier->at.line));
     }
+    diagnostics_.push_back(std::move(all));
   }
 
   void checkKey(const PropertyEntry& entry, const LanguageKey& key) {
@@ -141,11 +146,12 @@ class FileCheck {
 
   void checkUnknown(const PropertyEntry& entry, const LanguageKey& key) {
     const auto known = known_.find(key.kind);
+    const bool late = hints_++ >= limits::kSuggestions;
     std::string meant =
-        known == known_.end() || pack_.options.rejected(key.name)
+        late || known == known_.end() || pack_.options.rejected(key.name)
             ? ""
             : likelyMeant(key.name, untranslated(known->second, translated_[key.group()]));
-    if (meant.empty()) meant = optionOfValue(key);
+    if (meant.empty() && !late) meant = optionOfValue(key);
     if (!meant.empty()) return misspelt(entry, key.name, meant);
     stale_.emplace_back(
         &entry,
@@ -184,14 +190,20 @@ class FileCheck {
 
   void checkValue(const PropertyEntry& entry, const LanguageKey& key) {
     const Option& option = *pack_.options.find(key.name);
-    const Names values(option.values.begin(), option.values.end());
+    const Names& values = valuesOf(option);
     if (values.contains(key.value)) return;
     const std::string meant =
-        key.value.size() < 3
+        key.value.size() < 3 || hints_++ >= limits::kSuggestions
             ? ""
             : likelyMeant(key.value, untranslated(values, translated_["value." + key.name]));
     if (!meant.empty()) return misspelt(entry, key.value, meant);
     stale_.emplace_back(&entry, fmt::format("{} has no value {}", key.name, key.value));
+  }
+
+  const Names& valuesOf(const Option& option) {
+    Names& values = values_[option.name];
+    if (values.empty()) values.insert(option.values.begin(), option.values.end());
+    return values;
   }
 
   static std::vector<std::string> untranslated(const Names& names, const Names& translated) {
@@ -218,6 +230,8 @@ class FileCheck {
   std::vector<PropertyEntry> entries_;
   Diagnostics& diagnostics_;
   std::map<std::string, Names> translated_;
+  std::map<std::string, Names> values_;  ///< of each option that was asked for
+  std::size_t hints_ = 0;
   std::map<std::string, const PropertyEntry*> first_;
   std::vector<std::pair<const PropertyEntry*, const PropertyEntry*>> twice_;
   std::vector<std::pair<const PropertyEntry*, std::string>> stale_;

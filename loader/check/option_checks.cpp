@@ -8,6 +8,7 @@
 #include <set>
 
 #include "check/pack_texts.h"
+#include "core/text_file.h"
 #include "pack/option_line.h"
 #include "pack/text.h"
 
@@ -184,9 +185,9 @@ bool isInformation(const Option& option) {
 void addProperties(const ShaderPack& pack, Mentions& mentions) {
   const auto add = [&](std::string_view word) { mentions.add(word); };
   for (const char* file : {"/block.properties", "/item.properties", "/entity.properties"}) {
-    if (const auto text = pack.source->read(file)) forEachWord(*text, add);
+    if (const auto text = readText(*pack.source, file)) forEachWord(*text, add);
   }
-  const auto text = pack.source->read("/shaders.properties");
+  const auto text = readText(*pack.source, "/shaders.properties");
   if (!text) return;
   for (const PropertyEntry& entry :
        parseProperties("/shaders.properties", *text, Continuation::Java)) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/characters.h"
+#include "core/text_file.h"
 #include "pack/text.h"
 
 namespace orris {
@@ -21,14 +22,14 @@ bool movesDigit(std::string_view name, std::string_view meant) {
 
 std::vector<PropertyEntry> originalProperties(const ShaderPack& pack) {
   constexpr const char* kFile = "/shaders.properties";
-  const auto text = pack.source ? pack.source->read(kFile) : std::nullopt;
+  const auto text = pack.source ? readText(*pack.source, kFile) : std::nullopt;
   return text ? lastValues(parseProperties(kFile, *text, Continuation::Java))
               : std::vector<PropertyEntry>();
 }
 
 const FileLines& AuthorLines::file(const std::string& path) {
   const auto [found, isNew] = files_.try_emplace(path);
-  if (isNew && pack_.source) found->second = splitLines(pack_.source->read(path).value_or(""));
+  if (isNew && pack_.source) found->second = splitLines(readText(*pack_.source, path).value_or(""));
   return found->second;
 }
 

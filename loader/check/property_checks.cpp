@@ -5,6 +5,7 @@
 #include <map>
 
 #include "check/pack_texts.h"
+#include "core/text_file.h"
 #include "glsl/preprocessor.h"
 #include "pack/text.h"
 
@@ -90,7 +91,7 @@ void checkStrayLines(std::span<const ShaderPack> folders, Diagnostics& diagnosti
 
 void checkPropertiesTwice(std::span<const ShaderPack> folders, Diagnostics& diagnostics) {
   const ShaderPack& pack = folders.front();
-  const auto text = pack.source->read(kFile);
+  const auto text = readText(*pack.source, kFile);
   if (!text) return;
   Diagnostics told;
   const std::string active = preprocessProperties(kFile, *text, pack.propertyMacros, told);

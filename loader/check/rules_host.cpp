@@ -34,6 +34,8 @@ std::span<const Rule> hostRules() {
       {"image-read", Severity::Error, "a picture cannot be opened"},
       {"image-write", Severity::Error, "a picture cannot be written"},
       {"limit-exceeded", Severity::Error, "a comparison passes a limit given on the command line"},
+      {"messages-left-out", Severity::Warning,
+       "more messages of one kind than are kept, or more text than they may hold"},
       {"no-programs", Severity::Error, "no file of the pack is a program that the host knows"},
       {"pack-counter", Severity::Warning, "a pack counts what a user should know of"},
       {"pack-too-large", Severity::Error, "the pack has more bytes or files than a pack may have"},

@@ -32,6 +32,8 @@ std::span<const Rule> propertyRules() {
       {"program-condition", Severity::Warning,
        "the condition of program.NAME.enabled cannot be read"},
       {"program-unknown", Severity::Warning, "a property names a program that does not exist"},
+      {"property-limit", Severity::Error,
+       "more keys, words or options of a kind than a pack may have"},
       {"property-stray-line", Severity::Warning,
        "a line of a list in shaders.properties is a key of its own"},
       {"property-twice", Severity::Warning,

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "check/pack_texts.h"
+#include "core/limits.h"
 #include "pack/program_id.h"
 #include "pack/text.h"
 
@@ -48,14 +49,15 @@ std::set<std::string> linkedScreens(const std::vector<PropertyEntry>& entries) {
 }
 
 void checkColumns(const PropertyEntry& entry, const std::set<std::string>& names,
-                  Diagnostics& diagnostics) {
+                  std::size_t& hints, Diagnostics& diagnostics) {
   if (!entry.key.starts_with(kScreen) || !entry.key.ends_with(kColumns)) return;
   const std::string key = entry.key;
   if (key.size() <= kScreen.size() + kColumns.size()) return;
   const std::string name =
       key.substr(kScreen.size(), key.size() - kScreen.size() - kColumns.size());
   if (names.contains(name)) return;
-  const std::string meant = likelyMeant(name, {names.begin(), names.end()});
+  const bool late = hints++ >= limits::kSuggestions;
+  const std::string meant = late ? "" : likelyMeant(name, {names.begin(), names.end()});
   diagnostics.push_back(propertyDiagnostic(severityOf(meant), "screen-columns", entry,
                                            fmt::format("there is no screen {}", name),
                                            hintFor(meant)));
@@ -72,15 +74,16 @@ std::vector<std::string> programPaths(const ShaderPack& pack) {
 }
 
 void checkDisabledPrograms(const PropertyEntry& entry, const std::vector<std::string>& programs,
-                           Diagnostics& diagnostics) {
+                           std::size_t& hints, Diagnostics& diagnostics) {
   constexpr std::string_view kProgram = "!program.";
   for (const PropertyWord& word : locatedWords(entry)) {
     if (!word.text.starts_with(kProgram)) continue;
     const std::string name = word.text.substr(kProgram.size());
     if (std::binary_search(programs.begin(), programs.end(), name)) continue;
+    const bool late = hints++ >= limits::kSuggestions;
     diagnostics.push_back(wordDiagnostic(Severity::Warning, "profile-program", word,
                                          fmt::format("the pack has no program {}", name),
-                                         suggest(name, programs)));
+                                         late ? "" : suggest(name, programs)));
   }
 }
 
@@ -88,15 +91,16 @@ void reportEqualProfiles(const ShaderPack& pack, const std::vector<PropertyEntry
                          Diagnostics& diagnostics) {
   using Effect = std::pair<OptionValues, std::vector<std::string>>;
   std::map<Effect, const Profile*> firsts;
+  std::map<std::string_view, const PropertyEntry*> byKey;
+  for (const PropertyEntry& entry : entries) byKey.emplace(entry.key, &entry);
   for (const Profile& profile : pack.properties.profiles) {
     const auto [first, isNew] =
         firsts.try_emplace({profile.values, profile.disabledPrograms}, &profile);
     if (isNew) continue;
-    const auto entry = std::find_if(entries.begin(), entries.end(),
-                                    [&](auto& e) { return e.key == "profile." + profile.name; });
-    if (entry == entries.end()) continue;
+    const auto entry = byKey.find("profile." + profile.name);
+    if (entry == byKey.end()) continue;
     diagnostics.push_back(propertyDiagnostic(
-        Severity::Note, "profile-same", *entry,
+        Severity::Note, "profile-same", *entry->second,
         fmt::format("profile {} sets the same as {}", profile.name, first->second->name),
         fmt::format("whoever chooses it is shown {} as the current one", first->second->name)));
   }
@@ -107,10 +111,11 @@ void reportEqualProfiles(const ShaderPack& pack, const std::vector<PropertyEntry
 void checkScreenLinks(std::span<const ShaderPack> folders, Diagnostics& diagnostics) {
   const auto entries = originalProperties(folders.front());
   const auto names = screenNames(entries), links = linkedScreens(entries);
+  std::size_t hints = 0;
   const bool hasMain =
       std::any_of(entries.begin(), entries.end(), [](auto& e) { return e.key == "screen"; });
   for (const PropertyEntry& entry : entries) {
-    checkColumns(entry, names, diagnostics);
+    checkColumns(entry, names, hints, diagnostics);
     const bool sub = isScreenKey(entry.key) && entry.key != "screen";
     if (!sub || !hasMain || links.contains(entry.key.substr(kScreen.size()))) continue;
     diagnostics.push_back(propertyDiagnostic(
@@ -127,12 +132,14 @@ void checkSliders(std::span<const ShaderPack> folders, Diagnostics& diagnostics)
   for (const auto& [name, option] : pack.options.all()) {
     if (!sliders.contains(name)) others.push_back(name);
   }
+  std::size_t hints = 0;
   for (const PropertyEntry& entry : originalProperties(pack)) {
     if (entry.key != "sliders") continue;
     for (const PropertyWord& word : locatedWords(entry)) {
       if (pack.options.find(word.text)) continue;
+      const bool late = hints++ >= limits::kSuggestions;
       const std::string meant =
-          pack.options.rejected(word.text) ? "" : likelyMeant(word.text, others);
+          late || pack.options.rejected(word.text) ? "" : likelyMeant(word.text, others);
       diagnostics.push_back(wordDiagnostic(severityOf(meant), "slider-option", word,
                                            fmt::format("the pack has no option {}", word.text),
                                            hintFor(meant)));
@@ -144,9 +151,10 @@ void checkProfiles(std::span<const ShaderPack> folders, Diagnostics& diagnostics
   const ShaderPack& pack = folders.front();
   const auto entries = originalProperties(pack);
   const auto programs = programPaths(pack);
+  std::size_t hints = 0;
   const auto isProfile = [](const PropertyEntry& e) { return e.key.starts_with("profile."); };
   for (const PropertyEntry& entry : entries) {
-    if (isProfile(entry)) checkDisabledPrograms(entry, programs, diagnostics);
+    if (isProfile(entry)) checkDisabledPrograms(entry, programs, hints, diagnostics);
   }
   reportEqualProfiles(pack, entries, diagnostics);
   const bool offered = std::any_of(entries.begin(), entries.end(), [](const PropertyEntry& entry) {

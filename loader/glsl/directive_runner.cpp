@@ -7,6 +7,8 @@
 #include <iterator>
 #include <utility>
 
+#include "core/limits.h"
+#include "core/message_limits.h"
 #include "glsl/condition.h"
 
 namespace orris {
@@ -103,7 +105,7 @@ void DirectiveRunner::report(Severity severity, std::string id, const Origin& at
   d.at = locate(sites_, at);
   d.message = std::move(message);
   d.includedFrom = includedFrom(sites_, at.site);
-  d.sourceLine = reader_.textOf(at);
+  d.sourceLine = quotedLine(reader_.textOf(at), at.column);
   d.hint = std::move(hint);
   diagnostics_.push_back(std::move(d));
 }
@@ -351,6 +353,12 @@ void DirectiveRunner::onError(const std::vector<Token>& tokens) {
 void DirectiveRunner::onIgnored(const std::vector<Token>&) {}
 
 void DirectiveRunner::finish() {
+  if (reader_.cutOff().site >= 0) {
+    report(Severity::Error, "source-too-large", reader_.cutOff(),
+           fmt::format("the stage has more than {} tokens; what follows is left out",
+                       limits::kStageTokens));
+    return;
+  }
   for (const Conditionals::Open& open : conditionals_.unclosed()) {
     if (reportInFiles()) continue;
     reportUnbalanced(

@@ -4,6 +4,8 @@
 #include <cstring>
 #include <iterator>
 
+#include "glsl/bounded_tokens.h"
+
 namespace orris {
 namespace {
 
@@ -69,12 +71,16 @@ void LineReader::takePhysicalLine() {
 void LineReader::read(std::vector<Token>& tokens) {
   tokens.clear();
   const std::string_view text = readWhole();
-  const std::size_t open = tokenizeFrom(text, 0, tokens);
+  const std::size_t open = tokenizeAtMost(text, 0, left_, tokens);
   if (open < text.size()) {
     if (text.data() != joined_.data()) joined_ = text;
     closeComment(tokens, open);
   }
   place(tokens);
+  left_ -= tokens.size();
+  if (left_ > 0) return;
+  cutOff_ = tokens.back().origin;
+  next_ = lines_.size();
 }
 
 // Takes lines until the comment that starts at `open` ends, and the rest of the line it ends on.
@@ -87,7 +93,7 @@ void LineReader::closeComment(std::vector<Token>& tokens, std::size_t open) {
       if (joined_.find("*/", searchFrom) != std::string::npos) break;
       searchFrom = joined_.size();
     }
-    const std::size_t stillOpen = tokenizeFrom(joined_, open, tokens);
+    const std::size_t stillOpen = tokenizeAtMost(joined_, open, left_, tokens);
     if (stillOpen == open || (atEnd() && stillOpen < joined_.size())) {
       std::vector<Token> comment(1);
       comment[0].origin.column = static_cast<int>(stillOpen) + 1;

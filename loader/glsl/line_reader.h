@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/limits.h"
 #include "glsl/token.h"
 
 namespace orris {
@@ -25,6 +26,9 @@ class LineReader {
   /// Place of the block comment that the source's end cut off; site -1 when there was none.
   const Origin& unclosedComment() const { return unclosed_; }
 
+  /// Where the source has more tokens than a stage may have and was cut off; site -1: it has not.
+  const Origin& cutOff() const { return cutOff_; }
+
   /// The author's text of the line at `origin`, nearest before the current one.
   std::string_view textOf(const Origin& origin) const;
 
@@ -44,6 +48,8 @@ class LineReader {
   std::string joined_;  // text of the logical line when it is not one untouched physical line
   std::vector<Piece> pieces_;  // where its parts come from
   Origin unclosed_;
+  Origin cutOff_;
+  std::size_t left_ = limits::kStageTokens;
 };
 
 }  // namespace orris

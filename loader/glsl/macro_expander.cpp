@@ -6,13 +6,10 @@
 #include <iterator>
 #include <utility>
 
+#include "core/limits.h"
+
 namespace orris {
 namespace {
-
-// Far above what packs need (tens of thousands of tokens, three levels); they bound hostile input.
-constexpr std::size_t kMaxProducedTokens = 1'000'000;
-constexpr int kMaxArgumentDepth = 64;
-constexpr std::size_t kMaxContexts = 4096;
 
 // Marks tokens of a macro's body until push() gives them the place of the invocation.
 constexpr int kAtInvocation = -2;
@@ -35,6 +32,8 @@ bool is(const Token& token, std::string_view text) {
   return token.kind == TokenKind::Punctuator && token.text == text;
 }
 
+// Nested calls double the backslashes each time: what is longer than a token may be is cut here and
+// refused by spend().
 Token stringify(const std::vector<Token>& tokens) {
   Token result;
   result.kind = TokenKind::Other;
@@ -46,15 +45,17 @@ Token stringify(const std::vector<Token>& tokens) {
       if (c == '"' || c == '\\') result.text += '\\';
       result.text += c;
     }
+    if (result.text.size() > limits::kTokenBytes) break;
   }
   result.text += '"';
   return result;
 }
 
-// "a ## b": the two texts are read again as one.
-void paste(std::vector<Token>& out, const Token& right) {
+// "a ## b": the two texts are read again as one. Returns their length.
+std::size_t paste(std::vector<Token>& out, const Token& right) {
   const Token left = std::move(out.back());
   out.pop_back();
+  const std::size_t length = left.text.size() + right.text.size();
   std::vector<Token> joined = tokenize(left.text + right.text);
   for (Token& token : joined) {
     token.origin = left.origin;
@@ -65,6 +66,13 @@ void paste(std::vector<Token>& out, const Token& right) {
     joined.front().newlinesBefore = left.newlinesBefore;
   }
   std::move(joined.begin(), joined.end(), std::back_inserter(out));
+  return length;
+}
+
+std::size_t textBytes(const std::vector<Token>& tokens) {
+  std::size_t bytes = 0;
+  for (const Token& token : tokens) bytes += token.text.size();
+  return bytes;
 }
 
 }  // namespace
@@ -123,7 +131,10 @@ bool MacroExpander::expand(Token& name) {
 
 bool MacroExpander::spend(const Token& at, std::size_t tokens) {
   state_.produced += tokens;
-  if (state_.produced <= kMaxProducedTokens && contexts_.size() < kMaxContexts) return true;
+  if (state_.produced <= limits::kExpandedTokens && state_.bytes <= limits::kExpandedBytes &&
+      contexts_.size() < limits::kMacroContexts) {
+    return true;
+  }
   if (!state_.exhausted) {
     state_.report(
         at, "macro-expansion-limit",
@@ -202,7 +213,8 @@ MacroExpander::Tokens MacroExpander::substitute(const Macro& macro,
     const bool beforePaste = i + 1 < macro.body.size() && macro.roles[i + 1] == Macro::Paste;
     Tokens piece;
     const Token& first = macro.body[i];
-    if (macro.roles[i] == Macro::Stringify) {
+    const bool stringified = macro.roles[i] == Macro::Stringify;
+    if (stringified) {
       piece.push_back(stringify(arguments[static_cast<std::size_t>(macro.roles[++i])].raw));
       piece.front().origin.site = kAtInvocation;
     } else if (macro.roles[i] >= 0) {
@@ -215,10 +227,19 @@ MacroExpander::Tokens MacroExpander::substitute(const Macro& macro,
     }
     if (!piece.empty()) piece.front().spaceBefore = first.spaceBefore;
     std::size_t from = 0;
-    if (pasteNext && !leftIsEmpty && !out.empty() && !piece.empty()) paste(out, piece[from++]);
+    std::size_t made = stringified ? piece.front().text.size() : 0;
+    state_.bytes += textBytes(piece);
+    if (pasteNext && !leftIsEmpty && !out.empty() && !piece.empty()) {
+      made = paste(out, piece[from++]);
+      state_.bytes += made;
+    }
     leftIsEmpty = piece.empty() && (!pasteNext || leftIsEmpty);
     pasteNext = false;
-    if (out.size() + piece.size() > kMaxProducedTokens) break;
+    if (made > limits::kTokenBytes || state_.bytes > limits::kExpandedBytes ||
+        out.size() + piece.size() > limits::kExpandedTokens) {
+      state_.produced = limits::kExpandedTokens;  // what is missing must not go unnoticed
+      break;
+    }
     std::move(piece.begin() + static_cast<std::ptrdiff_t>(from), piece.end(),
               std::back_inserter(out));
   }
@@ -257,7 +278,7 @@ std::vector<Token> expandTokens(std::vector<Token> tokens, ExpansionState& state
     return token.kind == TokenKind::Identifier && state.macros.find(token.text);
   });
   if (!anyMacro) return tokens;
-  if (state.depth >= kMaxArgumentDepth) {
+  if (state.depth >= limits::kMacroArgumentDepth) {
     if (!state.exhausted) {
       state.report(tokens.front(), "macro-expansion-limit",
                    "macro arguments are nested too deeply; nothing is expanded from here on");

@@ -24,7 +24,8 @@ struct ExpansionState {
   std::vector<Origin>& usedOrigins;
   std::function<void(const Token& at, std::string id, std::string message)> report;
   std::size_t produced = 0;  ///< tokens made by expansions so far
-  int depth = 0;             ///< nesting of argument expansions
+  std::size_t bytes = 0;     ///< length of the texts that these were made of
+  std::size_t depth = 0;     ///< nesting of argument expansions
   bool exhausted = false;    ///< a limit was met and reported: nothing expands any more
 };
 

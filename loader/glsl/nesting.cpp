@@ -10,8 +10,10 @@ namespace {
 
 using Kind = NestingMark::Kind;
 
-// Packs are untrusted: each place is tried with all marks.
-constexpr std::size_t kMostSteps = 100'000'000;
+// Packs are untrusted: each place is tried with all marks, and each mark with those it stands in.
+constexpr std::size_t kMostSteps = 20'000'000;
+constexpr std::size_t kMostMarks = 10'000;
+constexpr std::ptrdiff_t kMostAround = 64;
 constexpr int kAlone = 40, kOtherIndent = 4, kOtherDepth = 2, kOtherGroup = 8, kPartOfGuard = 20;
 constexpr int kOutside = 4, kElseOfNothing = 20, kMainAstray = 20;
 constexpr int kElseTwice = 20, kWithinItself = 3;
@@ -115,9 +117,11 @@ class Trial {
 
   /// Nobody asks again for what holds already.
   bool isWithinItself(const NestingMark& mark) const {
-    return mark.condition != 0 && std::ranges::any_of(open_, [&](const Branch& branch) {
-             return branch.number == 0 && at(branch.mark).condition == mark.condition;
-           });
+    if (mark.condition == 0) return false;
+    const auto last = open_.rbegin() + std::min(std::ssize(open_), kMostAround);
+    return std::any_of(open_.rbegin(), last, [&](const Branch& branch) {
+      return branch.number == 0 && at(branch.mark).condition == mark.condition;
+    });
   }
 
   // Each stage has one.
@@ -174,6 +178,7 @@ struct Judged {
 /// The places, in their order, where the mark has a partner.
 std::vector<Judged> judgeAll(std::span<const NestingMark> marks,
                              std::span<const NestingPlace> places, Kind kind) {
+  if (marks.size() > kMostMarks) return {};
   const std::size_t most = std::min(places.size(), kMostSteps / (marks.size() + 1));
   std::vector<Judged> all;
   for (std::size_t i = 0; i < most; ++i) {

@@ -6,6 +6,8 @@
 #include <array>
 #include <cstddef>
 
+#include "glsl/bounded_tokens.h"
+
 namespace orris {
 namespace {
 
@@ -98,6 +100,11 @@ Span scanToken(std::string_view text, std::size_t i) {
 }  // namespace
 
 std::size_t tokenizeFrom(std::string_view text, std::size_t from, std::vector<Token>& out) {
+  return tokenizeAtMost(text, from, std::string_view::npos, out);
+}
+
+std::size_t tokenizeAtMost(std::string_view text, std::size_t from, std::size_t most,
+                           std::vector<Token>& out) {
   bool space = false;
   int newlines = 0;
   std::size_t i = from;
@@ -110,6 +117,7 @@ std::size_t tokenizeFrom(std::string_view text, std::size_t from, std::vector<To
     }
     const Span span = scanToken(text, i);
     if (span.end == std::string_view::npos) return i;
+    if (out.size() >= most) break;
     Token& token = out.emplace_back();
     token.kind = span.kind;
     token.text.assign(text, i, span.end - i);

@@ -7,7 +7,10 @@
 #include <optional>
 #include <set>
 
+#include "core/limits.h"
+#include "core/message_limits.h"
 #include "core/pack_path.h"
+#include "core/text_file.h"
 #include "pack/program_id.h"
 #include "pack/properties_text.h"
 #include "pack/text.h"
@@ -25,11 +28,12 @@ constexpr std::array<LegacyFolder, 3> kLegacy{{{"/world0", "minecraft:overworld"
                                                {"/world-1", "minecraft:the_nether"},
                                                {"/world1", "minecraft:the_end"}}};
 
-bool hasPrograms(const FileSource& source, const std::string& folder) {
-  return std::any_of(source.files().begin(), source.files().end(), [&](const std::string& path) {
-    const auto program = parseProgramFile(path);
-    return program && program->folder == folder;
-  });
+std::set<std::string> foldersWithPrograms(const FileSource& source) {
+  std::set<std::string> folders;
+  for (const std::string& path : source.files()) {
+    if (const auto program = parseProgramFile(path)) folders.insert(program->folder);
+  }
+  return folders;
 }
 
 bool isMapping(const PropertyEntry& entry) { return entry.key.starts_with(kDimensionPrefix); }
@@ -60,16 +64,17 @@ void addMapping(const PropertyEntry& entry, Dimensions& dimensions, Diagnostics&
 }
 
 bool exists(const FileSource& source, const std::string& folder) {
-  return std::any_of(source.files().begin(), source.files().end(),
-                     [&](const std::string& path) { return path.starts_with(folder + "/"); });
+  const auto& files = source.files();
+  const auto first = std::lower_bound(files.begin(), files.end(), folder + "/");
+  return first != files.end() && first->starts_with(folder + "/");
 }
 
 /// Names of the folders with programs that belong to no dimension.
-std::vector<std::string> unusedFolders(const FileSource& source, const Dimensions& dimensions) {
+std::vector<std::string> unusedFolders(const std::set<std::string>& withPrograms,
+                                       const Dimensions& dimensions) {
   std::set<std::string> names;
-  for (const std::string& path : source.files()) {
-    const auto program = parseProgramFile(path);
-    if (program && program->folder != "/") names.insert(program->folder.substr(1));
+  for (const std::string& folder : withPrograms) {
+    if (folder != "/") names.insert(folder.substr(1));
   }
   for (const std::string& folder : dimensions.folders) names.erase(folder.substr(1));
   return {names.begin(), names.end()};
@@ -77,12 +82,12 @@ std::vector<std::string> unusedFolders(const FileSource& source, const Dimension
 
 // Iris: ShaderPack.getProgramSet logs an error for a dimension whose folder is not there. Only "*"
 // may lead nowhere: so a pack leaves the other dimensions alone.
-void checkFolder(const FileSource& source, const PropertyEntry& entry, const Dimensions& dimensions,
-                 Diagnostics& diagnostics) {
+void checkFolder(const FileSource& source, const PropertyEntry& entry,
+                 const std::vector<std::string>& unused, Diagnostics& diagnostics) {
   const auto folder = folderOfKey(entry);
   if (!folder || *folder == "/" || exists(source, *folder)) return;
   const std::string name = folder->substr(1);
-  const std::string hint = suggest(name, unusedFolders(source, dimensions));
+  const std::string hint = suggest(name, unused);
   const bool mayBeMeant = trim(entry.value) == "*" && hint.empty();
   diagnostics.push_back(propertyDiagnostic(
       mayBeMeant ? Severity::Note : Severity::Warning, "dimension-folder", entry,
@@ -99,6 +104,21 @@ void addLegacy(const FileSource& source, Dimensions& dimensions) {
     dimensions.folderOf[std::string(legacy.dimension)] = folder;
     if (folder == "/world0") dimensions.base = folder;
   }
+}
+
+/// The programs of each folder are built and checked.
+void limitFolders(Dimensions& dimensions, Diagnostics& diagnostics) {
+  auto& folders = dimensions.folders;
+  if (folders.size() <= limits::kDimensionFolders) return;
+  diagnostics.push_back(
+      {.severity = Severity::Error,
+       .id = "property-limit",
+       .at = {.file = kDimensionFile},
+       .message = fmt::format("{} folders have programs, more than {}; {} and those after it are "
+                              "left out",
+                              folders.size(), limits::kDimensionFolders,
+                              folders[limits::kDimensionFolders].substr(1))});
+  folders.resize(limits::kDimensionFolders);
 }
 
 }  // namespace
@@ -120,17 +140,21 @@ std::string Dimensions::resolve(const std::string& dimension) const {
 Dimensions readDimensions(const FileSource& source, const MacroDefinitions& environment,
                           Diagnostics& diagnostics) {
   Dimensions dimensions;
-  if (const auto text = source.read(kDimensionFile)) {
+  const std::set<std::string> withPrograms = foldersWithPrograms(source);
+  if (const auto text = readText(source, kDimensionFile, diagnostics)) {
     const std::string preprocessed =
         preprocessProperties(kDimensionFile, *text, environment, diagnostics);
     const auto entries = lastValues(
         parseProperties(kDimensionFile, preprocessed, Continuation::Preprocessed, *text));
     for (const auto& entry : entries) addMapping(entry, dimensions, diagnostics);
-    for (const auto& entry : entries) checkFolder(source, entry, dimensions, diagnostics);
+    const auto unused = unusedFolders(withPrograms, dimensions);
+    for (const auto& entry : entries) checkFolder(source, entry, unused, diagnostics);
+    boundMessages(diagnostics);
   }
   if (dimensions.folders.empty()) addLegacy(source, dimensions);
   dimensions.folders.insert(dimensions.folders.begin(), "/");
-  std::erase_if(dimensions.folders, [&](auto& folder) { return !hasPrograms(source, folder); });
+  std::erase_if(dimensions.folders, [&](auto& folder) { return !withPrograms.contains(folder); });
+  limitFolders(dimensions, diagnostics);
   const auto& folders = dimensions.folders;
   if (std::find(folders.begin(), folders.end(), dimensions.base) == folders.end())
     dimensions.base = "/";

@@ -8,6 +8,16 @@
 #include "pack/voxy.h"
 
 namespace orris {
+namespace {
+
+/// Did the text of the program meet a limit? Whatever is missing then is no mistake of its own.
+bool isCutOff(const Diagnostics& diagnostics) {
+  return std::any_of(diagnostics.begin(), diagnostics.end(), [](const Diagnostic& d) {
+    return d.id == "source-too-large" || d.id == "macro-expansion-limit";
+  });
+}
+
+}  // namespace
 
 FolderBuild::FolderBuild(std::shared_ptr<const PackFiles> files, std::string folder,
                          OptionValues values, const MacroDefinitions& environment, bool irisTexts,
@@ -130,7 +140,8 @@ ProgramSource FolderBuild::finish(const ProgramEntry& entry,
   const FileLookup lookup = [this](const std::string& file) { return lines(file); };
   ProgramSource program = finishProgram(entry, context(lookup), std::move(parts));
   if (mod_) markAsOfMod(mod_->name, program.diagnostics);
-  program.incomplete = !files_->broken.empty() && reachesBroken(entry);
+  program.incomplete =
+      (!files_->broken.empty() && reachesBroken(entry)) || isCutOff(program.diagnostics);
   // The #version may be in the file that is missing.
   if (program.incomplete) {
     std::erase_if(program.diagnostics, [](const auto& d) { return d.id == "version-missing"; });

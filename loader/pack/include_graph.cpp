@@ -6,15 +6,15 @@
 #include <ranges>
 #include <set>
 
+#include "core/limits.h"
+#include "core/message_limits.h"
 #include "core/pack_path.h"
+#include "core/text_file.h"
 #include "pack/text.h"
 
 namespace orris {
 namespace {
 
-constexpr int kDeepestInclude = 256;
-constexpr size_t kMostLines = 500'000;
-constexpr size_t kMostSites = 50'000;
 constexpr std::string_view kInclude = "#include";
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
@@ -26,7 +26,7 @@ class Reader {
 
   /// `path` is known to exist.
   void visit(const std::string& path) {
-    const FileLines& lines = graph_.files[path] = splitLines(source_.read(path).value_or(""));
+    const FileLines& lines = graph_.files[path] = splitLines(readText(path));
     if (!lines.empty() && lines.front().starts_with(kByteOrderMark)) reportByteOrderMark(path);
     for (size_t i = 0; i < lines.size(); ++i) {
       const std::string_view line = trim(lines[i]);
@@ -39,6 +39,21 @@ class Reader {
     std::string file;
     int line;
   };
+
+  /// "" for a file that is refused, which counts as a broken include of its first line.
+  std::string readText(const std::string& path) {
+    TextFile text = readTextFile(source_, path);
+    bytes_ += text.bytes.size();
+    if (text.ok && bytes_ > limits::kPackTextBytes) {
+      text = {.problem = packTextTooLarge(path)};
+    }
+    if (text.ok) return std::move(text.bytes);
+    graph_.includes[path][1] = "";
+    for (size_t i = open_.size(); i-- > 0;)
+      text.problem.includedFrom.push_back({.file = open_[i].file, .line = open_[i].line});
+    diagnostics_.push_back(std::move(text.problem));
+    return "";
+  }
 
   // The preprocessor throws. Iris: JcppProcessor.
   void reportByteOrderMark(const std::string& path) {
@@ -70,9 +85,9 @@ class Reader {
       reportCycle(target, text);
       return false;
     }
-    if (graph_.files.contains(target) || open_.size() <= kDeepestInclude) return true;
+    if (graph_.files.contains(target) || open_.size() <= limits::kIncludeDepth) return true;
     report("include-too-deep", text,
-           fmt::format("includes are nested deeper than {} files", kDeepestInclude), "");
+           fmt::format("includes are nested deeper than {} files", limits::kIncludeDepth), "");
     return false;
   }
 
@@ -107,8 +122,8 @@ class Reader {
     return std::nullopt;
   }
 
-  std::string nearestFile(const std::string& path) const {
-    const std::string hint = suggest(path, source_.files());
+  std::string nearestFile(const std::string& path) {
+    const std::string hint = hints_++ < limits::kSuggestions ? suggest(path, source_.files()) : "";
     return hint.empty() ? "a missing #include refuses the whole pack, even in an inactive branch"
                         : hint;
   }
@@ -129,7 +144,7 @@ class Reader {
                           .id = std::move(id),
                           .at = {here.file, here.line, static_cast<int>(text.find('#')) + 1},
                           .message = std::move(message),
-                          .sourceLine = text,
+                          .sourceLine = quotedLine(text, 0),
                           .hint = std::move(hint)};
     for (size_t i = open_.size() - 1; i-- > 0;) {
       diagnostic.includedFrom.push_back({.file = open_[i].file, .line = open_[i].line});
@@ -141,6 +156,8 @@ class Reader {
   Diagnostics& diagnostics_;
   IncludeGraph& graph_;
   std::vector<Open> open_;
+  size_t bytes_ = 0;
+  size_t hints_ = 0;
 };
 
 class Flattener {
@@ -163,17 +180,29 @@ class Flattener {
           continue;
         }
       }
-      if (flat_.lines.size() >= kMostLines) return false;
+      bytes_ += (*lines)[i].size();
+      if (flat_.lines.size() >= limits::kStageLines || bytes_ > limits::kStageBytes)
+        return refuse(site, line);
       flat_.lines.push_back({(*lines)[i], site, line});
     }
     // Empty files can still be included without end.
-    return flat_.sites.size() < kMostSites;
+    return flat_.sites.size() < limits::kStageFiles || refuse(site, 0);
   }
 
+  /// Where the limit was met.
+  const Origin& refusedAt() const { return refusedAt_; }
+
  private:
+  bool refuse(int site, int line) {
+    refusedAt_ = {site, line, 0};
+    return false;
+  }
+
   const IncludeGraph& graph_;
   const FileLookup& files_;
   FlatSource& flat_;
+  Origin refusedAt_;
+  size_t bytes_ = 0;
 };
 
 }  // namespace
@@ -181,8 +210,9 @@ class Flattener {
 IncludeGraph readIncludeGraph(const FileSource& source, const std::vector<std::string>& entries,
                               Diagnostics& diagnostics) {
   IncludeGraph graph;
+  Reader reader(source, diagnostics, graph);
   for (const std::string& entry : entries) {
-    if (!graph.files.contains(entry)) Reader(source, diagnostics, graph).visit(entry);
+    if (!graph.files.contains(entry)) reader.visit(entry);
   }
   return graph;
 }
@@ -190,13 +220,18 @@ IncludeGraph readIncludeGraph(const FileSource& source, const std::vector<std::s
 FlatSource flatten(const IncludeGraph& graph, const FileLookup& files, const std::string& entry,
                    Diagnostics& diagnostics) {
   FlatSource flat;
-  if (!Flattener(graph, files, flat).expand(entry, -1, 0)) {
+  Flattener flattener(graph, files, flat);
+  if (!flattener.expand(entry, -1, 0)) {
+    const Origin& at = flattener.refusedAt();
     diagnostics.push_back(
         {.severity = Severity::Error,
          .id = "source-too-large",
-         .at = {.file = entry},
-         .message = fmt::format("the includes expand to more than {} lines or {} files", kMostLines,
-                                kMostSites)});
+         .at = locate(flat.sites, at),
+         .message =
+             fmt::format("with its includes, {} has more than {} lines, {} bytes or {} files here",
+                         entry, limits::kStageLines, limits::kStageBytes, limits::kStageFiles),
+         .includedFrom = includedFrom(flat.sites, at.site),
+         .hint = "include less, or each file once"});
     flat.lines.clear();
   }
   return flat;

@@ -1,11 +1,13 @@
 #include "pack/language.h"
 
+#include "core/text_file.h"
 #include "pack/properties_text.h"
 #include "pack/text.h"
 
 namespace orris {
 
-std::map<std::string, std::map<std::string, std::string>> readLanguages(const FileSource& source) {
+std::map<std::string, std::map<std::string, std::string>> readLanguages(const FileSource& source,
+                                                                        Diagnostics& diagnostics) {
   constexpr std::string_view kFolder = "/lang/", kSuffix = ".lang";
   std::map<std::string, std::map<std::string, std::string>> languages;
   for (const std::string& path : source.files()) {
@@ -13,8 +15,8 @@ std::map<std::string, std::map<std::string, std::string>> readLanguages(const Fi
     const std::string name = lowerCase(path.substr(kFolder.size()));
     if (!name.ends_with(kSuffix) || name.find('/') != std::string::npos) continue;
     auto& texts = languages[name.substr(0, name.size() - kSuffix.size())];
-    for (PropertyEntry& entry :
-         parseProperties(path, source.read(path).value_or(""), Continuation::Java)) {
+    for (PropertyEntry& entry : parseProperties(
+             path, readText(source, path, diagnostics).value_or(""), Continuation::Java)) {
       texts[entry.key] = std::move(entry.value);
     }
   }

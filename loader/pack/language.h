@@ -9,6 +9,7 @@
 namespace orris {
 
 /// Every lang/<code>.lang, by lower-case code: key -> text.
-std::map<std::string, std::map<std::string, std::string>> readLanguages(const FileSource& source);
+std::map<std::string, std::map<std::string, std::string>> readLanguages(const FileSource& source,
+                                                                        Diagnostics& diagnostics);
 
 }  // namespace orris

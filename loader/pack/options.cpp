@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <set>
 #include <tuple>
+#include <utility>
 
+#include "core/limits.h"
+#include "core/message_limits.h"
 #include "pack/java_order.h"
 #include "pack/option_line.h"
 #include "pack/text.h"
@@ -102,7 +105,7 @@ class Merger {
                             .id = "option-ambiguous",
                             .at = other.at,
                             .message = both + takenBack,
-                            .sourceLine = other.text,
+                            .sourceLine = quotedLine(other.text, 0),
                             .hint = "give all its lines the same default"});
   }
 
@@ -111,6 +114,36 @@ class Merger {
   Options ofFile_;
   std::map<std::string, Seen> first_, differing_;
   std::map<std::string, std::vector<SourceLocation>, std::less<>> places_;
+};
+
+/// How many options a pack may have, and how many values one of them.
+class OptionLimit {
+ public:
+  explicit OptionLimit(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+
+  /// False, and an error for the first, when the option is beyond the limits.
+  bool fits(const OptionLine& line, SourceLocation at) {
+    const bool many = line.values.size() > limits::kOptionValues;
+    if (!many && names_.size() < limits::kOptions) names_.insert(line.name);
+    if (!many && names_.contains(line.name)) return true;
+    if (!std::exchange(told_, true)) {
+      diagnostics_.push_back(
+          {.severity = Severity::Error,
+           .id = "property-limit",
+           .at = std::move(at),
+           .message = many ? fmt::format("{} has more than {} values; it is no option", line.name,
+                                         limits::kOptionValues)
+                           : fmt::format("the pack has more than {} options; {} and those after it "
+                                         "are none",
+                                         limits::kOptions, line.name)});
+    }
+    return false;
+  }
+
+ private:
+  Diagnostics& diagnostics_;
+  std::set<std::string, std::less<>> names_;
+  bool told_ = false;
 };
 
 void reject(OptionSet& options, std::string_view name, SourceLocation at, bool isBoolean) {
@@ -154,6 +187,7 @@ OptionSet discoverOptions(const std::map<std::string, FileLines>& files, Diagnos
   const auto references = findReferences(files);
   OptionSet options;
   Merger merger(options.all(), diagnostics);
+  OptionLimit limit(diagnostics);
   std::vector<std::string> paths;
   for (const auto& entry : files) paths.push_back(entry.first);
   for (const std::string& file : inJavaHashOrder(std::move(paths))) {
@@ -161,7 +195,8 @@ OptionSet discoverOptions(const std::map<std::string, FileLines>& files, Diagnos
     for (size_t i = 0; i < lines.size(); ++i) {
       const auto option = parseOptionLine(lines[i]);
       if (option && (!option->isBoolean || references.contains(option->name))) {
-        merger.add(*option, place(file, i, lines[i]), lines[i]);
+        if (limit.fits(*option, place(file, i, lines[i])))
+          merger.add(*option, place(file, i, lines[i]), lines[i]);
       } else if (const std::string_view name = definedName(lines[i]); !name.empty()) {
         reject(options, name, place(file, i, lines[i]), option.has_value());
       }

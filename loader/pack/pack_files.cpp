@@ -2,10 +2,12 @@
 
 #include <algorithm>
 
+#include "core/text_file.h"
 #include "pack/language.h"
 #include "pack/program_id.h"
 #include "pack/properties_text.h"
 #include "pack/property_keys.h"
+#include "pack/property_limits.h"
 #include "pack/voxy.h"
 
 namespace orris {
@@ -52,8 +54,9 @@ OptionSet optionsOf(const PackFiles& files, Diagnostics& diagnostics) {
 std::vector<Profile> profilesOf(const PackFiles& files) {
   ShaderProperties early;
   Diagnostics ignored;
-  const auto entries = lastValues(
+  auto entries = lastValues(
       parseProperties(kPropertiesFile, files.properties.value_or(""), Continuation::Java));
+  limitProperties(entries, ignored);
   readProfiles(entries, early, files.options, ignored);
   return early.profiles;
 }
@@ -89,9 +92,9 @@ std::shared_ptr<const PackFiles> readPackFiles(std::shared_ptr<const FileSource>
   }
   files->options = optionsOf(*files, found);
   for (const auto& [name, option] : files->options.all()) files->optionNames.push_back(name);
-  files->properties = source->read(kPropertiesFile);
+  files->properties = readText(*source, kPropertiesFile, found);
   files->profiles = profilesOf(*files);
-  files->languages = readLanguages(*source);
+  files->languages = readLanguages(*source, found);
   files->source = std::move(source);
   diagnostics.insert(diagnostics.end(), found.begin(), found.end());
   return files;

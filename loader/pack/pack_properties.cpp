@@ -1,5 +1,8 @@
 #include "pack/pack_properties.h"
 
+#include <algorithm>
+
+#include "core/text_file.h"
 #include "glsl/name_watch.h"
 #include "pack/auto_properties.h"
 #include "pack/counter_warning.h"
@@ -32,7 +35,7 @@ MacroDefinitions propertyMacros(const PackFiles& files, const OptionValues& valu
 void readIds(const PackFiles& files, const MacroDefinitions& macros, NameWatch& watch,
              PackProperties& out) {
   const auto read = [&](const std::string& file, auto parse) {
-    const auto text = files.source->read(file);
+    const auto text = readText(*files.source, file, out.diagnostics);
     if (text)
       parse(file, preprocessProperties(file, *text, macros, out.diagnostics, &watch), *text);
   };

@@ -11,7 +11,8 @@
 namespace orris {
 namespace {
 
-constexpr size_t kLongestShown = 16384;
+// A long line may have thousands of words, and as many messages; whoever prints them reads it again.
+constexpr size_t kLongestShown = 2048;
 
 bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\f'; }
 
@@ -163,6 +164,10 @@ size_t valueStart(std::string_view line, const PropertyEntry& entry) {
   return at < line.size() && (line[at] == '=' || line[at] == ':') ? at + 1 : at;
 }
 
+std::string shown(std::string_view line) {
+  return std::string(line.size() > kLongestShown ? "" : line);
+}
+
 }  // namespace
 
 std::vector<PropertyEntry> parseProperties(const std::string& file, std::string_view text,
@@ -262,7 +267,7 @@ Diagnostic wordDiagnostic(Severity severity, std::string id, const PropertyWord&
           .id = std::move(id),
           .at = word.at,
           .message = std::move(message),
-          .sourceLine = std::string(word.sourceLine.size() > kLongestShown ? "" : word.sourceLine),
+          .sourceLine = shown(word.sourceLine),
           .hint = std::move(hint)};
 }
 
@@ -272,14 +277,14 @@ Diagnostic propertyDiagnostic(Severity severity, std::string id, const PropertyE
                         .id = std::move(id),
                         .at = entry.at,
                         .message = std::move(message),
-                        .sourceLine = entry.lines.front(),
+                        .sourceLine = shown(entry.lines.front()),
                         .hint = std::move(hint)};
   for (size_t i = 0; i < entry.lines.size(); ++i) {
     const size_t column = findWord(entry.lines[i], word);
     if (column == std::string::npos) continue;
     diagnostic.at.line += static_cast<int>(i);
     diagnostic.at.column = static_cast<int>(column) + 1;
-    diagnostic.sourceLine = entry.lines[i];
+    diagnostic.sourceLine = shown(entry.lines[i]);
     break;
   }
   return diagnostic;

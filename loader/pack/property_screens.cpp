@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <tuple>
 
+#include "core/limits.h"
 #include "pack/features.h"
 #include "pack/property_keys.h"
 #include "pack/text.h"
@@ -91,6 +93,7 @@ class ProfileReader {
       open_ = {name};
       words_ = 0;
       taken_.clear();
+      repeated_.clear();
       apply(entry, profile);
       out_.profiles.push_back(std::move(profile));
     }
@@ -99,13 +102,18 @@ class ProfileReader {
  private:
   static constexpr std::string_view kPrefix = "profile.";
   static constexpr std::string_view kProgram = "!program.";
-  // Parents may be named often, so the work can grow exponentially with their number.
-  static constexpr size_t kMostWords = 100'000;
-  static constexpr size_t kDeepest = 64;
 
+  // Parents may be named often, so the work can grow exponentially with their number.
   void apply(const PropertyEntry& entry, Profile& profile) {
     for (const PropertyWord& word : wordsOf(entry)) {
-      if (++words_ > kMostWords) return;
+      if (++words_ == limits::kProfileWords + 1) {
+        report(Severity::Error, "property-limit", word,
+               fmt::format("with its parents, profile {} has more than {} words; the rest is left "
+                           "out",
+                           profile.name, limits::kProfileWords),
+               "");
+      }
+      if (words_ > limits::kProfileWords) return;
       applyWord(word, profile);
     }
   }
@@ -135,8 +143,7 @@ class ProfileReader {
       report(Severity::Warning, "profile-option", at,
              option ? fmt::format("{} has values, so it needs one here", word)
                     : fmt::format("the pack has no option {}", word),
-             option ? fmt::format("write {}={}", word, option->defaultValue)
-                    : missingOptionHint(options_, word));
+             option ? fmt::format("write {}={}", word, option->defaultValue) : optionHint(word));
     }
   }
 
@@ -144,12 +151,16 @@ class ProfileReader {
     const auto found = entries_.find(parent);
     if (found == entries_.end()) {
       report(Severity::Error, "profile-unknown", at, fmt::format("there is no profile {}", parent),
-             suggest(parent, order_));
-    } else if (open_.size() > kDeepest ||
-               std::find(open_.begin(), open_.end(), parent) != open_.end()) {
+             hints_++ < limits::kSuggestions ? suggest(parent, order_) : "");
+    } else if (std::find(open_.begin(), open_.end(), parent) != open_.end()) {
       reportRecursion(at, parent);
+    } else if (open_.size() > limits::kProfileDepth) {
+      report(Severity::Error, "property-limit", at,
+             fmt::format("profiles are nested deeper than {} parents here", limits::kProfileDepth),
+             "");
     } else {
-      if (!taken_.insert(parent).second) reportRepeated(at, parent);
+      if (!taken_.insert(parent).second && repeated_.insert(parent).second)
+        reportRepeated(at, parent);
       open_.push_back(parent);
       apply(*found->second, profile);
       open_.pop_back();
@@ -179,19 +190,26 @@ class ProfileReader {
     } else {
       profile.unknownNames.insert(name);
       report(Severity::Warning, "profile-option", at,
-             fmt::format("the pack has no option {}", name), missingOptionHint(options_, name));
+             fmt::format("the pack has no option {}", name), optionHint(name));
     }
     if (option &&
         std::find(option->values.begin(), option->values.end(), value) == option->values.end()) {
-      const std::string hint = suggest(value, option->values);
+      const std::string hint =
+          hints_++ < limits::kSuggestions ? suggest(value, option->values) : "";
       report(Severity::Warning, "profile-value", at,
              fmt::format("{} is not in the list of {}", value, name),
              hint.empty() ? "its values are " + joinNames(option->values) : hint);
     }
   }
 
+  std::string optionHint(const std::string& name) {
+    return hints_++ < limits::kSuggestions ? missingOptionHint(options_, name) : "";
+  }
+
+  /// A word of a parent is reported once, however many profiles reach it.
   void report(Severity severity, std::string id, const PropertyWord& at, std::string message,
               std::string hint) {
+    if (!reported_.emplace(id, at.at.line, at.at.column, message).second) return;
     diagnostics_.push_back(
         wordDiagnostic(severity, std::move(id), at, std::move(message), std::move(hint)));
   }
@@ -202,25 +220,35 @@ class ProfileReader {
   std::map<std::string, const PropertyEntry*> entries_;
   std::vector<std::string> order_;
   std::vector<std::string> open_;
-  std::set<std::string> taken_;  ///< parents of the profile that is being read
+  std::set<std::string> taken_;     ///< parents of the profile that is being read
+  std::set<std::string> repeated_;  ///< those of them that were named again
+  std::set<std::tuple<std::string, int, int, std::string>> reported_;
+  size_t hints_ = 0;
   std::set<std::vector<std::string>> circles_;
   std::map<const PropertyEntry*, std::vector<PropertyWord>> placed_;
   size_t words_ = 0;
 };
 
+/// In the order of the file, and to look up.
+struct ScreenNames {
+  std::vector<std::string> list;
+  std::set<std::string> set;
+};
+
 /// A word on a screen that is no option, keyword or link to a screen.
-void checkScreenWord(const PropertyWord& word, const std::vector<std::string>& screens,
-                     const OptionSet& options, Diagnostics& diagnostics) {
+void checkScreenWord(const PropertyWord& word, const ScreenNames& screens, const OptionSet& options,
+                     size_t& hints, Diagnostics& diagnostics) {
   const std::string& text = word.text;
   static const std::vector<std::string> kKeywords{"*", "<profile>", "<empty>"};
   if (options.find(text) || std::find(kKeywords.begin(), kKeywords.end(), text) != kKeywords.end())
     return;
   const bool link = text.size() > 2 && text.front() == '[' && text.back() == ']';
   const std::string name = link ? text.substr(1, text.size() - 2) : text;
-  if (link && std::find(screens.begin(), screens.end(), name) != screens.end()) return;
-  const std::string hint = link                    ? suggest(name, screens)
-                           : text.starts_with('<') ? suggest(text, kKeywords)
-                                                   : missingOptionHint(options, text);
+  if (link && screens.set.contains(name)) return;
+  const std::string hint = hints++ >= limits::kSuggestions ? ""
+                           : link                          ? suggest(name, screens.list)
+                           : text.starts_with('<')         ? suggest(text, kKeywords)
+                                                           : missingOptionHint(options, text);
   diagnostics.push_back(
       wordDiagnostic(Severity::Warning, "screen-option", word,
                      (link ? "there is no screen " : "the pack has no option ") + text, hint));
@@ -228,14 +256,16 @@ void checkScreenWord(const PropertyWord& word, const std::vector<std::string>& s
 
 void checkScreens(const std::vector<PropertyEntry>& entries, const ShaderProperties& out,
                   const OptionSet& options, Diagnostics& diagnostics) {
-  std::vector<std::string> screens;
-  for (const Screen& screen : out.screens) screens.push_back(screen.name);
+  ScreenNames screens;
+  size_t hints = 0;
+  for (const Screen& screen : out.screens) screens.list.push_back(screen.name);
+  screens.set.insert(screens.list.begin(), screens.list.end());
   for (const PropertyEntry& entry : entries) {
     const bool screen = entry.key == "screen" ||
                         (entry.key.starts_with("screen.") && !entry.key.ends_with(".columns"));
     if (!screen) continue;
     for (const PropertyWord& word : locatedWords(entry)) {
-      checkScreenWord(word, screens, options, diagnostics);
+      checkScreenWord(word, screens, options, hints, diagnostics);
     }
   }
 }

@@ -5,6 +5,7 @@
 #include <functional>
 #include <thread>
 
+#include "core/text_file.h"
 #include "pack/chosen_values.h"
 #include "pack/features.h"
 #include "pack/folder_build.h"
@@ -226,7 +227,7 @@ std::string ShaderPack::sourceLine(const std::string& file, int line) const {
   const size_t index = static_cast<size_t>(line) - 1;
   const auto known = files.find(file);
   if (known != files.end()) return index < known->second.size() ? known->second[index] : "";
-  const auto text = source ? source->read(file) : std::nullopt;
+  const auto text = source ? readText(*source, file) : std::nullopt;
   const FileLines lines = splitLines(text.value_or(""));
   return index < lines.size() ? lines[index] : "";
 }

@@ -6,8 +6,10 @@
 #include <array>
 #include <tuple>
 
+#include "core/message_limits.h"
 #include "pack/directives.h"
 #include "pack/property_keys.h"
+#include "pack/property_limits.h"
 #include "pack/text.h"
 
 namespace orris {
@@ -147,6 +149,7 @@ std::string nearestByPrefix(const std::string& key) {
     }
     if (end == std::string::npos) continue;
     const std::string head = key.substr(0, end);
+    if (head.size() > prefix.size() + kMostSlips) continue;
     if (editDistance(lowerCase(head), lowerCase(prefix)) <= kMostSlips)
       return prefix + key.substr(end);
   }
@@ -270,11 +273,13 @@ ShaderProperties parseShaderProperties(const std::string& file, const std::strin
                                        Diagnostics& diagnostics, NameWatch* watch) {
   ShaderProperties properties;
   const std::string preprocessed = preprocessProperties(file, text, macros, diagnostics, watch);
-  for (const PropertyEntry& entry :
-       lastValues(parseProperties(file, preprocessed, Continuation::Preprocessed, text))) {
+  auto entries = lastValues(parseProperties(file, preprocessed, Continuation::Preprocessed, text));
+  limitProperties(entries, diagnostics);
+  for (const PropertyEntry& entry : entries) {
     readEntry({properties, entry, options, diagnostics});
   }
-  const auto original = lastValues(parseProperties(file, text, Continuation::Java));
+  auto original = lastValues(parseProperties(file, text, Continuation::Java));
+  limitProperties(original, diagnostics);
   // In inactive branches, too: other options make them active.
   for (const PropertyEntry& entry : original) {
     if (!isKnownKey(entry.key)) reportUnknown({properties, entry, options, diagnostics});
@@ -282,6 +287,7 @@ ShaderProperties parseShaderProperties(const std::string& file, const std::strin
   readProfiles(original, properties, options, diagnostics);
   const Version iris = irisVersionOf(macros).value_or(HostVersions().iris);
   readScreens(original, properties, options, iris, diagnostics);
+  boundMessages(diagnostics);
   return properties;
 }
 

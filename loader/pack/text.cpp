@@ -138,7 +138,10 @@ std::string nearestName(std::string_view name, const std::vector<std::string>& n
   std::string nearest;
   size_t best = name.size() / 3 + 1;
   for (const std::string& candidate : names) {
-    if (candidate.size() > kLongest) continue;
+    // Each letter more or less is a change.
+    const size_t longer = std::max(candidate.size(), name.size());
+    const size_t shorter = std::min(candidate.size(), name.size());
+    if (candidate.size() > kLongest || longer - shorter > best) continue;
     const std::string lowerCandidate = lowerCase(candidate);
     const size_t distance = editDistance(lower, lowerCandidate);
     // In a short name two changed letters are a half: swapped ones at best, seldom the first; of a

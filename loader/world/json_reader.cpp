@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/limits.h"
+
 namespace orris {
 namespace {
 
@@ -37,8 +39,12 @@ std::string member(const std::string& key) { return fmt::format("\"{}\"", key); 
 
 void JsonReader::error(std::size_t offset, std::string message, std::string hint) {
   failed_ = true;
-  diagnostics_.push_back(
-      source_.error(offset, "world-json-value", std::move(message), std::move(hint)));
+  if (++errors_ > limits::kWorldErrors + 1) return;
+  if (errors_ == limits::kWorldErrors + 1) message = "there are more errors from here on";
+  Diagnostic diagnostic =
+      source_.error(offset, "world-json-value", std::move(message), std::move(hint));
+  budget_.take(diagnostic);
+  diagnostics_.push_back(std::move(diagnostic));
 }
 
 void JsonReader::expected(const JsonNode& node, const std::string& what,

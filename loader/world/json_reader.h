@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/message_limits.h"
 #include "world/block_state.h"
 #include "world/located_json.h"
 
@@ -24,6 +25,7 @@ class JsonReader {
   JsonReader(const JsonText& source, Diagnostics& diagnostics)
       : source_(source), diagnostics_(diagnostics) {}
 
+  /// Of many errors the first are kept.
   void error(std::size_t offset, std::string message, std::string hint = "");
   /// The error that `node` is something else than `expectation`.
   void expected(const JsonNode& node, const std::string& what, const std::string& expectation);
@@ -56,6 +58,8 @@ class JsonReader {
  private:
   const JsonText& source_;
   Diagnostics& diagnostics_;
+  MessageBudget budget_;
+  std::size_t errors_ = 0;
   bool failed_ = false;
 };
 

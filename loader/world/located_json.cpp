@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <unordered_set>
+
+#include "core/limits.h"
+#include "core/message_limits.h"
 
 namespace orris {
 namespace {
 
-constexpr std::size_t kMaxJsonDepth = 32;
 constexpr const char* kSyntaxId = "world-json-syntax";
 
 /// "[json.exception.parse_error.101] parse error at line 1, column 2: what" without what stands
@@ -72,16 +75,16 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   TreeBuilder(const JsonText& source, JsonNode& root, Diagnostics& diagnostics)
       : source_(source), cursor_(source.text), root_(root), diagnostics_(diagnostics) {}
 
-  bool null() override { return add(JsonNode::Kind::Null) != nullptr; }
+  bool null() override { return add(JsonNode::Kind::Null) != nullptr && fits(); }
   bool boolean(bool value) override {
     add(JsonNode::Kind::Boolean)->boolean = value;
-    return true;
+    return fits();
   }
   bool number_integer(number_integer_t value) override {
     JsonNode* node = add(JsonNode::Kind::Integer);
     node->integer = value;
     node->real = double(value);
-    return true;
+    return fits();
   }
   bool number_unsigned(number_unsigned_t value) override {
     if (value > number_unsigned_t(std::numeric_limits<std::int64_t>::max())) {
@@ -91,11 +94,11 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   }
   bool number_float(number_float_t value, const string_t&) override {
     add(JsonNode::Kind::Real)->real = value;
-    return true;
+    return fits();
   }
   bool string(string_t& value) override {
     add(JsonNode::Kind::String)->text = std::move(value);
-    return true;
+    return fits();
   }
   bool binary(binary_t&) override { return false; }  // never in text
   bool start_object(std::size_t) override { return open(JsonNode::Kind::Object); }
@@ -106,7 +109,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   bool key(string_t& value) override {
     const std::size_t offset = cursor_.next();
     JsonNode& object = *open_.back();
-    if (object.find(value)) {
+    if (!keys_.back().insert(value).second) {
       diagnostics_.push_back(
           source_.error(offset, kSyntaxId, fmt::format("the key \"{}\" is given twice", value)));
       return false;
@@ -117,8 +120,10 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
 
   bool parse_error(std::size_t position, const std::string&,
                    const nlohmann::detail::exception& problem) override {
-    diagnostics_.push_back(
-        source_.error(position > 0 ? position - 1 : 0, kSyntaxId, withoutPrefix(problem.what())));
+    Diagnostic error =
+        source_.error(position > 0 ? position - 1 : 0, kSyntaxId, withoutPrefix(problem.what()));
+    MessageBudget().take(error);  // it quotes what was read last, however long
+    diagnostics_.push_back(std::move(error));
     return false;
   }
 
@@ -131,23 +136,34 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
                                                   : &parent.members.back().value;
     }
     node->kind = kind;
-    node->offset = cursor_.next();
+    node->offset = last_ = cursor_.next();
     return node;
+  }
+
+  /// False and an error when there are more values than a world may have.
+  bool fits() {
+    if (++values_ <= limits::kWorldJsonValues) return true;
+    diagnostics_.push_back(source_.error(
+        last_, kSyntaxId, fmt::format("more than {} values up to here", limits::kWorldJsonValues)));
+    return false;
   }
 
   bool open(JsonNode::Kind kind) {
     JsonNode* node = add(kind);
-    if (open_.size() >= kMaxJsonDepth) {
-      diagnostics_.push_back(source_.error(
-          node->offset, kSyntaxId, fmt::format("nested deeper than {} levels", kMaxJsonDepth)));
+    if (open_.size() >= limits::kWorldJsonDepth) {
+      diagnostics_.push_back(
+          source_.error(node->offset, kSyntaxId,
+                        fmt::format("nested deeper than {} levels", limits::kWorldJsonDepth)));
       return false;
     }
+    keys_.emplace_back();
     open_.push_back(node);  // stays valid: a node's vector grows only after its last child closed
-    return true;
+    return fits();
   }
 
   bool close() {
     cursor_.next();
+    keys_.pop_back();
     open_.pop_back();
     return true;
   }
@@ -157,6 +173,8 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   JsonNode& root_;
   Diagnostics& diagnostics_;
   std::vector<JsonNode*> open_;
+  std::vector<std::unordered_set<std::string>> keys_;  ///< of the objects in open_
+  std::size_t values_ = 0, last_ = 0;  ///< how many were read, and where the last one stands
 };
 
 }  // namespace
@@ -181,7 +199,7 @@ Diagnostic JsonText::error(std::size_t offset, std::string id, std::string messa
   diagnostic.at = {file, int(std::count(before.begin(), before.end(), '\n')) + 1,
                    int(offset - lineStart) + 1};
   diagnostic.message = std::move(message);
-  diagnostic.sourceLine = line;
+  diagnostic.sourceLine = quotedLine(line, diagnostic.at.column);
   diagnostic.hint = std::move(hint);
   return diagnostic;
 }

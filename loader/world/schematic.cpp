@@ -4,13 +4,12 @@
 
 #include <vector>
 
+#include "core/limits.h"
 #include "world/gunzip.h"
 #include "world/nbt.h"
 
 namespace orris {
 namespace {
-
-constexpr std::size_t kMaxNbtBytes = std::size_t(1) << 28;
 
 struct SchematicReader {
   const std::string& name;
@@ -30,7 +29,7 @@ struct SchematicReader {
   bool decompress(std::string_view bytes, std::string& data) {
     const std::string_view gzipMagic("\x1f\x8b", 2);
     if (!bytes.starts_with(gzipMagic)) return fail("not a schematic: expected gzip data");
-    switch (gunzip(bytes, kMaxNbtBytes, data)) {
+    switch (gunzip(bytes, limits::kSchematicBytes, data)) {
       case GunzipResult::Ok:
         return true;
       case GunzipResult::Truncated:
@@ -40,7 +39,7 @@ struct SchematicReader {
       case GunzipResult::Corrupt:
         return fail("the compressed data is damaged");
       case GunzipResult::TooLarge:
-        return fail(fmt::format("more than {} bytes when decompressed", kMaxNbtBytes));
+        return fail(fmt::format("more than {} bytes when decompressed", limits::kSchematicBytes));
     }
     return false;
   }
@@ -62,7 +61,9 @@ struct SchematicReader {
     for (int axis = 0; axis < 3; ++axis) {
       const NbtTag* tag = root.find(names[axis]);
       if (!tag || !tag->integer()) return fail(fmt::format("no integer \"{}\"", names[axis]));
-      const std::int64_t value = *tag->integer() & 0xffff;  // an unsigned short
+      const std::int64_t written = *tag->integer();
+      const bool negativeShort = written < 0 && written >= -0x8000;  // an unsigned short
+      const std::int64_t value = negativeShort ? written + 0x10000 : written;
       if (value < 1 || value > kMaxWorldSize) {
         return fail(
             fmt::format("\"{}\" is {}: expected 1 to {}", names[axis], value, kMaxWorldSize));
@@ -78,6 +79,7 @@ struct SchematicReader {
   bool readPalette(const NbtTag* tag, BlockWorld& world, std::vector<std::uint32_t>& palette) {
     if (!tag || !tag->compound()) return fail("no compound \"Palette\"");
     const NbtCompound& entries = *tag->compound();
+    if (entries.empty()) return fail("the palette is empty: expected a block state for each index");
     if (entries.size() >= kMaxPalette) {
       return fail(
           fmt::format("{} block states: expected fewer than {}", entries.size(), kMaxPalette));

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "core/limits.h"
 #include "core/read_file.h"
+#include "core/text_file.h"
 #include "world/block_facts.h"
 #include "world/schematic.h"
 #include "world/world_json.h"
@@ -46,11 +48,11 @@ std::optional<World> loadSchematic(const fs::path& path, Diagnostics& diagnostic
   ReadFault fault{};
   const std::optional<std::string> bytes = readFile(path.string(), kMaxFileBytes, fault);
   if (!bytes) {
-    addError(diagnostics, path.string(),
-             fmt::format("this schematic {}", describe(fault)), "");
+    addError(diagnostics, path.string(), fmt::format("this schematic {}", describe(fault)), "");
     return std::nullopt;
   }
-  std::optional<BlockWorld> blocks = parseSchematic(*bytes, path.string(), diagnostics);
+  std::optional<BlockWorld> blocks =
+      parseSchematic(*bytes, path.string(), diagnostics, std::int64_t(limits::kWorldBlocks));
   if (!blocks) return std::nullopt;
   World world;
   world.name = path.stem().string();
@@ -65,9 +67,19 @@ std::optional<World> loadSchematic(const fs::path& path, Diagnostics& diagnostic
 std::optional<World> loadJson(const fs::path& path, const std::optional<std::string>& text,
                               ReadFault fault, unsigned seed, Diagnostics& diagnostics) {
   if (!text) {
-    addError(diagnostics, path.string(),
-             fmt::format("this world {}", describe(fault)),
+    addError(diagnostics, path.string(), fmt::format("this world {}", describe(fault)),
              "WORLD is a folder with world.json, a world.json or a Sponge .schem");
+    return std::nullopt;
+  }
+  if (text->size() > limits::kWorldJsonBytes) {
+    addError(diagnostics, path.string(),
+             fmt::format("this world has {} bytes: expected at most {}", text->size(),
+                         limits::kWorldJsonBytes),
+             "put blocks into a schematic and name it with \"from\"");
+    return std::nullopt;
+  }
+  if (isUtf16(*text)) {
+    addError(diagnostics, path.string(), "this file is UTF-16", "save it as UTF-8");
     return std::nullopt;
   }
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
@@ -77,7 +89,8 @@ std::optional<World> loadJson(const fs::path& path, const std::optional<std::str
   json.file = path.string();
   json.defaultName = fs::weakly_canonical(folder, problem).filename().string();
   json.seed = seed;
-  json.readFile = [&](const std::string& name) { 
+  json.maximumBlocks = std::int64_t(limits::kWorldBlocks);
+  json.readFile = [&](const std::string& name) {
     ReadFault ignored{};
     return readFileBelow(folder.string(), name, kMaxFileBytes, ignored);
   };

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/limits.h"
 #include "world/world_json_blocks.h"
 
 namespace orris {
@@ -54,6 +55,11 @@ std::vector<Camera> readCameras(JsonReader& reader, const JsonNode& root) {
   const JsonNode* list = root.find("cameras");
   if (!list || !reader.array(*list, "\"cameras\"")) return cameras;
   std::set<std::string> names;
+  if (list->items.size() > limits::kWorldCameras) {
+    reader.error(list->items[limits::kWorldCameras].offset,
+                 fmt::format("more than {} cameras", limits::kWorldCameras));
+    return cameras;
+  }
   for (const JsonNode& node : list->items) {
     Camera camera = readCamera(reader, node, true);
     if (!names.insert(camera.name).second) {

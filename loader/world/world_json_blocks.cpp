@@ -4,6 +4,7 @@
 
 #include <map>
 
+#include "core/limits.h"
 #include "core/pack_path.h"
 #include "world/schematic.h"
 #include "world/terrain.h"
@@ -12,6 +13,9 @@ namespace orris {
 namespace {
 
 constexpr char kAir = '.', kKeep = ' ';
+
+// As many written blocks take about the time of a generated one, and of opening a file.
+constexpr std::int64_t kGeneratorWork = 4, kFileWork = 20'000;
 
 class BlockOperations {
  public:
@@ -24,7 +28,10 @@ class BlockOperations {
     readPalette(*world);
     const JsonNode* blocks = root_.find("blocks");
     if (blocks && reader_.array(*blocks, "\"blocks\"")) {
-      for (const JsonNode& node : blocks->items) apply(node, *world);
+      for (const JsonNode& node : blocks->items) {
+        if (work_ > std::int64_t(limits::kWorldWork)) break;
+        apply(node, *world);
+      }
     }
     return world;
   }
@@ -159,10 +166,25 @@ class BlockOperations {
     return std::nullopt;
   }
 
+  static std::int64_t volume(glm::ivec3 size) { return std::int64_t(size.x) * size.y * size.z; }
+  static std::int64_t volume(const Box& box) { return volume(box.high - box.low + 1); }
+
+  /// False and an error when the operations up to `node` are more work than a world may be.
+  bool spend(const JsonNode& node, std::int64_t blocks) {
+    work_ += blocks;
+    if (work_ <= std::int64_t(limits::kWorldWork)) return true;
+    reader_.error(node.offset,
+                  fmt::format("the operations up to this one write more than {} blocks in all; it "
+                              "and those after it are left out",
+                              limits::kWorldWork),
+                  "leave out operations that others overwrite");
+    return false;
+  }
+
   void applyBox(const JsonNode& node, BlockWorld& world) {
     const auto index = blockIndex(node, "box", world);
     const auto area = box(node, world, true);
-    if (index && area) world.fill(area->low, area->high, *index);
+    if (index && area && spend(node, volume(*area))) world.fill(area->low, area->high, *index);
   }
 
   void applyHollow(const JsonNode& node, BlockWorld& world) {
@@ -173,6 +195,7 @@ class BlockOperations {
       glm::ivec3 lowSide = area->high, highSide = area->low;
       lowSide[axis] = area->low[axis];
       highSide[axis] = area->high[axis];
+      if (!spend(node, volume({area->low, lowSide}) + volume({highSide, area->high}))) return;
       world.fill(area->low, lowSide, *index);
       world.fill(highSide, area->high, *index);
     }
@@ -183,14 +206,15 @@ class BlockOperations {
     const auto state = reader_.block(*node.find("replace"), "\"replace\"");
     const auto index = blockIndex(node, "with", world);
     const auto area = box(node, world, false);
-    if (!state || !index || !area) return;
-    const auto matches = [&](const BlockState& other) {
-      return state->properties.empty() ? other.name == state->name : other == *state;
-    };
+    if (!state || !index || !area || !spend(node, volume(*area))) return;
+    std::vector<bool> matches;
+    for (const BlockState& other : world.palette()) {
+      matches.push_back(state->properties.empty() ? other.name == state->name : other == *state);
+    }
     for (int y = area->low.y; y <= area->high.y; ++y) {
       for (int z = area->low.z; z <= area->high.z; ++z) {
         for (int x = area->low.x; x <= area->high.x; ++x) {
-          if (matches(world.at({x, y, z}))) world.set({x, y, z}, *index);
+          if (matches[world.indexAt({x, y, z})]) world.set({x, y, z}, *index);
         }
       }
     }
@@ -268,8 +292,9 @@ class BlockOperations {
 
   void applyFile(const JsonNode& node, BlockWorld& world) {
     const auto at = position(node, world);
+    if (!at || !spend(node, kFileWork)) return;
     const auto file = readFile(*node.find("from"));
-    if (at && file) copy(*file, *at, world);
+    if (file && spend(node, volume(file->size()))) copy(*file, *at, world);
   }
 
   void applyGenerator(const JsonNode& node, BlockWorld& world) {
@@ -289,7 +314,7 @@ class BlockOperations {
     reader_.optional(*terrain, "trees", share, settings.trees);
     reader_.optional(*terrain, "plants", share, settings.plants);
     settings.seed = unsigned(seed) + json_.seed;
-    generateTerrain(world, settings);
+    if (spend(node, volume(world.size()) * kGeneratorWork)) generateTerrain(world, settings);
   }
 
   std::optional<BlockWorld> readFile(const JsonNode& node) {
@@ -334,6 +359,7 @@ class BlockOperations {
   const JsonNode& root_;
   const WorldJson& json_;
   std::map<char, std::uint32_t> palette_;
+  std::int64_t work_ = 0;  ///< of the operations so far, in blocks
 };
 
 }  // namespace

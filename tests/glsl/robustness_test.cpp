@@ -3,6 +3,7 @@
 
 #include <random>
 
+#include "core/limits.h"
 #include "glsl/glsl_test.h"
 
 namespace orris {
@@ -75,6 +76,53 @@ TEST(robustness, exponential_arguments_are_cut_with_a_diagnostic) {
   for (int i = 0; i < 50; ++i) call = "D(" + call + ")";
   const Outcome outcome = run("#define D(x) x x\n" + call + "\n");
   EXPECT_TRUE(reports(outcome, "macro-expansion-limit"));
+}
+
+TEST(robustness, nested_strings_are_cut_with_a_diagnostic) {
+  std::string text = "#define S(x) #x\n#define E(x) S(x)\n", call = "\"\\\"";
+  for (int i = 0; i < 28; ++i) call = "E(" + call + ")";
+  const Outcome outcome = run(text + call + "\n");
+  EXPECT_TRUE(reports(outcome, "macro-expansion-limit"));
+  EXPECT_LT(outcome.text.size(), 1'000'000u);
+}
+
+TEST(robustness, pasted_tokens_are_cut_with_a_diagnostic) {
+  std::string text = "#define P(a, b) P2(a, b)\n#define P2(a, b) a ## b\n#define A0 xxxxxxxx\n";
+  for (int i = 1; i < 40; ++i) {
+    const std::string before = "A" + std::to_string(i - 1);
+    text += "#define A" + std::to_string(i) + " P(" + before + ", " + before + ")\n";
+  }
+  const Outcome outcome = run(text + "A39\n");
+  EXPECT_TRUE(reports(outcome, "macro-expansion-limit"));
+  EXPECT_LT(outcome.text.size(), 1'000'000u);
+}
+
+TEST(robustness, a_long_string_given_often_is_cut_with_a_diagnostic) {
+  std::string text = "#define S(x) #x\n#define R(x)";
+  for (int i = 0; i < 2000; ++i) text += " x";
+  EXPECT_TRUE(
+      reports(run(text + "\nR(S(" + std::string(60'000, 'a') + "))\n"), "macro-expansion-limit"));
+}
+
+TEST(robustness, what_does_not_fit_one_expansion_is_reported) {
+  std::string text = "#define R(x)", arguments;
+  for (int i = 0; i < 1000; ++i) text += " x";
+  for (int i = 0; i < 1000; ++i) arguments += "a ";
+  EXPECT_TRUE(reports(run(text + "\nR(" + arguments + ")\n"), "macro-expansion-limit"));
+}
+
+TEST(robustness, a_source_of_too_many_tokens_is_cut_with_a_diagnostic) {
+  std::string line;
+  for (std::size_t i = 0; i < limits::kStageTokens / 100; ++i) line += "a ";
+  std::string text = "#if 1\n";
+  for (int i = 0; i < 99; ++i) text += line + "\n";
+  EXPECT_FALSE(reports(run(text + "#endif\n"), "source-too-large"));
+  Diagnostics diagnostics;
+  const TokenStream stream =
+      preprocess(test::source(text + line + "a b c\n#endif\n"), {}, diagnostics);
+  ASSERT_EQ(diagnostics.size(), 1u) << "nothing follows from what was cut off";
+  EXPECT_EQ(formatDiagnostic(diagnostics[0]).substr(0, 13), "/a.fsh:101:79");
+  EXPECT_LE(stream.tokens.size(), limits::kStageTokens);
 }
 
 TEST(robustness, deep_argument_nesting_is_cut_with_a_diagnostic) {

@@ -153,7 +153,7 @@ TEST(Schematic, nesting_is_limited) {
 
 TEST(Schematic, decompression_is_bounded) {
   const std::string bomb = gzip(std::string((std::size_t(1) << 28) + 1, '\0'));
-  EXPECT_EQ(errorOf(bomb), "more than 268435456 bytes when decompressed");
+  EXPECT_EQ(errorOf(bomb), "more than 67108864 bytes when decompressed");
 }
 
 TEST(Schematic, real_house_has_its_size_and_states) {
