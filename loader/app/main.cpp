@@ -7,6 +7,7 @@
 #include <csignal>
 #include <exception>
 #include <iostream>
+#include <new>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "app/exit_status.h"
 #include "app/folder_config.h"
 #include "core/printable.h"
+#include "core/work_stage.h"
 
 namespace orris {
 namespace {
@@ -94,8 +96,8 @@ int run(int argc, char** argv) {
                  "of the working folder chooses without naming files")
       ->type_name("FILE");
   // The value is looked up before the command line is parsed.
-  app.add_flag_function("--no-config", [](std::int64_t) {},
-                        "do not read orris.toml of the working folder");
+  app.add_flag_function(
+      "--no-config", [](std::int64_t) {}, "do not read orris.toml of the working folder");
   app.allow_config_extras(CLI::config_extras_mode::error);
   for (CLI::App* command : app.get_subcommands({})) {
     command->fallthrough();
@@ -121,6 +123,9 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file over the limit is then an error of its writer
   try {
     status = orris::run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    std::cerr << "orris: error: out of memory " << orris::printable(orris::WorkStage::whereFailed())
+              << "\n  hint: leave out parts of what was named, or allow more memory\n";
   } catch (const std::exception& error) {
     std::cerr << "orris: error: " << orris::printable(error.what()) << '\n';
   }

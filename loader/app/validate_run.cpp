@@ -11,6 +11,7 @@
 #include "check/conditional_place.h"
 #include "check/link_errors.h"
 #include "check/pack_checks.h"
+#include "core/work_stage.h"
 #include "frame/auto_choices.h"
 #include "frame/render_session.h"
 #include "frame/uniforms.h"
@@ -249,6 +250,7 @@ bool findDriver(const ValidateOptions& options, Checker& checker) {
 
 PackVerdict validatePack(const std::string& path, const ValidateOptions& options, Checker& checker,
                          Report& report) {
+  const WorkStage stage("checking", path);
   PackVerdict verdict{.path = path};
   verdict.files = openPackFiles(path, report, verdict.status);
   if (!verdict.files) return verdict;

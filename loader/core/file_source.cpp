@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "core/limits.h"
 #include "core/pack_path.h"
 #include "core/read_file.h"
 #include "core/zip_source.h"
@@ -94,6 +95,10 @@ class FolderSource : public FileSource {
   bool scanFolder(const std::string& folder, int depth, Diagnostics& diagnostics) {
     if (depth > limits_.folderDepth)
       return tooLarge(folder, "folders nested deeper than {}", limits_.folderDepth, diagnostics);
+    // Two links in each of n folders are walked 2^n times.
+    if (++folders_ > limits::kPackFolders)
+      return tooLarge(folder, "more than {} folders, counting links", limits::kPackFolders,
+                      diagnostics);
     std::error_code error;
     for (fs::directory_iterator
              it(root_ / folder.substr(std::min<size_t>(1, folder.size())), error),
@@ -150,7 +155,7 @@ class FolderSource : public FileSource {
   fs::path root_, pack_;
   PackLimits limits_;
   std::vector<std::string> paths_;
-  size_t total_ = 0;
+  size_t total_ = 0, folders_ = 0;
 };
 
 std::unique_ptr<FileSource> refuse(const std::string& path, std::string message, std::string hint,
@@ -196,8 +201,8 @@ std::unique_ptr<FileSource> openPack(const std::string& path, Diagnostics& diagn
   }
   if (!fs::is_directory(path, error)) {
     if (!fs::is_regular_file(path, error))
-      return refuse(path, "no shader pack: neither a folder nor a file",
-                    "give a folder or a .zip", diagnostics);
+      return refuse(path, "no shader pack: neither a folder nor a file", "give a folder or a .zip",
+                    diagnostics);
     auto files = readZip(path, limits, diagnostics);
     return files ? std::make_unique<ZipSource>(path, limits, std::move(*files)) : nullptr;
   }

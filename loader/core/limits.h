@@ -16,6 +16,9 @@ constexpr std::size_t kMessageNotes = 32;
 constexpr std::size_t kMessageIncludes = 32;
 constexpr std::size_t kPrintedOfAKind = 100;
 
+// Folders of a pack (core/file_source.h, whose PackLimits has bytes and files).
+constexpr std::size_t kPackFolders = 4'096;
+
 // Text files of a pack (core/text_file.h).
 constexpr std::size_t kTextFileBytes = std::size_t{4} << 20;
 constexpr std::size_t kTextFileLines = 100'000;

@@ -24,14 +24,22 @@ void fail(const std::string& file, std::string id, std::string message, std::str
 
 constexpr const char* kDamagedHint = "the archive is damaged or cut off; fetch or zip it again";
 
+constexpr const char* kTwiceHint = "which one counts is up to the reader: zip the folder again";
+
 Archive openArchive(const std::string& path, Diagnostics& diagnostics) {
   int code = 0;
   Archive archive(zip_open(path.c_str(), ZIP_RDONLY | ZIP_CHECKCONS, &code), zip_discard);
   if (!archive) {
     zip_error_t error;
     zip_error_init_with_code(&error, code);
-    fail(path, "zip-unreadable", fmt::format("cannot read the zip: {}", zip_error_strerror(&error)),
-         code == ZIP_ER_NOZIP || code == ZIP_ER_INCONS ? kDamagedHint : "", diagnostics);
+    const bool twice = code == ZIP_ER_EXISTS;
+    fail(path, "zip-unreadable",
+         twice ? "two files in the zip have the same name"
+               : fmt::format("cannot read the zip: {}", zip_error_strerror(&error)),
+         twice                                           ? kTwiceHint
+         : code == ZIP_ER_NOZIP || code == ZIP_ER_INCONS ? kDamagedHint
+                                                         : "",
+         diagnostics);
     zip_error_fini(&error);
   }
   return archive;
@@ -51,18 +59,40 @@ std::optional<std::string> findRoot(zip_t* archive, zip_int64_t count) {
   return deeper;
 }
 
-std::optional<std::string> readEntry(zip_t* archive, zip_uint64_t index, size_t limit) {
+struct EntryText {
+  std::optional<std::string> bytes;
+  std::string problem, hint;  ///< unless bytes
+};
+
+/// Why libzip cannot read an entry, in the words of who made it.
+EntryText refusal(zip_t* archive, zip_uint64_t index) {
+  zip_stat_t stat;
+  const bool known = zip_stat_index(archive, index, 0, &stat) == 0;
+  if (known && (stat.valid & ZIP_STAT_ENCRYPTION_METHOD) && stat.encryption_method != ZIP_EM_NONE)
+    return {std::nullopt, "is encrypted", "zip it without a password"};
+  const bool method = known && (stat.valid & ZIP_STAT_COMP_METHOD);
+  // Minecraft is written in Java, whose archives know these two.
+  if (method && stat.comp_method != ZIP_CM_STORE && stat.comp_method != ZIP_CM_DEFLATE)
+    return {std::nullopt, fmt::format("is compressed by method {}", stat.comp_method),
+            "zip it with deflate, which the game reads, too"};
+  return {std::nullopt, "cannot be read", kDamagedHint};
+}
+
+EntryText readEntry(zip_t* archive, zip_uint64_t index, size_t limit) {
+  EntryText refused = refusal(archive, index);
+  if (refused.hint != kDamagedHint) return refused;
   const Entry entry(zip_fopen_index(archive, index, 0), zip_fclose);
-  if (!entry) return std::nullopt;
+  if (!entry) return refused;
   std::string bytes;
   char block[1 << 16];
   zip_int64_t got = 0;
   while ((got = zip_fread(entry.get(), block, sizeof block)) > 0) {
     bytes.append(block, static_cast<size_t>(got));
     // The size written in the archive may be a lie.
-    if (bytes.size() > limit) return std::nullopt;
+    if (bytes.size() > limit)
+      return {std::nullopt, fmt::format("is larger than {} bytes", limit), "leave it out"};
   }
-  return got < 0 ? std::nullopt : std::optional(std::move(bytes));
+  return got < 0 ? refused : EntryText{std::move(bytes), "", ""};
 }
 
 }  // namespace
@@ -78,7 +108,7 @@ std::optional<std::string> readBesideInZip(const std::string& zip, std::string_v
   for (zip_int64_t i = 0; wanted && i < count; ++i) {
     const char* name = zip_get_name(archive.get(), static_cast<zip_uint64_t>(i), 0);
     if (name && resolvePackPath("/", std::string("/") + name) == wanted)
-      return readEntry(archive.get(), static_cast<zip_uint64_t>(i), limits.fileBytes);
+      return readEntry(archive.get(), static_cast<zip_uint64_t>(i), limits.fileBytes).bytes;
   }
   return std::nullopt;
 }
@@ -102,15 +132,13 @@ std::optional<std::map<std::string, std::string>> readZip(const std::string& pat
     const auto inside = name ? resolvePackPath("/", std::string("/") + name) : std::nullopt;
     if (!inside || !inside->starts_with(*root + "/") || std::string_view(name).ends_with('/'))
       continue;
-    auto bytes = readEntry(archive.get(), static_cast<zip_uint64_t>(i), limits.fileBytes);
-    if (!bytes) {
-      fail(path, "zip-unreadable",
-           fmt::format("cannot read {} in the zip, or it is larger than {} bytes", *inside,
-                       limits.fileBytes),
-           kDamagedHint, diagnostics);
+    EntryText entry = readEntry(archive.get(), static_cast<zip_uint64_t>(i), limits.fileBytes);
+    if (!entry.bytes) {
+      fail(path, "zip-unreadable", fmt::format("{} in the zip {}", *inside, entry.problem),
+           std::move(entry.hint), diagnostics);
       return std::nullopt;
     }
-    total += bytes->size();
+    total += entry.bytes->size();
     if (total > limits.totalBytes || files.size() >= limits.files) {
       fail(path, "pack-too-large",
            fmt::format("the pack has more than {} bytes or {} files", limits.totalBytes,
@@ -118,7 +146,11 @@ std::optional<std::map<std::string, std::string>> readZip(const std::string& pat
            "", diagnostics);
       return std::nullopt;
     }
-    files.emplace(inside->substr(root->size()), std::move(*bytes));
+    if (!files.emplace(inside->substr(root->size()), std::move(*entry.bytes)).second) {
+      fail(path, "zip-unreadable", fmt::format("{} is twice in the zip", *inside), kTwiceHint,
+           diagnostics);
+      return std::nullopt;
+    }
   }
   return files;
 }

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <atomic>
+#include <exception>
 #include <functional>
 #include <thread>
 
 #include "core/text_file.h"
+#include "core/work_stage.h"
 #include "pack/chosen_values.h"
 #include "pack/features.h"
 #include "pack/folder_build.h"
@@ -61,14 +63,23 @@ int buildAll(const FolderBuild& build,
   std::atomic<size_t> next = 0;
   const auto work = [&] {
     for (size_t i = next++; i < missing.size(); i = next++) {
-      built[missing[i]] =
-          std::make_shared<const ProgramSource>(build.build(build.programs()[missing[i]]));
+      const ProgramEntry& entry = build.programs()[missing[i]];
+      const WorkStage stage("reading the program", entry.name.program);
+      built[missing[i]] = std::make_shared<const ProgramSource>(build.build(entry));
     }
   };
+  std::exception_ptr failure;  // an exception that leaves a thread would end the process
   {
-    std::jthread second(work);
+    std::jthread second([&] {
+      try {
+        work();
+      } catch (...) {
+        failure = std::current_exception();
+      }
+    });
     work();
   }
+  if (failure) std::rethrow_exception(failure);
   for (ProgramList::Pointer& program : built) programs.push_back(std::move(program));
   return static_cast<int>(missing.size());
 }

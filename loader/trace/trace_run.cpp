@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <exception>
 #include <thread>
 
 namespace orris {
@@ -53,10 +54,24 @@ RayCounts addSamples(TraceFilm& film, const TraceScene& scene, const TraceCamera
     }
     counts[who] = own;
   };
-  std::vector<std::thread> helpers;
-  for (std::size_t i = 1; i < count; ++i) helpers.emplace_back(serve, i);
-  serve(0);
-  for (std::thread& helper : helpers) helper.join();
+  // An exception that leaves a thread would end the process.
+  std::vector<std::exception_ptr> failures(count);
+  {
+    std::vector<std::jthread> helpers;
+    for (std::size_t i = 1; i < count; ++i) {
+      helpers.emplace_back([&, i] {
+        try {
+          serve(i);
+        } catch (...) {
+          failures[i] = std::current_exception();
+        }
+      });
+    }
+    serve(0);
+  }
+  for (const std::exception_ptr& failure : failures) {
+    if (failure) std::rethrow_exception(failure);
+  }
   film.samples += samples;
   RayCounts total;
   for (const RayCounts& own : counts) total += own;

@@ -8,6 +8,7 @@
 #include "core/limits.h"
 #include "core/read_file.h"
 #include "core/text_file.h"
+#include "core/work_stage.h"
 #include "world/block_facts.h"
 #include "world/schematic.h"
 #include "world/world_json.h"
@@ -109,6 +110,7 @@ const Camera* World::camera(std::string_view cameraName) const {
 }
 
 std::optional<World> loadWorld(const std::string& path, unsigned seed, Diagnostics& diagnostics) {
+  const WorkStage stage("reading the world", path);
   std::error_code problem;
   const fs::path given(path);
   ReadFault fault{};

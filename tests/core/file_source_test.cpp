@@ -152,6 +152,20 @@ TEST_F(FileSourceTest, zip_with_the_pack_in_a_folder) {
   EXPECT_THAT(source->files(), ElementsAre("/composite.fsh", "/lib/a.glsl"));
 }
 
+TEST_F(FileSourceTest, links_that_double_are_not_walked_without_end) {
+  write("pack/shaders/composite.fsh", "");
+  for (int i = 0; i < 27; ++i) {
+    const fs::path folder = root_ / "pack/shaders" / ("f" + std::to_string(i));
+    fs::create_directories(folder);
+    if (i == 0) continue;
+    for (const char* link : {"a", "b"})
+      fs::create_symlink("../f" + std::to_string(i - 1), folder / link);
+  }
+  EXPECT_FALSE(open((root_ / "pack").string()));
+  ASSERT_EQ(diagnostics_.size(), 1u);
+  EXPECT_EQ(diagnostics_.front().message, "the pack has more than 4096 folders, counting links");
+}
+
 TEST_F(FileSourceTest, truncated_zip_is_one_clear_message) {
   std::ifstream file(kData / "pack.zip", std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(file), {}};
@@ -163,6 +177,29 @@ TEST_F(FileSourceTest, truncated_zip_is_one_clear_message) {
     EXPECT_EQ(diagnostics_.front().hint,
               "the archive is damaged or cut off; fetch or zip it again");
   }
+}
+
+TEST_F(FileSourceTest, what_a_zip_cannot_be_is_named) {
+  std::ifstream file(kData / "pack.zip", std::ios::binary);
+  const std::string good{std::istreambuf_iterator<char>(file), {}};
+  // Writes a byte of the heads of all entries, before each and in the list at the end.
+  const auto refused = [&](size_t local, size_t central, char value) {
+    std::string bytes = good;
+    for (size_t i = 0; i + 46 < bytes.size(); ++i) {
+      if (bytes.compare(i, 4, "PK\3\4") == 0) bytes[i + local] = value;
+      if (bytes.compare(i, 4, "PK\1\2") == 0) bytes[i + central] = value;
+    }
+    write("odd.zip", bytes);
+    EXPECT_FALSE(open((root_ / "odd.zip").string()));
+    return diagnostics_.front().message + ": " + diagnostics_.front().hint;
+  };
+  EXPECT_THAT(refused(6, 8, 1), testing::EndsWith("in the zip is encrypted: zip it without a "
+                                                  "password"));
+  EXPECT_THAT(refused(8, 10, 14),
+              testing::EndsWith("in the zip is compressed by method 14: zip it with deflate, which "
+                                "the game reads, too"));
+  EXPECT_FALSE(open((kData / "pack.zip").string(), {.fileBytes = 3}));
+  EXPECT_THAT(message(), testing::HasSubstr("in the zip is larger than 3 bytes"));
 }
 
 TEST_F(FileSourceTest, zip_with_damaged_bytes_is_refused) {
