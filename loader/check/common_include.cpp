@@ -59,7 +59,8 @@ class CommonInclude {
       if (tried++ == kMostPlaces) break;
       Samples alike = units;
       alike.resize(std::min(alike.size(), kMostAlike));
-      tellOthers(*missingOf(found_[alike.front()]), healing(alike), told);
+      told.push_back(*missingOf(found_[alike.front()]));
+      addOthers(healing(alike), told.back());
     }
     return told;
   }
@@ -79,24 +80,17 @@ class CommonInclude {
                                 name.name, name.at.file, name.at.line, failing_ - 1,
                                 failing_ == 2 ? " more is" : "s more are"),
          .sourceLine = pack_.sourceLine(first.at.file, first.at.line),
-         .hint = hintOf(first)});
-    tellOthers(Diagnostic(told.back()), places, told);
+         .hint = hintOf(first),
+         .repair = LineEdit{first.at.file, first.at.line, hintOf(first)}});
+    addOthers(places, told.back());
   }
 
-  void tellOthers(const Diagnostic& first, const std::vector<MissingInclude>& places,
-                  Diagnostics& told) const {
+  void addOthers(const std::vector<MissingInclude>& places, Diagnostic& first) const {
     std::size_t others = 0;
     for (const MissingInclude& place : places) {
       const bool same = place.at.file == first.at.file && place.at.line == first.at.line;
       if (same || others++ == kMostOthers) continue;
-      told.push_back({.severity = Severity::Warning,
-                      .id = kMissing,
-                      .at = place.at,
-                      .message = fmt::format("or the #include that seems to be missing at {}:{} "
-                                             "belongs here",
-                                             first.at.file, first.at.line),
-                      .sourceLine = pack_.sourceLine(place.at.file, place.at.line),
-                      .hint = hintOf(place)});
+      first.related.push_back({place.at, fmt::format("or {} belongs here", hintOf(place))});
     }
   }
 
@@ -171,6 +165,22 @@ class CommonInclude {
   int failing_ = 0;                                        ///< units in all that were told any
 };
 
+/// Puts findings with more places in for those that are there already; false: these are new.
+bool replaceEqual(const Diagnostics& better, std::vector<Diagnostics>& found) {
+  bool any = false;
+  for (Diagnostics& diagnostics : found) {
+    for (Diagnostic& d : diagnostics) {
+      const auto same = std::ranges::find_if(better, [&](const Diagnostic& other) {
+        return other.id == d.id && other.at == d.at && other.message == d.message;
+      });
+      if (same == better.end()) continue;
+      d = *same;
+      any = true;
+    }
+  }
+  return any;
+}
+
 }  // namespace
 
 void mergeMissingIncludes(const ShaderPack& pack, const std::vector<ProgramUnit>& units,
@@ -186,13 +196,12 @@ void mergeMissingIncludes(const ShaderPack& pack, const std::vector<ProgramUnit>
     return true;
   });
   if (told.empty()) return;
-  if (told.front().severity == Severity::Error) {
-    for (Diagnostics& diagnostics : found) {
-      // What else a program lacks stays told.
-      std::erase_if(diagnostics, [&](const Diagnostic& d) {
-        return d.id == kMissing && d.hint == told.front().hint;
-      });
-    }
+  if (replaceEqual(told, found)) return;
+  for (Diagnostics& diagnostics : found) {
+    // What else a program lacks stays.
+    std::erase_if(diagnostics, [&](const Diagnostic& d) {
+      return d.id == kMissing && d.hint == told.front().hint;
+    });
   }
   first->insert(first->end(), told.begin(), told.end());
 }

@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 
+#include "check/glsl_functions.h"
 #include "check/glsl_types.h"
 #include "check/known_names.h"
 #include "check/pack_texts.h"
@@ -47,10 +48,19 @@ bool isOfContract(const std::string& name) {
   return findKnownName(NameKind::Uniform, name) || findKnownName(NameKind::Sampler, name);
 }
 
+bool isCall(const Diagnostic& error) {
+  return error.message.find("no matching overloaded function") != std::string::npos;
+}
+
 class StageHints {
  public:
-  StageHints(DefinitionIndex& index, const StageText& stage, Diagnostics& found)
-      : index_(index), stage_(stage), found_(found), files_(filesOf(index, stage)) {}
+  StageHints(DefinitionIndex& index, const std::vector<const StageText*>& stages,
+             const StageText& stage, Diagnostics& found)
+      : index_(index),
+        stages_(stages),
+        stage_(stage),
+        found_(found),
+        files_(filesOf(index, stage)) {}
 
   bool isOf(const Diagnostic& diagnostic) const {
     if (diagnostic.includedFrom.empty()) return contains(files_, diagnostic.at.file);
@@ -77,12 +87,84 @@ class StageHints {
 
  private:
   void explainName(std::size_t index, const std::string& name) {
+    const bool call = isCall(found_[index]);
+    if (call ? explainParameters(index, name) : explainVarying(index, name)) return;
     if (explainMisspelling(index, name)) return;
     if (const std::string declaration = declarationOf(name); !declaration.empty()) {
       found_[index].hint = "it must be declared: " + declaration;
     }
     explainInclude(index, name);
-    if (found_[index].hint.empty()) suggestKnown(index, name);
+    if (found_[index].hint.empty()) call ? suggestFunction(index, name) : suggestKnown(index, name);
+  }
+
+  /// The stage before hands the name over, or the one behind reads it.
+  bool explainVarying(std::size_t index, const std::string& name) {
+    if (!found_[index].hint.empty()) return false;
+    using Storage = StageGlobal::Storage;
+    for (const StageText* other : stages_) {
+      if (other == &stage_) continue;
+      const bool before = other->stage < stage_.stage;
+      for (const StageGlobal& global : readStageInterface(*other).globals) {
+        const bool meets = global.storage == (before ? Storage::Out : Storage::In) &&
+                           !global.block && global.name == name && global.arraySizes.empty();
+        if (!meets) continue;
+        const char* does = before ? "writes" : "reads";
+        found_[index].hint =
+            fmt::format("declare it: {} {} {};", before ? "in" : "out", global.type, name);
+        found_[index].related.push_back(
+            {other->text.locate(global.place.line, global.place.column),
+             fmt::format("the {} stage {} it", stageName(other->stage), does)});
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// The function exists with other parameters.
+  bool explainParameters(std::size_t index, const std::string& name) {
+    if (!functions_) functions_ = definedFunctions(stage_.text);
+    const auto same = functions_->find(name);
+    if (same != functions_->end()) {
+      found_[index].related.push_back({same->second, "defined here with other parameters"});
+      return true;
+    }
+    const std::vector<std::string>& builtIn = builtInFunctions();
+    const bool exists = std::ranges::find(builtIn, name) != builtIn.end();
+    // What a version lacks has been said.
+    if (exists && found_[index].hint.empty()) found_[index].hint = "the function exists, but takes other arguments";
+    return exists;
+  }
+
+  /// "float shade(" at the start of a line: functions that nothing calls are not in the text.
+  void addWrittenFunctions() {
+    for (const std::string& file : files_) {
+      const auto lines = index_.files().find(file);
+      if (lines == index_.files().end()) continue;
+      for (std::size_t i = 0; i < lines->second.size(); ++i) {
+        const std::string_view line = lines->second[i];
+        const std::string_view type = leadingWord(trim(line));
+        const std::string_view rest = trim(trim(line).substr(type.size()));
+        const std::string_view name = leadingWord(rest);
+        if (type.empty() || name.empty() || type == "return" || type == "else" || name == kMain ||
+            !trim(rest.substr(name.size())).starts_with('('))
+          continue;
+        functions_->try_emplace(std::string(name),
+                                SourceLocation{file, int(i) + 1, int(name.data() - line.data()) + 1});
+      }
+    }
+  }
+
+  void suggestFunction(std::size_t index, const std::string& name) {
+    addWrittenFunctions();
+    std::vector<std::string> names = builtInFunctions();
+    for (const auto& [function, place] : *functions_) names.push_back(function);
+    // Two slips in a short name make another one.
+    constexpr std::size_t kShort = 6;
+    const std::string meant = likelyMeant(name, names);
+    if (meant.empty() || (name.size() < kShort && editDistance(name, meant) > 1)) return;
+    found_[index].hint = fmt::format("did you mean {}?", meant);
+    if (const auto place = functions_->find(meant); place != functions_->end())
+      found_[index].related.push_back({place->second, fmt::format("{} is defined here", meant)});
   }
 
   // A declaration that nothing uses, a slip away from the name that nothing declares.
@@ -98,14 +180,32 @@ class StageHints {
     if (at.file.empty()) return false;
     found_[index].hint =
         fmt::format("did you mean {}, declared at {}:{}?", meant, at.file, at.line);
-    add({.severity = Severity::Warning,
+    if (usesOf(name) < 2) {
+      found_[index].related.push_back({at, fmt::format("nothing uses '{}'", meant)});
+      return true;
+    }
+    // One name against several: the slip is in the declaration.
+    std::string line = sourceLine(at);
+    const std::size_t column = std::size_t(std::max(at.column - 1, 0));
+    std::optional<LineEdit> repair;
+    if (line.compare(std::min(column, line.size()), meant.size(), meant) == 0)
+      repair = LineEdit{at.file, at.line, line.replace(column, meant.size(), name), true};
+    add({.severity = Severity::Error,
          .id = "name-misspelt",
          .at = at,
          .message =
              fmt::format("nothing uses '{}', and '{}' is used without being declared", meant, name),
          .includedFrom = stage_.text.includedFrom(place.line, place.column),
-         .sourceLine = sourceLine(at)});
+         .sourceLine = sourceLine(at),
+         .repair = std::move(repair)});
     return true;
+  }
+
+  /// How often the text has the name: compilers end at the first that is not declared.
+  int usesOf(const std::string& name) const {
+    int uses = 0;
+    forEachWord(stage_.text.text, [&](std::string_view word) { uses += word == name ? 1 : 0; });
+    return uses;
   }
 
   /// Names, local ones too, that stand once in the text: in their declarations.
@@ -175,7 +275,9 @@ class StageHints {
                          .at = missing.at,
                          .message = problem + ": an #include seems to be missing here",
                          .sourceLine = sourceLine(missing.at),
-                         .hint = fmt::format("#include \"{}\"", missing.target)};
+                         .hint = fmt::format("#include \"{}\"", missing.target),
+                         .repair = LineEdit{missing.at.file, missing.at.line,
+                                            fmt::format("#include \"{}\"", missing.target)}};
     if (missing.model.line > 0) {
       companion.notes.push_back(
           fmt::format("as {}:{} does", missing.model.file, missing.model.line));
@@ -238,11 +340,13 @@ class StageHints {
   }
 
   DefinitionIndex& index_;
+  const std::vector<const StageText*>& stages_;  ///< of the program
   const StageText& stage_;
   Diagnostics& found_;
   std::vector<std::string> files_;
   std::vector<UnknownName> unknown_;
   std::optional<std::map<std::string_view, TextPlace>> unused_;
+  std::optional<std::map<std::string, SourceLocation>> functions_;  ///< that the text defines
   std::size_t firstUse_ = 0;  ///< the line of the text that uses the first of these, 0: not known
 };
 
@@ -260,7 +364,7 @@ void explainUnknownNames(DefinitionIndex& index, const std::vector<const StageTe
                          const IncludeTrial& trial, Diagnostics& found) {
   const std::size_t count = found.size();
   for (const StageText* stage : stages) {
-    StageHints hints(index, *stage, found);
+    StageHints hints(index, stages, *stage, found);
     std::size_t explained = 0;
     for (std::size_t i = 0; i < count && explained < kMostExplained; ++i) {
       if (found[i].severity != Severity::Error || !hints.isOf(found[i])) continue;

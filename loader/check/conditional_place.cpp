@@ -30,11 +30,6 @@ struct Unbalanced {
   std::vector<User> samples;  ///< that are compiled with it, of as many folders as possible
 };
 
-/// What stands in the file itself, as all of an UnbalancedConditional does.
-SourceLocation placeIn(const std::string& file, const Origin& at) {
-  return {file, at.line, at.column};
-}
-
 /// The files that are told of and that a unit reads.
 class Collector {
  public:
@@ -108,35 +103,39 @@ class PlaceSearch {
     if (!inNoOther.empty()) conditions_.push_back(inNoOther);
   }
 
-  /// The same with the place that was tried, nullopt when none is better than the likeliest.
-  std::optional<UnbalancedConditional> run() {
+  /// What to report with the place that was tried; nullopt: no program could be made.
+  std::optional<Diagnostic> run() {
     const auto& repairs = unbalanced_.what.repairs;
     for (std::size_t i = 0; i < repairs.size() && least_ > 0; ++i) {
-      const int left = problemsWith(repairs[i]);
-      if (left < least_) least_ = left, best_ = i;
+      for (const LineEdit& edit : editsOf(repairs[i])) {
+        const int left = problemsWith({edit.file, edit.line, "", edit.text});
+        if (left < least_) least_ = left, best_ = i, bestEdit_ = edit;
+      }
     }
     if (least_ == kUnknown) return std::nullopt;
     UnbalancedConditional settled = unbalanced_.what;
     settled.at = repairs[best_].partner;
     settled.place = repairs[best_].place;
     settled.directive = repairs[best_].directive;
-    return settled;
+    Diagnostic d = describeUnbalanced(settled, unbalanced_.file);
+    d.repair = bestEdit_;
+    return d;
   }
 
  private:
   static constexpr int kUnknown = 1 << 30;
 
-  /// Left in all samples, at most one more than is known to be possible.
-  int problemsWith(const ConditionalRepair& repair) const {
+  std::vector<LineEdit> editsOf(const ConditionalRepair& repair) const {
     if (unbalanced_.what.kind == UnbalancedConditional::Kind::Unclosed)
-      return problemsWith({unbalanced_.file, repair.place.line + 1, "", "#endif"});
+      return {{unbalanced_.file, repair.place.line + 1, "#endif"}};
     // What the condition was is not known: always, never, in one stage or in that which has none.
-    int least = kUnknown;
+    std::vector<LineEdit> edits;
     for (const std::string& condition : conditions_)
-      least = std::min(least, problemsWith({unbalanced_.file, repair.place.line, "", condition}));
-    return least;
+      edits.push_back({unbalanced_.file, repair.place.line, condition});
+    return edits;
   }
 
+  /// Left in all samples, at most one more than is known to be possible.
   int problemsWith(const AddedLine& added) const {
     int problems = 0;
     for (const auto& [folder, unit] : unbalanced_.samples) {
@@ -150,38 +149,19 @@ class PlaceSearch {
   const Unbalanced& unbalanced_;
   std::vector<std::string> conditions_ = {"#if 1", "#if 0"};
   std::size_t best_ = 0;
+  LineEdit bestEdit_;
   int least_ = kUnknown;
 };
 
-Diagnostics tell(const ShaderPack& folder, const std::string& file,
-                 const UnbalancedConditional& what) {
-  Diagnostics told;
-  for (const UnbalancedMessage& message : messagesOf(what)) {
-    told.push_back({.severity = Severity::Warning,
-                    .id = kUnbalanced,
-                    .at = placeIn(file, message.at),
-                    .message = message.text,
-                    .sourceLine = folder.sourceLine(file, message.at.line)});
-  }
-  return told;
-}
-
-/// Replaces what was told of the file's places.
-void replace(const Unbalanced& unbalanced, const Diagnostics& settled, Diagnostics& found) {
-  std::set<int> lines;
-  for (const UnbalancedMessage& message : messagesOf(unbalanced.what))
-    lines.insert(message.at.line);
-  const auto isOld = [&](const Diagnostic& d) {
-    return d.id == kUnbalanced && d.at.file == unbalanced.file && lines.contains(d.at.line);
-  };
-  const auto first = std::ranges::find_if(found, isOld);
-  if (first == found.end()) return;
-  const Diagnostic model = *first;
-  std::erase_if(found, isOld);
-  for (Diagnostic diagnostic : settled) {
-    diagnostic.hint = model.hint;
-    diagnostic.includedFrom = model.includedFrom;
-    found.push_back(std::move(diagnostic));
+/// Replaces what was reported of the file's place.
+void replaceReport(const Unbalanced& unbalanced, const Diagnostic& settled, Diagnostics& found) {
+  const Diagnostic guess = describeUnbalanced(unbalanced.what, unbalanced.file);
+  for (Diagnostic& d : found) {
+    if (d.id != kUnbalanced || d.at != guess.at || d.message != guess.message) continue;
+    Diagnostic better = settled;
+    better.hint = d.hint;
+    better.includedFrom = d.includedFrom;
+    d = std::move(better);
   }
 }
 
@@ -195,9 +175,11 @@ void settleConditionals(const std::vector<ShaderPack>& folders, int jobs,
   const std::vector<Unbalanced> files = collector.files();
   std::vector<Diagnostics> settled(files.size());
   const auto work = [&](std::size_t i) {
-    const auto what = PlaceSearch(files[i]).run();
-    if (!what) return encodeDiagnostics({});
-    return encodeDiagnostics(tell(*files[i].samples.front().folder, files[i].file, *what));
+    auto tried = PlaceSearch(files[i]).run();
+    if (!tried) return encodeDiagnostics({});
+    const ShaderPack& folder = *files[i].samples.front().folder;
+    tried->sourceLine = folder.sourceLine(tried->at.file, tried->at.line);
+    return encodeDiagnostics({*tried});
   };
   runIsolated({.count = files.size(), .workers = jobs, .work = work},
               [&](std::size_t i, const JobOutcome& outcome) {
@@ -207,7 +189,7 @@ void settleConditionals(const std::vector<ShaderPack>& folders, int jobs,
               });
   for (std::size_t i = 0; i < files.size(); ++i) {
     if (settled[i].empty()) continue;
-    for (Diagnostics& diagnostics : found) replace(files[i], settled[i], diagnostics);
+    for (Diagnostics& diagnostics : found) replaceReport(files[i], settled[i].front(), diagnostics);
   }
 }
 

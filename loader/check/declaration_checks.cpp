@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "check/version_checks.h"
 #include "glsl/compiler_log.h"
@@ -15,6 +16,13 @@ using ProgramCheck = void (*)(const ProgramInterface&, DeclarationReport&);
 // In the order of the report.
 constexpr ProgramCheck kChecks[] = {checkVaryings, checkNames, checkNewNames, checkOutputs,
                                     checkResourceCounts};
+
+// A declaration in a shared file may not fit those of many programs.
+constexpr std::size_t kMostPartners = 3;
+
+std::string keyOfPlace(const Diagnostic& d) {
+  return fmt::format("{}:{}:{}:{}", d.at.file, d.at.line, d.id, d.message);
+}
 
 ProgramInterface interfaceOf(const ProgramSource& program) {
   ProgramInterface result{.program = &program};
@@ -39,16 +47,48 @@ std::string ProgramInterface::name() const {
   return (program->folder == "/" ? "/" : program->folder + "/") + own;
 }
 
-void DeclarationReport::add(const StageInterface& stage, const TextPlace& place, Finding finding) {
-  const SourceLocation at = stage.stage->text.locate(place.line, place.column);
-  if (at.file.empty() || known(at, finding)) return;
+Diagnostic DeclarationReport::locateFinding(const StageInterface& stage, const TextPlace& place,
+                                            Finding finding) const {
   LogEntry entry{finding.severity, place.line, place.column, std::move(finding.message),
                  std::move(finding.notes)};
   const ShaderPack& pack = folder.pack;
-  Diagnostic& diagnostic = diagnostics_.emplace_back(locateLogEntry(
+  Diagnostic diagnostic = locateLogEntry(
       entry, std::move(finding.id), *stage.stage,
-      [&pack](const std::string& file, int line) { return pack.sourceLine(file, line); }));
+      [&pack](const std::string& file, int line) { return pack.sourceLine(file, line); });
   diagnostic.hint = std::move(finding.hint);
+  return diagnostic;
+}
+
+void DeclarationReport::add(const StageInterface& stage, const TextPlace& place, Finding finding) {
+  const SourceLocation at = stage.stage->text.locate(place.line, place.column);
+  if (at.file.empty() || known(at, finding)) return;
+  diagnostics_.push_back(locateFinding(stage, place, std::move(finding)));
+}
+
+void DeclarationReport::addPair(const Side& from, const Side& to, const Finding& finding) {
+  pairs_.push_back({locateFinding(from.stage, from.place, finding),
+                    locateFinding(to.stage, to.place, finding)});
+}
+
+void DeclarationReport::finishPairs() {
+  std::map<std::string, std::set<std::string>> partners;  // of each `from`, distinct places
+  for (const Pair& pair : pairs_)
+    partners[keyOfPlace(pair.from)].insert(keyOfPlace(pair.to));
+  std::map<std::string, std::size_t> made;  // index of the finding at a place
+  for (Pair& pair : pairs_) {
+    const bool atFrom = partners.at(keyOfPlace(pair.from)).size() > 1;
+    Diagnostic& here = atFrom ? pair.from : pair.to;
+    const Diagnostic& there = atFrom ? pair.to : pair.from;
+    const auto [known, isNew] = made.try_emplace(keyOfPlace(here), diagnostics_.size());
+    if (isNew) diagnostics_.push_back(here);
+    Diagnostic& finding = diagnostics_[known->second];
+    finding.severity = std::max(finding.severity, here.severity);
+    const RelatedPlace place{there.at, "the other declaration"};
+    std::vector<RelatedPlace>& related = finding.related;
+    if (related.size() < kMostPartners && std::ranges::find(related, place) == related.end())
+      related.push_back(place);
+  }
+  pairs_.clear();
 }
 
 void DeclarationReport::add(const SourceLocation& at, Finding finding) {
@@ -85,6 +125,7 @@ void checkDeclarations(const FolderInput& input, Diagnostics& diagnostics) {
     }
     if (!program.stages.empty()) check(interfaceOf(program), report);
   }
+  report.finishPairs();
 }
 
 }  // namespace orris

@@ -36,14 +36,28 @@ class DeclarationReport {
   void add(const StageInterface& stage, const TextPlace& place, Finding finding);
   /// At a place of the author's.
   void add(const SourceLocation& at, Finding finding);
+  /// Of two declarations that do not fit: one finding at the end of all, with the other places as related.
+  /// Where one declaration does not fit several, it stands there, else at the second.
+  struct Side {
+    const StageInterface& stage;
+    const TextPlace& place;
+  };
+  void addPair(const Side& from, const Side& to, const Finding& finding);
+  void finishPairs();
   /// "/lib/a.glsl:3" of a place in a final text.
   static std::string placeName(const StageInterface& stage, const TextPlace& place);
 
   const FolderInput& folder;
 
  private:
+  struct Pair {
+    Diagnostic from, to;  ///< the same finding at either end
+  };
   bool known(const SourceLocation& at, const Finding& finding);
+  Diagnostic locateFinding(const StageInterface& stage, const TextPlace& place,
+                           Finding finding) const;
   Diagnostics& diagnostics_;
+  std::vector<Pair> pairs_;
   std::map<std::string, std::size_t> seen_;  ///< index of the diagnostic
 };
 

@@ -11,11 +11,18 @@ json pack(const SourceLocation& at) { return json::array({at.file, at.line, at.c
 
 SourceLocation unpackLocation(const json& value) { return {value[0], value[1], value[2]}; }
 
+json pack(const std::optional<LineEdit>& edit) {
+  if (!edit) return nullptr;
+  return json::array({edit->file, edit->line, edit->text, edit->replaces});
+}
+
 json pack(const Diagnostic& d) {
-  json chain = json::array();
+  json chain = json::array(), related = json::array();
   for (const SourceLocation& at : d.includedFrom) chain.push_back(pack(at));
+  for (const RelatedPlace& place : d.related)
+    related.push_back(json::array({pack(place.at), place.message}));
   return json::array({int(d.severity), d.id, pack(d.at), d.message, chain, d.sourceLine, d.notes,
-                      d.hint, effectName(d.effect)});
+                      d.hint, effectName(d.effect), related, pack(d.repair)});
 }
 
 Diagnostic unpack(const json& value) {
@@ -29,6 +36,10 @@ Diagnostic unpack(const json& value) {
   d.notes = value[6].get<std::vector<std::string>>();
   d.hint = value[7];
   d.effect = effectNamed(value[8].get<std::string>());
+  for (const json& place : value[9])
+    d.related.push_back({unpackLocation(place[0]), place[1].get<std::string>()});
+  if (const json& edit = value[10]; !edit.is_null())
+    d.repair = LineEdit{edit[0], edit[1], edit[2], edit[3]};
   return d;
 }
 

@@ -13,6 +13,7 @@ void checkFrame(const FolderInput& input, Diagnostics& diagnostics) {
   checkTargetsRead(frame, diagnostics);
   checkTargetsWritten(frame, diagnostics);
   checkFeedback(frame, diagnostics);
+  checkUnboundTargets(frame, diagnostics);
   checkImageStores(frame, diagnostics);
   checkMipmaps(frame, diagnostics);
   checkOutputFormats(frame, diagnostics);

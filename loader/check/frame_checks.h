@@ -19,6 +19,9 @@ void checkTargetsWritten(const FrameView& frame, Diagnostics& diagnostics);
 /// target-feedback: a geometry program samples the very texture that it draws to.
 void checkFeedback(const FrameView& frame, Diagnostics& diagnostics);
 
+/// target-unbound: a geometry program samples one of the buffers that it does not get.
+void checkUnboundTargets(const FrameView& frame, Diagnostics& diagnostics);
+
 /// target-store-lost, target-store-race: images of a buffer that the same program draws to or samples.
 void checkImageStores(const FrameView& frame, Diagnostics& diagnostics);
 

@@ -19,6 +19,9 @@ constexpr std::array<std::string_view, 8> kTranslucent = {
     "gbuffers_clouds",     "gbuffers_weather",
     "gbuffers_hand_water", "gbuffers_block_translucent"};
 
+// Programs that draw the scene get no lower ones. Iris: IrisSamplers.addRenderTargetSamplers
+constexpr int kFirstInGeometry = 4;
+
 bool isTranslucent(std::string_view program) {
   return std::find(kTranslucent.begin(), kTranslucent.end(), program) != kTranslucent.end();
 }
@@ -79,12 +82,22 @@ bool isReplaced(const ShaderPack& pack, const FramePass& pass, const BufferName&
          });
 }
 
+/// Where no texture of the scene is bound, a sampler named texture or gcolor, which the host renames,
+/// reads colortex0. Iris: IrisSamplers.addRenderTargetSamplers
+bool isDefaultSampler(const FramePass& pass, const std::string& name) {
+  return name == "gtexture" && !pass.isGeometry();
+}
+
 void addBuffers(const ShaderPack& pack, FramePass& pass) {
   for (const std::string& name : pass.names) {
-    const auto buffer = parseBufferName(name, pass.names.contains("watershadow"));
+    const auto buffer = parseBufferName(isDefaultSampler(pass, name) ? "gcolor" : name,
+                                        pass.names.contains("watershadow"));
     if (!buffer || isReplaced(pack, pass, *buffer, name)) continue;
     const bool color = buffer->kind == BufferName::Kind::Color;
-    if (color && !buffer->image && pass.isGeometry() && buffer->index < 4) continue;
+    if (color && !buffer->image && pass.isGeometry() && buffer->index < kFirstInGeometry) {
+      pass.unbound.push_back(name);
+      continue;
+    }
     if (color && pass.group == ProgramGroup::ShadowComp) continue;
     pass.uses.push_back({*buffer, name});
   }

@@ -41,6 +41,7 @@ struct FramePass {
   /// Buffers that the pass really gets by those names: not colortex0 to 3 in geometry programs (the
   /// atlas), no names that a custom texture or image replaces.
   std::vector<BufferUse> uses;
+  std::vector<std::string> unbound;  ///< of the names, those of colortex0 to 3 in geometry programs
 
   bool isGeometry() const { return kind == Kind::Geometry || kind == Kind::Shadow; }
   bool isShadowGroup() const;

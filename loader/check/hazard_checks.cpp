@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "check/frame_checks.h"
+#include "check/pack_texts.h"
 #include "check/program_text.h"
 #include "pack/text.h"
 
@@ -28,10 +29,42 @@ std::optional<WordPlace> firstPlace(const FramePass& pass, std::string_view name
   return places.empty() ? std::nullopt : std::optional(places.front());
 }
 
+/// The second argument of the call whose first one stands at `place`, nullopt when it is none.
+std::optional<std::string> coordinatesAt(std::string_view text, const WordPlace& place) {
+  const std::string_view before = trim(text.substr(0, place.offset));
+  if (!before.ends_with('(')) return std::nullopt;
+  const std::string_view head = trim(before.substr(0, before.size() - 1));
+  const auto call = callAt(text, head.size());
+  if (!call || call->arguments.size() < 2) return std::nullopt;
+  return std::string(call->arguments[1]);
+}
+
+/// Is the variable given a value by a statement that names `source`?
+bool isMadeOf(std::string_view text, std::string_view variable, std::string_view source) {
+  for (std::size_t at = text.find(variable); at != text.npos; at = text.find(variable, at + 1)) {
+    const std::string_view rest = text.substr(at + variable.size());
+    const std::size_t end = rest.find(';');
+    if (end != rest.npos && trim(rest).starts_with('=') &&
+        rest.substr(0, end).find(source) != rest.npos)
+      return true;
+  }
+  return false;
+}
+
 /// GL allows an invocation to read the one texel that it is going to write (section 9.3.1), and packs
 /// blend by hand that way.
 bool mayReadOwnTexel(const WordPlace& place) {
-  return place.stage->text.text.find("gl_FragCoord") != std::string::npos;
+  constexpr std::string_view kPixel = "gl_FragCoord";
+  const std::string_view text = place.stage->text.text;
+  const auto coordinates = coordinatesAt(text, place);
+  // Whoever hands the sampler on may do anything with it.
+  if (!coordinates) return text.find(kPixel) != text.npos;
+  if (coordinates->find(kPixel) != std::string::npos) return true;
+  bool found = false;
+  forEachWord(*coordinates, [&](std::string_view word) {
+    found = found || isMadeOf(text.substr(0, place.offset), word, kPixel);
+  });
+  return found;
 }
 
 void checkFeedbackOf(const FrameView& frame, const FramePass& pass, Diagnostics& diagnostics) {
@@ -39,17 +72,34 @@ void checkFeedbackOf(const FrameView& frame, const FramePass& pass, Diagnostics&
     if (use.buffer.image || !draws(pass, use)) continue;
     const bool shadow = pass.isShadowGroup();
     if (pass.readsAlt(shadow, use.buffer.index) != pass.writesAlt(use.buffer.index)) continue;
-    const auto place = firstPlace(pass, use.name);
-    if (!place) continue;
+    const auto places = findUses(*pass.program, false, use.name);
+    if (places.empty()) continue;
+    const auto other = std::ranges::find_if_not(places, mayReadOwnTexel);
+    const bool own = other == places.end();
     const std::string title = titleOf(use);
     diagnostics.push_back(diagnosticAt(
-        frame.pack, mayReadOwnTexel(*place) ? Severity::Note : Severity::Warning, "target-feedback",
-        *place,
+        frame.pack, own ? Severity::Note : Severity::Warning, "target-feedback",
+        own ? places.front() : *other,
         fmt::format(
             "{} samples {} while it draws to it: geometry programs read and draw to the same "
             "side, so what is read is undefined",
             pass.name, title),
         fmt::format("copy {} to another buffer first, or draw to another one", title)));
+  }
+}
+
+/// Iris: IrisSamplers.addRenderTargetSamplers. A sampler that is not bound keeps unit 0, the texture of
+/// what is drawn.
+void checkUnboundOf(const FrameView& frame, const FramePass& pass, Diagnostics& diagnostics) {
+  for (const std::string& name : pass.unbound) {
+    const auto place = firstPlace(pass, name);
+    if (!place) continue;
+    diagnostics.push_back(diagnosticAt(
+        frame.pack, Severity::Warning, "target-unbound", *place,
+        fmt::format("{} samples {}, which Iris binds in fullscreen programs only: here it is the "
+                    "texture of what is drawn, as gtexture is",
+                    pass.name, name),
+        "read colortex4 or a later buffer, or do this in a deferred or composite program"));
   }
 }
 
@@ -151,6 +201,11 @@ void checkUnusedLevels(const FrameView& frame, Diagnostics& diagnostics) {
 void checkFeedback(const FrameView& frame, Diagnostics& diagnostics) {
   for (const FramePass& pass : frame.passes)
     if (pass.program != nullptr && pass.isGeometry()) checkFeedbackOf(frame, pass, diagnostics);
+}
+
+void checkUnboundTargets(const FrameView& frame, Diagnostics& diagnostics) {
+  for (const FramePass& pass : frame.passes)
+    if (pass.program != nullptr) checkUnboundOf(frame, pass, diagnostics);
 }
 
 void checkImageStores(const FrameView& frame, Diagnostics& diagnostics) {

@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "check/block_names.h"
 #include "check/block_states.h"
 #include "check/lost_blocks.h"
 #include "check/pack_texts.h"
@@ -74,6 +75,7 @@ class BlockCheck {
       std::vector<std::string> told;
       BlockFilter filter = parseBlockFilter(word.text, 0, told);
       checkStates(filter, word);
+      if (!filter.isTag) checkBlockName(filter.name, word, entry);
       ListedBlock listed{&entry, word.text, word.at, !filter.properties.empty()};
       auto& before = seen_[{filter.isTag, filter.name}];
       // Where the first may be missing, this one is what counts then.
@@ -104,6 +106,24 @@ class BlockCheck {
       const StateProperty* property = findStateProperty(wanted.first);
       return property && property->values.empty();
     });
+  }
+
+  static bool lists(const PropertyEntry& entry, std::string_view block) {
+    return std::ranges::any_of(splitBlanks(entry.value), [&](std::string_view word) {
+      if (word.starts_with("minecraft:")) word.remove_prefix(10);
+      return word.substr(0, word.find(':')) == block;
+    });
+  }
+
+  /// Not where the line has the other name too: that of another version of the game.
+  void checkBlockName(std::string_view name, const PropertyWord& word, const PropertyEntry& entry) {
+    constexpr std::string_view kGame = "minecraft:";
+    if (!name.starts_with(kGame)) return;
+    const std::string meant = meantBlock(name.substr(kGame.size()));
+    if (meant.empty() || lists(entry, meant)) return;
+    diagnostics_.push_back(wordDiagnostic(Severity::Warning, "id-block", word,
+                                          fmt::format("the game has no block {}", name),
+                                          fmt::format("did you mean {}?", meant)));
   }
 
   void checkStates(const BlockFilter& filter, const PropertyWord& word) {

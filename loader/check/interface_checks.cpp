@@ -157,27 +157,10 @@ class StagePair {
                "drivers refuse this below #version 440: use one qualifier in both stages");
   }
 
-  // Whichever of the two is the wrong one, its author finds it there.
   void reportBoth(const char* id, Severity severity, const StageGlobal& out, const StageGlobal& in,
                   const std::string& what, const std::string& hint) {
-    struct Side {
-      const StageInterface& stage;
-      const StageGlobal& global;
-    };
-    const Side sides[] = {{to_, in}, {from_, out}};
-    for (int i = 0; i < 2; ++i) {
-      const Side& here = sides[i];
-      const Side& there = sides[1 - i];
-      report_.add(
-          here.stage, here.global.place,
-          {severity,
-           id,
-           fmt::format("'{}' {}", spoken(here.global), what),
-           hint,
-           {note(),
-            fmt::format("in the {} stage it is declared at {}", stageName(there.stage.stage->stage),
-                        DeclarationReport::placeName(there.stage, there.global.place))}});
-    }
+    report_.addPair({from_, out.place}, {to_, in.place},
+                    {severity, id, fmt::format("'{}' {}", spoken(in), what), hint, {note()}});
   }
 
   void reportMissing(const StageGlobal& in) {

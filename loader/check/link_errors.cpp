@@ -50,7 +50,14 @@ void dropRepeatedLinkErrors(Diagnostics& diagnostics) {
     if (d.id == "varying-missing") missing.insert(quotedName(d.message));
     if (d.id == "target-limit" && d.at.line > 0) limited.insert(entryFileOf(d));
   }
+  std::set<std::pair<std::string, int>> explained;  // places that an error about a varying names
+  for (const Diagnostic& d : diagnostics) {
+    if (d.id != "glsl-compile" || d.message.find("undeclared identifier") == d.message.npos) continue;
+    for (const RelatedPlace& place : d.related) explained.emplace(place.at.file, place.at.line);
+  }
   const auto repeated = [&](const Diagnostic& d) {
+    if (d.id == "varying-missing" || d.id == "varying-unread")
+      return explained.contains({d.at.file, d.at.line});
     if (d.id == "glsl-link")
       return d.message.find("must match") != std::string::npos && namesAnyOf(d, names);
     if (d.id == "driver-log") return d.at.line == 0 && missing.contains(backquotedName(d.message));

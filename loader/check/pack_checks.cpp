@@ -1,5 +1,6 @@
 #include "check/pack_checks.h"
 
+#include "check/condition_names.h"
 #include "check/declaration_checks.h"
 #include "check/directive_checks.h"
 #include "check/expression_checks.h"
@@ -8,6 +9,7 @@
 #include "check/id_checks.h"
 #include "check/include_checks.h"
 #include "check/language_checks.h"
+#include "check/open_comments.h"
 #include "check/option_checks.h"
 #include "check/property_checks.h"
 #include "check/screen_checks.h"
@@ -35,6 +37,8 @@ constexpr WholePackCheck kWholePackChecks[] = {
     checkLanguageKeys,     //
     checkLanguageCover,    //
     checkUnusedIncludes,   //
+    checkNestedComments,   //
+    checkConditionNames,   //
     checkFileNames,        //
     checkIdMaps,           //
     checkDirectiveNames,   //

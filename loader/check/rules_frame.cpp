@@ -19,6 +19,8 @@ std::span<const Rule> frameRules() {
       {"target-store-lost", Severity::Warning,
        "an image store goes to the side that is left behind"},
       {"target-store-race", Severity::Note, "a program stores to a buffer that it samples"},
+      {"target-unbound", Severity::Warning,
+       "a geometry program samples a buffer that only fullscreen programs get"},
       {"target-unread", Severity::Warning, "a render target is drawn to, but nothing reads it"},
       {"target-unwritten", Severity::Warning,
        "a render target is read while nothing can be in it but its clear colour"},

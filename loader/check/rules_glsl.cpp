@@ -7,7 +7,7 @@ namespace orris {
 
 std::span<const Rule> glslRules() {
   static const std::vector<Rule> kRules = {
-      {"brace-unbalanced", Severity::Error, "a brace is missing"},
+      {"brace-unbalanced", Severity::Error, "a brace is missing, or one is too many"},
       {"driver-compile", Severity::Error, "the GL driver refuses a stage that glslang accepts"},
       {"driver-log", Severity::Warning, "the GL driver says something that has no line"},
       {"glsl-compile", Severity::Error, "a stage does not compile"},

@@ -14,6 +14,7 @@ std::span<const Rule> hostRules() {
       {"compare-size", Severity::Error, "two pictures of different sizes cannot be compared"},
       {"config-refused", Severity::Error,
        "orris.toml of the working folder names what only --config may name"},
+      {"dimension-unknown", Severity::Error, "--dimension names no dimension"},
       {"dump-unknown", Severity::Error, "--dump names no buffer of the frame"},
       {"file-unreadable", Severity::Error, "a file named on the command line cannot be read"},
       {"file-unwritable", Severity::Error, "an output file cannot be written"},

@@ -7,6 +7,7 @@ namespace orris {
 
 std::span<const Rule> idRules() {
   static const std::vector<Rule> kRules = {
+      {"id-block", Severity::Warning, "an id map names a block that the game does not have"},
       {"id-key-twice", Severity::Warning, "a key of an id map is given twice"},
       {"id-layer", Severity::Warning, "an id map names a render layer that does not exist"},
       {"id-letter-lost", Severity::Warning, "Iris loses the last letter of a name"},

@@ -10,7 +10,7 @@ std::span<const Rule> interfaceRules() {
       {"attribute-unknown", Severity::Warning, "no host sets a vertex attribute of this name"},
       {"include-probably-missing", Severity::Error,
        "a name is unknown, and a file that defines it is not included"},
-      {"name-misspelt", Severity::Warning,
+      {"name-misspelt", Severity::Error,
        "a declaration that nothing uses is a slip away from a name that nothing declares"},
       {"name-reserved", Severity::Error, "a name begins as those of Iris's own code do"},
       {"output-none", Severity::Warning, "a program writes nothing"},

@@ -8,11 +8,13 @@ namespace orris {
 std::span<const Rule> textRules() {
   static const std::vector<Rule> kRules = {
       {"byte-order-mark", Severity::Error, "a shader file begins with a byte-order mark"},
+      {"comment-nested", Severity::Note, "a block comment has another \"/*\" in it"},
       {"comment-unclosed", Severity::Error, "a block comment is not closed"},
       {"condition-decimal", Severity::Warning, "a condition compares with a decimal number"},
       {"condition-empty", Severity::Warning, "the condition of #if or #elif is empty"},
       {"condition-malformed", Severity::Warning,
        "the condition of #if or #elif cannot be computed"},
+      {"condition-undefined", Severity::Warning, "an #if asks for a name that nothing defines"},
       {"conditional-unbalanced", Severity::Warning, "#if, #else and #endif do not match"},
       {"directive-error", Severity::Error, "an active #error stands in the source"},
       {"directive-malformed", Severity::Warning, "a preprocessor directive is not complete"},

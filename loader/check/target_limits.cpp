@@ -11,7 +11,7 @@ namespace {
 // adds no limit of its own. OptiFine: its documentation (contract buffers.csv, macros.csv).
 constexpr std::array<TargetLimits, 6> kTargets{{
     {.name = "mesa",
-     .fullName = "Mesa",
+     .fullName = "Mesa's software rasteriser",
      .glVendor = "Mesa",
      .glRenderer = "llvmpipe",
      .glVersion = 450},

@@ -11,13 +11,6 @@
 namespace orris {
 namespace {
 
-std::string formatLocation(const SourceLocation& at) {
-  const std::string file = printable(at.file);
-  if (at.line <= 0) return file;
-  if (at.column <= 0) return fmt::format("{}:{}", file, at.line);
-  return fmt::format("{}:{}:{}", file, at.line, at.column);
-}
-
 struct EffectRow {
   Effect effect;
   const char* name;
@@ -78,6 +71,13 @@ bool refusesPack(const Diagnostics& diagnostics) {
          diagnostics.end();
 }
 
+std::string formatLocation(const SourceLocation& at) {
+  const std::string file = printable(at.file);
+  if (at.line <= 0) return file;
+  if (at.column <= 0) return fmt::format("{}:{}", file, at.line);
+  return fmt::format("{}:{}:{}", file, at.line, at.column);
+}
+
 bool hasErrors(const Diagnostics& diagnostics) {
   return std::any_of(diagnostics.begin(), diagnostics.end(),
                      [](const Diagnostic& d) { return d.severity == Severity::Error; });
@@ -95,6 +95,9 @@ std::string formatDiagnostic(const Diagnostic& diagnostic) {
     if (diagnostic.at.column > 0) {
       text += "\n  " + caretLine(diagnostic.sourceLine, diagnostic.at.column);
     }
+  }
+  for (const RelatedPlace& place : diagnostic.related) {
+    text += fmt::format("\n  note: {}: {}", formatLocation(place.at), printable(place.message));
   }
   for (const std::string& note : diagnostic.notes) text += "\n  note: " + printable(note);
   if (!diagnostic.hint.empty()) text += "\n  hint: " + printable(diagnostic.hint);

@@ -1,6 +1,7 @@
 // Located messages: how every problem a user can cause is reported.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,6 +25,22 @@ struct SourceLocation {
   bool operator==(const SourceLocation&) const = default;
 };
 
+/// Another place that a problem is about: the other stage, the other end of a block.
+struct RelatedPlace {
+  SourceLocation at;
+  std::string message;
+  bool operator==(const RelatedPlace&) const = default;
+};
+
+/// An edit of one line, after which a mistake is gone: `text` stands before the line, or in its place.
+struct LineEdit {
+  std::string file;
+  int line = 0;
+  std::string text;
+  bool replaces = false;
+  bool operator==(const LineEdit&) const = default;
+};
+
 /// One problem. `message` says what was found and expected; `hint` says what to do (may be empty).
 struct Diagnostic {
   Severity severity = Severity::Error;
@@ -35,6 +52,9 @@ struct Diagnostic {
   std::vector<std::string> notes;            ///< macro or option that led here
   std::string hint;
   Effect effect = Effect::Unstated;  ///< stated in `message`, too: withEffect()
+  std::vector<RelatedPlace> related{};
+  /// Of a mistake that makes a compiler misread what comes after it: how to read the rest as meant.
+  std::optional<LineEdit> repair{};
 };
 
 using Diagnostics = std::vector<Diagnostic>;
@@ -46,7 +66,10 @@ bool refusesPack(const Diagnostics& diagnostics);
 /// The diagnostic with its effect, which the message states: "...; Iris ignores this line".
 Diagnostic withEffect(Diagnostic diagnostic, Effect effect);
 
-/// "file:line:column: error: message", then include chain, source line with caret, notes, hint;
+/// "file:line:column", as much of it as is known; printable().
+std::string formatLocation(const SourceLocation& at);
+
+/// "file:line:column: error: message", then include chain, source line with caret, places, notes, hint;
 /// lines joined by '\n', no trailing newline. Each of these texts is printable().
 std::string formatDiagnostic(const Diagnostic& diagnostic);
 

@@ -134,6 +134,16 @@ void reportCompile(const std::string& log, const StageText& stage, const SourceL
   diagnostics.insert(diagnostics.end(), found.begin(), found.end());
 }
 
+/// What glslang refuses too is said as validate says it.
+bool reportAsValidate(const std::vector<const StageText*>& written, const SourceLines& lines,
+                      Diagnostics& diagnostics) {
+  Diagnostics found;
+  validateWithGlslang(written, lines, found);
+  if (!hasErrors(found)) return false;
+  diagnostics.insert(diagnostics.end(), found.begin(), found.end());
+  return true;
+}
+
 }  // namespace
 
 GpuProgram buildGpuProgram(const std::string& label, const std::vector<const StageText*>& written,
@@ -150,7 +160,7 @@ GpuProgram buildGpuProgram(const std::string& label, const std::vector<const Sta
   std::vector<std::pair<std::string, int>> outputs;
   for (int i = 0; i < 8; ++i) outputs.emplace_back("outColor" + std::to_string(i), i);
   result.program = gl::buildProgram(sources, outputs, label);
-  if (result.program.linked) return result;
+  if (result.program.linked || reportAsValidate(written, lines, diagnostics)) return result;
   for (size_t i = 0; i < stages.size(); ++i)
     if (result.program.stageFailed[i])
       reportCompile(result.program.stageLogs[i], *stages[i], lines, diagnostics);

@@ -300,14 +300,22 @@ std::vector<std::size_t> bracesOf(Part part) {
   return braces;
 }
 
+/// Is the place behind "if (...)", "else" or "void f()", whose block begins below or ends in its line?
+bool isBehindHead(Part part, std::size_t place, const LaidOut& partner) {
+  if (!is(part[place], ")") && !is(part[place], "else") && !is(part[place], "do")) return false;
+  const bool below = place + 1 == part.size() || part[place + 1].firstOfLine;
+  return below || part[place].row == partner.row;
+}
+
 std::optional<MissingBrace> missingIn(Part part, NestingMark::Kind kind) {
   const bool close = kind == NestingMark::Kind::Close;
   const Candidates candidates = close ? placesToClose(part) : placesToOpen(part);
   const auto found = findMissingMarks(marksOf(part), candidates.places, kind);
   if (found.empty()) return std::nullopt;
   const LaidOut& partner = part[bracesOf(part)[found.front().partner]];
-  return MissingBrace{close ? '}' : '{', *part[candidates.after[found.front().place]].token,
-                      *partner.token, partner.statement};
+  const std::size_t place = candidates.after[found.front().place];
+  return MissingBrace{close ? '}' : '{', *part[place].token, *partner.token, partner.statement,
+                      !close && !isBehindHead(part, place, partner)};
 }
 
 }  // namespace

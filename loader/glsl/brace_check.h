@@ -15,6 +15,7 @@ struct MissingBrace {
   Token after;     ///< the last token before the place where it is missing
   Token partner;   ///< the brace that has no other
   int indent = 0;  ///< of the statement with the partner
+  bool surplus = false;  ///< no head lacks its '{': it is the partner that is too many
 };
 
 /// Columns of white space before the text; tabs reach to multiples of four.

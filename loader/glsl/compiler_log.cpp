@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/characters.h"
+#include "glsl/syntax_message.h"
 #include "glsl/text_tokens.h"
 
 namespace orris {
@@ -219,11 +220,16 @@ bool moveTo(Diagnostic& d, const Token& token, const SourceLocation& at, std::st
   return true;
 }
 
-bool moveToMistake(Diagnostic& d, const LogEntry& entry, const MappedText& text,
-                   const SourceLines& lines) {
+bool moveToMistake(Diagnostic& d, const LogEntry& entry, const SyntaxMessage& syntax,
+                   const MappedText& text, const SourceLines& lines) {
   if (const auto before = tokenBeforeGap(text, entry.line, entry.message)) {
-    const std::string hint = fmt::format("something is missing after '{}'", before->text);
-    if (moveTo(d, *before, placeAfter(text, *before), hint, text, lines)) return true;
+    const bool said = !syntax.behind.empty();
+    const std::string hint =
+        said ? "" : fmt::format("something is missing after '{}'", before->text);
+    if (moveTo(d, *before, placeAfter(text, *before), hint, text, lines)) {
+      if (said) d.message = fmt::format("{} '{}'", syntax.behind, before->text);
+      return true;
+    }
   }
   const auto open = unclosedParenthesis(text, entry.line, entry.message);
   if (!open || open->origin.line == entry.line) return false;
@@ -286,8 +292,12 @@ Diagnostic locateLogEntry(const LogEntry& entry, std::string id, const StageText
   d.id = std::move(id);
   d.message = entry.message;
   d.notes = entry.notes;
-  const int column = entry.column > 0 ? entry.column : columnOfQuotedWord(text, entry);
-  if (moveToMistake(d, entry, text, lines)) return d;
+  const SyntaxMessage syntax = readSyntaxError(text, entry.line, entry.message);
+  if (!syntax.text.empty()) d.message = syntax.text;
+  const int column = entry.column > 0    ? entry.column
+                     : syntax.column > 0 ? syntax.column
+                                         : columnOfQuotedWord(text, entry);
+  if (moveToMistake(d, entry, syntax, text, lines)) return d;
   if (entry.line > 0) d.at = text.locate(entry.line, column);
   if (d.at.file.empty()) {
     if (!text.sites.empty()) d.at = {text.sites.front().file, 0, 0};

@@ -12,6 +12,7 @@
 #include "core/characters.h"
 #include "glsl/brace_check.h"
 #include "glsl/branch_room.h"
+#include "glsl/line_code.h"
 #include "glsl/nesting.h"
 
 namespace orris {
@@ -58,25 +59,6 @@ std::string_view conditionalMeant(std::string_view word) {
   return "";
 }
 
-/// The text of a line without comments; block comments go on in `inComment`.
-std::string codeOf(const std::string& line, bool& inComment) {
-  std::string code;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const std::string_view two = std::string_view(line).substr(i, 2);
-    if (inComment) {
-      if (two == "*/") inComment = false, ++i;
-    } else if (two == "/*") {
-      inComment = true;
-      ++i;
-    } else if (two == "//") {
-      break;
-    } else {
-      code += line[i];
-    }
-  }
-  return code;
-}
-
 /// Equal for directives that read alike but for blanks.
 std::size_t conditionOf(std::string code) {
   std::erase_if(code, [](char c) { return c == ' ' || c == '\t' || c == '\r'; });
@@ -97,7 +79,7 @@ bool namesStage(std::string_view code) {
 class FileConditionals {
  public:
   void read(const FlatLine& line) {
-    const std::string code = codeOf(line.text, inComment_);
+    const std::string code = codeOfLine(line.text, inComment_);
     const std::string_view directive = directiveOf(code);
     const Origin at{line.site, line.line, int(code.find('#')) + 1};
     // The line of an #include is not among those of its file.
@@ -259,25 +241,29 @@ std::vector<UnbalancedConditional> findUnbalancedConditionals(const FlatSource& 
   return found;
 }
 
-std::vector<UnbalancedMessage> messagesOf(const UnbalancedConditional& found) {
-  if (found.kind == UnbalancedConditional::Kind::Misspelt) return {};
+Diagnostic describeUnbalanced(const UnbalancedConditional& found, const std::string& file) {
   const bool open = found.kind == UnbalancedConditional::Kind::Unclosed;
   const std::string_view does = open ? "closes" : "opens";
-  std::vector<UnbalancedMessage> messages;
-  messages.push_back(
-      {found.at,
-       open ? fmt::format("#{} is not closed: expected #endif before the end", found.directive)
-            : "#endif without #if"});
-  messages.push_back(
-      {found.place,
-       fmt::format("expected {} this line: nothing {} the #{} in line {}",
-                   open ? "#endif after" : "#if before", does, found.directive, found.at.line)});
+  const auto in = [&](const Origin& at) { return SourceLocation{file, at.line, at.column}; };
+  Diagnostic d{.severity = Severity::Warning, .id = "conditional-unbalanced"};
+  if (open) {
+    d.at = in(found.place);
+    d.message = fmt::format("expected #endif after this line: nothing closes the #{} in line {}",
+                            found.directive, found.at.line);
+    d.related.push_back({in(found.at), fmt::format("the #{} without #endif", found.directive)});
+    d.repair = LineEdit{file, found.place.line + 1, "#endif"};
+  } else {
+    d.at = in(found.at);
+    d.message = "#endif without #if";
+    d.related.push_back({in(found.place), "or an #if is missing before this line"});
+    d.repair = LineEdit{file, found.at.line, "#if 1"};
+  }
   // Which of two blocks lacks its other end only the author knows.
   for (const Origin& other : found.others) {
-    messages.push_back(
-        {other, fmt::format("or nothing {} this one instead of line {}", does, found.at.line)});
+    d.related.push_back(
+        {in(other), fmt::format("or nothing {} this one instead of line {}", does, found.at.line)});
   }
-  return messages;
+  return d;
 }
 
 }  // namespace orris

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/diagnostic.h"
 #include "glsl/source_map.h"
 
 namespace orris {
@@ -33,12 +34,7 @@ struct UnbalancedConditional {
 /// around them and by include guards.
 std::vector<UnbalancedConditional> findUnbalancedConditionals(const FlatSource& source);
 
-struct UnbalancedMessage {
-  Origin at;
-  std::string text;
-};
-
-/// What to tell of it; nothing of a misspelt one.
-std::vector<UnbalancedMessage> messagesOf(const UnbalancedConditional& found);
+/// What to report of one that is not misspelt, all places in `file`, and how to read the rest as meant.
+Diagnostic describeUnbalanced(const UnbalancedConditional& found, const std::string& file);
 
 }  // namespace orris

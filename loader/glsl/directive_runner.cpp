@@ -250,6 +250,14 @@ void DirectiveRunner::reportUnbalanced(const Origin& at, std::string problem) {
   report(Severity::Warning, "conditional-unbalanced", at, std::move(problem), kTolerated);
 }
 
+void DirectiveRunner::reportUnbalanced(const UnbalancedConditional& found) {
+  Diagnostic d = describeUnbalanced(found, sites_[std::size_t(found.at.site)].file);
+  d.includedFrom = includedFrom(sites_, found.at.site);
+  d.sourceLine = reader_.textOf({found.at.site, d.at.line, d.at.column});
+  d.hint = kTolerated;
+  diagnostics_.push_back(std::move(d));
+}
+
 bool DirectiveRunner::reportInFiles() {
   if (unbalanced_) return !unbalanced_->empty();
   unbalanced_ = findUnbalancedConditionals(source_);
@@ -258,9 +266,9 @@ bool DirectiveRunner::reportInFiles() {
       report(Severity::Warning, "directive-unknown", found.at,
              fmt::format("unknown preprocessor directive '#{}'", found.directive),
              fmt::format("did you mean #{}?", found.meant));
+    } else {
+      reportUnbalanced(found);
     }
-    for (UnbalancedMessage& message : messagesOf(found))
-      reportUnbalanced(message.at, std::move(message.text));
   }
   return !unbalanced_->empty();
 }
@@ -352,6 +360,23 @@ void DirectiveRunner::onError(const std::vector<Token>& tokens) {
 
 void DirectiveRunner::onIgnored(const std::vector<Token>&) {}
 
+// A comment of one line ends with it; one whose text begins below goes on to a blank line or directive.
+void DirectiveRunner::reportUnclosedComment(const Origin& at) {
+  report(Severity::Error, "comment-unclosed", at,
+         "block comment is not closed: expected */ before the end");
+  const std::string_view first = reader_.textOf(at);
+  const bool oneLine = first.find_first_not_of("/* \t\r", std::size_t(at.column)) != first.npos;
+  int end = at.line + 1;
+  for (const FlatLine& line : source_.lines) {
+    if (oneLine || line.site != at.site || line.line <= at.line) continue;
+    const std::size_t text = line.text.find_first_not_of(" \t\r");
+    if (text == std::string::npos || line.text[text] == '#') break;
+    end = line.line + 1;
+  }
+  if (!diagnostics_.empty())
+    diagnostics_.back().repair = LineEdit{locate(sites_, at).file, end, "*/"};
+}
+
 void DirectiveRunner::finish() {
   if (reader_.cutOff().site >= 0) {
     report(Severity::Error, "source-too-large", reader_.cutOff(),
@@ -365,8 +390,7 @@ void DirectiveRunner::finish() {
         open.at, fmt::format("#{} is not closed: expected #endif before the end", open.directive));
   }
   if (reader_.unclosedComment().site >= 0) {
-    report(Severity::Error, "comment-unclosed", reader_.unclosedComment(),
-           "block comment is not closed: expected */ before the end");
+    reportUnclosedComment(reader_.unclosedComment());
   }
 }
 

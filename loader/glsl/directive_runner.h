@@ -39,6 +39,8 @@ class DirectiveRunner : public TokenSource {
   void report(Severity severity, std::string id, const Origin& at, std::string message,
               std::string hint = "");
   void reportUnbalanced(const Origin& at, std::string problem);
+  void reportUnbalanced(const UnbalancedConditional& found);
+  void reportUnclosedComment(const Origin& at);
   void warnTrailing(const std::vector<Token>& tokens, std::size_t from, const std::string& name);
   bool evaluate(const std::vector<Token>& tokens);
   bool isTrue(const std::vector<Token>& tokens);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <set>
 #include <string_view>
 
 #include "glsl/brace_check.h"
@@ -84,6 +85,37 @@ bool isFalseLinkAlarm(const LogEntry& entry) {
          std::any_of(entry.notes.begin(), entry.notes.end(), isBuiltInBlock);
 }
 
+LineEdit editOf(const SourceLocation& at, const SourceLines& lines, char brace, bool removes) {
+  std::string line = lines(at.file, at.line);
+  const auto column = std::min(line.size(), std::size_t(std::max(at.column - 1, 0)));
+  if (removes)
+    line.replace(column, 1, " ");
+  else
+    line.insert(column, 1, brace);
+  return {at.file, at.line, line, true};
+}
+
+/// Where the brace is missing, or the one that is too many.
+void describeBrace(const MissingBrace& missing, const StageText& stage, const SourceLines& lines,
+                   Diagnostic& d) {
+  const SourceLocation partner =
+      stage.text.locate(missing.partner.origin.line, missing.partner.origin.column);
+  const Origin& place = missing.surplus ? missing.partner.origin : missing.after.origin;
+  d.includedFrom = stage.text.includedFrom(place.line, place.column);
+  if (missing.surplus) {
+    d.at = partner;
+    d.message = "'}' without '{': nothing opens what it would close";
+    return;
+  }
+  d.at = placeOfBrace(stage.text, missing, lines);
+  d.message = fmt::format("expected '{}' after '{}': nothing {} the '{}' at {}:{}", missing.brace,
+                          missing.after.text, missing.brace == '}' ? "closes" : "opens",
+                          missing.partner.text, partner.file, partner.line);
+  // When it goes behind an #include.
+  const auto own = std::ranges::find(d.includedFrom, d.at.file, &SourceLocation::file);
+  if (own != d.includedFrom.end()) d.includedFrom.erase(d.includedFrom.begin(), own + 1);
+}
+
 // Compilers name the place where a brace made no sense any more; what they say of the lines behind
 // the missing one follows from it.
 bool reportMissingBrace(const std::vector<LogEntry>& entries, const StageText& stage,
@@ -91,20 +123,13 @@ bool reportMissingBrace(const std::vector<LogEntry>& entries, const StageText& s
   if (entries.empty()) return false;
   const auto missing = findMissingBrace(stage.text, lines);
   if (!missing) return false;
-  const SourceLocation partner =
-      stage.text.locate(missing->partner.origin.line, missing->partner.origin.column);
   Diagnostic d;
   d.id = "brace-unbalanced";
-  d.at = placeOfBrace(stage.text, *missing, lines);
-  d.message = fmt::format("expected '{}' after '{}': nothing {} the '{}' at {}:{}", missing->brace,
-                          missing->after.text, missing->brace == '}' ? "closes" : "opens",
-                          missing->partner.text, partner.file, partner.line);
-  d.includedFrom =
-      stage.text.includedFrom(missing->after.origin.line, missing->after.origin.column);
-  // When it goes behind an #include.
-  const auto own = std::ranges::find(d.includedFrom, d.at.file, &SourceLocation::file);
-  if (own != d.includedFrom.end()) d.includedFrom.erase(d.includedFrom.begin(), own + 1);
-  if (lines) d.sourceLine = lines(d.at.file, d.at.line);
+  describeBrace(*missing, stage, lines, d);
+  if (lines) {
+    d.sourceLine = lines(d.at.file, d.at.line);
+    d.repair = editOf(d.at, lines, missing->brace, missing->surplus);
+  }
   diagnostics.push_back(std::move(d));
   return true;
 }
@@ -118,9 +143,13 @@ bool compile(glslang::TShader& shader, const StageText& stage, const SourceLines
   bool ok = shader.parse(&limits(), kDefaultVersion, false, EShMsgDefault);
   std::vector<LogEntry> entries = parseCompilerLog(shader.getInfoLog(), Severity::Error);
   if (!ok && reportMissingBrace(entries, stage, lines, diagnostics)) return false;
+  std::set<int> linesInError;
   for (LogEntry& entry : entries) {
     if (isDeprecation(entry)) continue;
     if (isUnknownExtension(entry)) entry.severity = Severity::Warning;
+    // What is found on the line after an error follows from it.
+    const bool error = entry.severity == Severity::Error && entry.line > 0;
+    if (error && !linesInError.insert(entry.line).second) continue;
     diagnostics.push_back(locateLogEntry(entry, "glsl-compile", stage, lines));
   }
   return ok;

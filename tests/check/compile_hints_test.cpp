@@ -21,6 +21,8 @@ Lines linesOf(const Diagnostics& diagnostics) {
   for (const Diagnostic& d : diagnostics) {
     const std::string text = formatDiagnostic(d);
     lines.push_back(text.substr(0, text.find('\n')) + (d.hint.empty() ? "" : " | " + d.hint));
+    for (const RelatedPlace& place : d.related)
+      lines.back() += " | " + formatLocation(place.at) + ": " + place.message;
   }
   return lines;
 }
@@ -42,16 +44,45 @@ TEST(CompileHints, a_contract_name_says_its_declaration) {
                          "it must be declared: uniform float frameTimeCounter;")));
 }
 
-TEST(CompileHints, a_misspelt_declaration_is_reported_too) {
-  const Lines lines =
+TEST(CompileHints, of_a_name_used_once_the_slip_may_be_at_either_end) {
+  EXPECT_THAT(
       compile({{"/composite.fsh", kVersion + "in vec2 texocord;\n\n"
-                                             "void main() { gl_FragColor = texcoord.xyxy; }"}});
-  EXPECT_THAT(lines,
-              Contains("/composite.fsh:4:30: error: 'texcoord' : undeclared identifier | did "
-                       "you mean texocord, declared at /composite.fsh:2?"));
-  EXPECT_THAT(lines,
-              Contains("/composite.fsh:2:9: warning: nothing uses 'texocord', and 'texcoord' "
-                       "is used without being declared"));
+                                             "void main() { gl_FragColor = texcoord.xyxy; }"}}),
+      ElementsAre("/composite.fsh:4:30: error: 'texcoord' : undeclared identifier | did "
+                  "you mean texocord, declared at /composite.fsh:2? | /composite.fsh:2:9: nothing "
+                  "uses 'texocord'"));
+}
+
+TEST(CompileHints, of_a_name_used_often_the_slip_is_in_the_declaration) {
+  EXPECT_THAT(
+      compile({{"/composite.fsh", kVersion + "in vec2 texocord;\n\nvoid main() { gl_FragColor = "
+                                             "texcoord.xyxy + texcoord.x; }"}}),
+      Contains("/composite.fsh:2:9: error: nothing uses 'texocord', and 'texcoord' is used without "
+               "being declared"));
+}
+
+TEST(CompileHints, a_call_of_nearly_the_name_of_a_function) {
+  EXPECT_THAT(compile({{"/composite.fsh",
+                        kVersion + "vec4 shade(float x) { return vec4(x); }\n"
+                                   "void main() { gl_FragColor = shad(1.0) * 2.0; }"}}),
+              ElementsAre("/composite.fsh:3:30: error: 'shad' : no matching overloaded function "
+                          "found | did you mean shade? | /composite.fsh:2:6: shade is defined "
+                          "here"));
+  EXPECT_THAT(compile({{"/composite.fsh",
+                        kVersion + "void main() { gl_FragColor = vec4(normalise(vec3(1)), 1); }"}}),
+              ElementsAre(HasSubstr("found | did you mean normalize?")));
+  EXPECT_THAT(compile({{"/composite.fsh",
+                        kVersion + "vec4 shade(float x) { return vec4(x); }\n"
+                                   "void main() { gl_FragColor = shade(vec3(1)); }"}}),
+              ElementsAre(HasSubstr("/composite.fsh:2:6: defined here with other parameters")));
+}
+
+TEST(CompileHints, a_varying_that_one_stage_does_not_declare) {
+  EXPECT_THAT(compile({{"/composite.vsh", kVersion + "void main() { tint = vec3(1); }"},
+                       {"/composite.fsh", kVersion + "in vec3 tint;\nvoid main() { gl_FragColor = "
+                                                     "tint.xyzx; }"}}),
+              ElementsAre("/composite.vsh:2:15: error: 'tint' : undeclared identifier | declare "
+                          "it: out vec3 tint; | /composite.fsh:2:9: the fragment stage reads it"));
 }
 
 TEST(CompileHints, a_name_that_no_file_resembles_may_be_the_mods_that_takes_the_program) {
@@ -124,8 +155,9 @@ TEST(CompileHints, of_two_places_the_one_that_the_files_beside_it_have) {
     files[std::string(name) + ".fsh"] = kVersion + "#include \"/lib/all.glsl\"\n" + use;
   }
   const Lines lines = compile(files);
-  EXPECT_THAT(lines, Contains("/composite.fsh:4: error: 'shade' is unknown at /composite.fsh:6: an "
-                              "#include seems to be missing here | #include \"/lib/all.glsl\""));
+  EXPECT_THAT(lines, Contains(HasSubstr(
+                         "/composite.fsh:4: error: 'shade' is unknown at /composite.fsh:6: an "
+                         "#include seems to be missing here | #include \"/lib/all.glsl\"")));
   // One line makes both names known.
   EXPECT_THAT(lines, Not(Contains(HasSubstr("'tint' is unknown"))));
 }
@@ -153,12 +185,13 @@ TEST(CompileHints, other_places_that_are_nearly_as_likely_are_told_too) {
                                      "\n#include \"/third.glsl\"\n\n// text\n"
                                      "void main() { gl_FragColor = tint(); }\n"},
        {"/third.glsl", "const float THIRD = 1.0;\n"}});
-  EXPECT_THAT(lines, Contains("/composite.fsh:3: error: 'tint' is unknown at /composite.fsh:9: an "
-                              "#include seems to be missing here | #include \"/tint.glsl\""));
-  EXPECT_THAT(lines, Contains("/composite.fsh:5: warning: or the #include that seems to be missing "
-                              "at /composite.fsh:3 belongs here | #include \"/tint.glsl\""));
+  EXPECT_THAT(lines, Contains(HasSubstr(
+                         "/composite.fsh:3: error: 'tint' is unknown at /composite.fsh:9: an "
+                         "#include seems to be missing here | #include \"/tint.glsl\"")));
+  EXPECT_THAT(lines,
+              Contains(HasSubstr("/composite.fsh:5: or #include \"/tint.glsl\" belongs here")));
   // The gap below all of them is the least likely, the line at the top is no gap.
-  EXPECT_THAT(lines, Not(Contains(HasSubstr("/composite.fsh:1: warning"))));
+  EXPECT_THAT(lines, Not(Contains(HasSubstr("/composite.fsh:1: or"))));
 }
 
 TEST(CompileHints, other_places_compile_too) {
@@ -185,8 +218,9 @@ TEST(CompileHints, a_contract_uniform_is_included_from_a_file_for_many) {
     files[std::string(name) + ".fsh"] = kVersion + "// 2\n#include \"/shared.glsl\"\n" + body;
   }
   EXPECT_THAT(compile(files),
-              Contains("/composite.fsh:3: error: 'far' is unknown at /composite.fsh:4: an "
-                       "#include seems to be missing here | #include \"/shared.glsl\""));
+              Contains(HasSubstr(
+                  "/composite.fsh:3: error: 'far' is unknown at /composite.fsh:4: an "
+                  "#include seems to be missing here | #include \"/shared.glsl\"")));
 }
 
 TEST(CompileHints, a_program_of_a_mod_is_nothing_to_include) {

@@ -31,8 +31,10 @@ Lines told(const Files& files, const std::vector<std::string>& dimensions, bool 
   Lines lines;
   for (const Diagnostics& diagnostics : found) {
     for (const Diagnostic& d : diagnostics) {
-      if (d.id == "conditional-unbalanced")
-        lines.push_back(d.at.file + ":" + std::to_string(d.at.line) + ": " + d.message);
+      if (d.id != "conditional-unbalanced") continue;
+      lines.push_back(d.at.file + ":" + std::to_string(d.at.line) + ": " + d.message);
+      for (const RelatedPlace& place : d.related)
+        lines.push_back(place.at.file + ":" + std::to_string(place.at.line) + ": " + place.message);
     }
   }
   return lines;
@@ -67,8 +69,7 @@ TEST(ConditionalPlace, an_endif_stands_where_the_program_compiles) {
   EXPECT_THAT(told(files, {"/"}, true),
               AllOf(Contains("/composite.fsh:17: expected #endif after this line: nothing closes "
                              "the #ifdef in line 6"),
-                    Contains("/composite.fsh:6: #ifdef is not closed: expected #endif before the "
-                             "end"),
+                    Contains("/composite.fsh:6: the #ifdef without #endif"),
                     Not(Contains(HasSubstr(":22:")))));
 }
 
@@ -138,8 +139,8 @@ TEST(ConditionalPlace, an_if_of_a_stage_is_that_of_the_stage_that_has_none) {
   EXPECT_THAT(
       told(files, {"/"}, true),
       AllOf(Contains("/composite.glsl:21: #endif without #if"),
-            Contains(AnyOf(StartsWith("/composite.glsl:12: expected #if before this line"),
-                           StartsWith("/composite.glsl:14: expected #if before this line")))));
+            Contains(AnyOf(StartsWith("/composite.glsl:12: or an #if is missing before this line"),
+                           StartsWith("/composite.glsl:14: or an #if is missing before this line")))));
 }
 
 TEST(ConditionalPlace, a_slip_and_what_pairs_stay_as_they_are) {

@@ -29,7 +29,10 @@ inline Lines messages(const Files& files, const std::string& target = "mesa", bo
   for (const Diagnostic& d : diagnostics) {
     if (d.severity == Severity::Note && !notes) continue;
     const std::string text = formatDiagnostic(d);
-    lines.push_back(d.id + " " + text.substr(0, text.find('\n')));
+    std::string line = d.id + " " + text.substr(0, text.find('\n'));
+    for (const RelatedPlace& place : d.related)
+      line += "; " + formatLocation(place.at) + ": " + place.message;
+    lines.push_back(std::move(line));
   }
   return lines;
 }

@@ -35,6 +35,66 @@ TEST(TargetFeedback, own_texels_are_a_note_and_other_sides_are_fine) {
   EXPECT_THAT(messagesOf(checkFeedback, files), IsEmpty());
 }
 
+TEST(TargetFeedback, another_texel_is_a_warning_whatever_else_the_program_asks_of_its_pixel) {
+  const auto severityOf = [](const std::string& read) {
+    Files files = cleanPack();
+    addProgram(files, "gbuffers_water",
+               fragmentStage("0,5", {}, "  vec2 uv = gl_FragCoord.xy * 0.5, other = vec2(0.5);\n  c += " +
+                                            read + ";\n"));
+    files["/gbuffers_water.fsh"].insert(files["/gbuffers_water.fsh"].find("void main"),
+                                        "uniform sampler2D colortex5;\n");
+    const auto messages = messagesOf(checkFeedback, files);
+    return messages.size() == 1 ? messages[0].substr(messages[0].find(": ") + 2, 4) : "";
+  };
+  EXPECT_EQ(severityOf("texelFetch(colortex5, ivec2(gl_FragCoord.xy), 0)"), "note");
+  EXPECT_EQ(severityOf("texture2D(colortex5, uv)"), "note");
+  EXPECT_EQ(severityOf("texelFetch(colortex5, ivec2(3), 0)"), "warn");
+  EXPECT_EQ(severityOf("texture2D(colortex5, other)"), "warn");
+}
+
+TEST(TargetUnbound, lower_targets_are_bound_in_fullscreen_programs_only) {
+  Files files = cleanPack();
+  addProgram(files, "gbuffers_water", fragmentStage("0", {"colortex2", "colortex4"}));
+  EXPECT_THAT(messagesOf(checkUnboundTargets, files),
+              ElementsAre("target-unbound /gbuffers_water.fsh:7:18: warning: gbuffers_water samples "
+                          "colortex2, which Iris binds in fullscreen programs only: here it is the "
+                          "texture of what is drawn, as gtexture is | read colortex4 or a later "
+                          "buffer, or do this in a deferred or composite program"));
+  addProgram(files, "gbuffers_water",
+             fragmentStage("0", {}, "  c += texelFetch(gdepth, ivec2(0), 0);\n"));
+  files["/gbuffers_water.fsh"].insert(files["/gbuffers_water.fsh"].find("void main"),
+                                      "uniform sampler2D gdepth;\n");
+  EXPECT_THAT(messagesOf(checkUnboundTargets, files), ElementsAre(HasSubstr("samples gdepth")));
+}
+
+TEST(TargetUnbound, the_atlas_and_textures_of_the_pack_are_bound) {
+  Files files = cleanPack();
+  addProgram(files, "gbuffers_water", fragmentStage("0", {"gtexture", "gcolor", "colortex1"}));
+  files["/shaders.properties"] = "texture.gbuffers.colortex1=a.png\n";
+  files["/a.png"] = "";
+  EXPECT_THAT(messagesOf(checkUnboundTargets, files), IsEmpty());
+}
+
+// The host renames gcolor, since old packs mean the atlas by it.
+TEST(FramePasses, gcolor_of_a_fullscreen_program_is_colortex0) {
+  for (const char* name : {"gcolor", "texture", "colortex0"}) {
+    Files files = cleanPack();
+    addProgram(files, "composite", fragmentStage("1", {}, "  c += texture2D(" + std::string(name) +
+                                                              ", vec2(0.5));\n"));
+    files["/composite.fsh"].insert(files["/composite.fsh"].find("void main"),
+                                   "uniform sampler2D " + std::string(name) + ";\n");
+    const ShaderPack pack = loadFolder(files);
+    Diagnostics diagnostics;
+    const Schedule schedule = buildSchedule(pack, 64, 32, {}, diagnostics);
+    bool reads = false;
+    for (const FramePass& pass : framePasses(pack, schedule)) {
+      for (const BufferUse& use : pass.uses)
+        reads = reads || (pass.name == "composite" && use.isColor(false) && use.buffer.index == 0);
+    }
+    EXPECT_TRUE(reads) << name;
+  }
+}
+
 TEST(TargetFeedback, a_function_that_main_does_not_reach_samples_nothing) {
   Files files = cleanPack();
   addProgram(files, "gbuffers_water", fragmentStage("0,5", {}));

@@ -21,6 +21,20 @@ TEST(IdTwice, a_block_under_a_second_id_is_reported_at_the_word) {
                           kNothing));
 }
 
+TEST(IdBlock, a_slip_of_a_block_is_reported) {
+  EXPECT_THAT(blocks("block.1=stone minecraft:oak_leafs\nblock.2=spruce_stairss:half=top\n"),
+              ElementsAre("id-block /block.properties:1:15: warning: the game has no block "
+                          "minecraft:oak_leafs | did you mean oak_leaves?",
+                          "id-block /block.properties:2:9: warning: the game has no block "
+                          "minecraft:spruce_stairss | did you mean spruce_stairs?"));
+}
+
+TEST(IdBlock, blocks_of_mods_and_of_other_versions_are_left_alone) {
+  EXPECT_THAT(blocks("block.1=mod:oak_leafs grass tallgrass nether_brick noteblock log2 %oak_logs\n"
+                     "block.2=web shortgrass short_grass iron_chain wholly_unknown\n"),
+              IsEmpty());
+}
+
 TEST(IdTwice, a_state_after_its_block_is_lost_and_before_it_is_not) {
   EXPECT_THAT(
       blocks("block.1=lantern\nblock.2=lantern:hanging=true\n"),

@@ -135,11 +135,11 @@ TEST(conditionals, of_two_that_are_as_likely_unclosed_both_are_told) {
     return preprocessed(source).find(message) != std::string::npos;
   };
   const std::string even = "#if 1\na\n#if 2\nb\n#endif\n";
-  EXPECT_TRUE(tells(even, "/a.fsh:1:1: warning: #if is not closed"));
+  EXPECT_TRUE(tells(even, "/a.fsh:1:1: the #if without #endif"));
   EXPECT_TRUE(tells(even, "/a.fsh:2:1: warning: expected #endif after this line"));
-  EXPECT_TRUE(tells(even, "/a.fsh:3:1: warning: or nothing closes this one instead of line 1"));
+  EXPECT_TRUE(tells(even, "note: /a.fsh:3:1: or nothing closes this one instead of line 1"));
   const std::string indented = "#if 1\n  a\n  #if 2\n    b\n#endif\n";
-  EXPECT_TRUE(tells(indented, "/a.fsh:3:3: warning: #if is not closed"));
+  EXPECT_TRUE(tells(indented, "/a.fsh:3:3: the #if without #endif"));
   EXPECT_FALSE(tells(indented, "or nothing closes"));
 }
 
@@ -147,7 +147,7 @@ TEST(conditionals, what_follows_an_else_and_what_it_asks_again_tell_which_is_not
   const auto unclosed = [](const std::string& source) {
     const std::string told = preprocessed(source);
     if (told.find("or nothing closes") != std::string::npos) return told;
-    return told.substr(told.rfind("/a.fsh:", told.find("#if is not closed")), 8);
+    return told.substr(told.rfind("/a.fsh:", told.find("the #if without")), 8);
   };
   EXPECT_EQ(unclosed("#if 1\na\n#if 2\nb\n#else\nc\n#else\nd\n#endif\n"), "/a.fsh:3");
   EXPECT_EQ(unclosed("#if 1\na\n#if 1\nb\n#endif\n"), "/a.fsh:1");
@@ -157,16 +157,12 @@ TEST(conditionals, unbalanced_ones_are_located) {
   // Iris: JcppProcessor logs these and goes on.
   const std::string hint = "  hint: Iris goes on after this, other hosts refuse the program\n";
   EXPECT_EQ(preprocessed("#if 1\na\n"),
-            "a\n---\n/a.fsh:1:1: warning: #if is not closed: expected #endif before the end\n"
-            "  #if 1\n  ^\n" +
-                hint +
-                "/a.fsh:2:1: warning: expected #endif after this line: nothing closes the #if in "
-                "line 1\n  a\n  ^\n" +
+            "a\n---\n/a.fsh:2:1: warning: expected #endif after this line: nothing closes the "
+            "#if in line 1\n  a\n  ^\n  note: /a.fsh:1:1: the #if without #endif\n" +
                 hint);
   EXPECT_EQ(preprocessed("a\n #endif\n"),
-            "a\n---\n/a.fsh:2:2: warning: #endif without #if\n   #endif\n   ^\n" + hint +
-                "/a.fsh:1:1: warning: expected #if before this line: nothing opens the #endif in "
-                "line 2\n  a\n  ^\n" +
+            "a\n---\n/a.fsh:2:2: warning: #endif without #if\n   #endif\n   ^\n"
+            "  note: /a.fsh:1:1: or an #if is missing before this line\n" +
                 hint);
   EXPECT_EQ(preprocessed("#else\n#elif 1\n"),
             "---\n/a.fsh:1:1: warning: #else without #if\n  #else\n  ^\n" + hint +
@@ -175,36 +171,37 @@ TEST(conditionals, unbalanced_ones_are_located) {
             "a\n---\n/a.fsh:4:1: warning: #else after #else\n  #else\n  ^\n" + hint);
 }
 
-// First line of what the preprocessor says of /a.fsh with these lines.
-std::string firstMessage(const std::string& lines, const std::string& included = "") {
+// The place of the #if without #endif or the #endif without #if in /a.fsh with these lines.
+std::string partnerless(const std::string& lines, const std::string& included = "") {
   Diagnostics diagnostics;
   preprocess(test::flatten({{"/a.fsh", lines}, {"/b.glsl", included}}, "/a.fsh"), {}, diagnostics);
-  const std::string all = test::format(diagnostics);
-  return all.substr(0, all.find('\n'));
+  const Diagnostic& first = diagnostics.at(0);
+  const bool stray = first.message == "#endif without #if";
+  return formatLocation(stray ? first.at : first.related.at(0).at) + (stray ? " #endif" : " #if");
 }
 
 TEST(conditionals, an_endif_further_left_closes_another_if) {
-  EXPECT_EQ(firstMessage("#if 1\na\n  #if 1\n  b\nc\n#endif\n"),
-            "/a.fsh:3:3: warning: #if is not closed: expected #endif before the end");
+  EXPECT_EQ(partnerless("#if 1\na\n  #if 1\n  b\nc\n#endif\n"),
+            "/a.fsh:3:3 #if");
 }
 
 TEST(conditionals, an_endif_further_right_has_no_if) {
-  EXPECT_EQ(firstMessage("#if 1\na\n  b\n  #endif\nc\n#endif\n"),
-            "/a.fsh:4:3: warning: #endif without #if");
+  EXPECT_EQ(partnerless("#if 1\na\n  b\n  #endif\nc\n#endif\n"),
+            "/a.fsh:4:3 #endif");
 }
 
 TEST(conditionals, an_include_guard_ends_with_its_file) {
-  EXPECT_EQ(firstMessage("#ifndef A\n#define A\n#if 1\na\n\n#endif\n"),
-            "/a.fsh:3:1: warning: #if is not closed: expected #endif before the end");
-  EXPECT_EQ(firstMessage("#ifndef A\n#define A\na\n#endif\nb\n#endif\n"),
-            "/a.fsh:4:1: warning: #endif without #if");
+  EXPECT_EQ(partnerless("#ifndef A\n#define A\n#if 1\na\n\n#endif\n"),
+            "/a.fsh:3:1 #if");
+  EXPECT_EQ(partnerless("#ifndef A\n#define A\na\n#endif\nb\n#endif\n"),
+            "/a.fsh:4:1 #endif");
 }
 
 TEST(conditionals, what_an_include_leaves_open_is_its_own) {
-  EXPECT_EQ(firstMessage("#if 1\n#include \"/b.glsl\"\n#endif\n", "#if 1\na\n"),
-            "/b.glsl:1:1: warning: #if is not closed: expected #endif before the end");
-  EXPECT_EQ(firstMessage("#if 1\n#include \"/b.glsl\"\n#endif\n", "a\n#endif\n"),
-            "/b.glsl:2:1: warning: #endif without #if");
+  EXPECT_EQ(partnerless("#if 1\n#include \"/b.glsl\"\n#endif\n", "#if 1\na\n"),
+            "/b.glsl:1:1 #if");
+  EXPECT_EQ(partnerless("#if 1\n#include \"/b.glsl\"\n#endif\n", "a\n#endif\n"),
+            "/b.glsl:2:1 #endif");
 }
 
 }  // namespace
