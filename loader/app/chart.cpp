@@ -72,6 +72,7 @@ int runChart(const StudyOptions& options, Report& report, nlohmann::json& result
   if (!writeChart(chart, files, report, status)) return status;
   result = describe(chart, *study);
   if (!options.output.json && !options.output.quiet) printText(summaryTable(chart));
+  sayWritten(options.output, {options.folder});
   return status;
 }
 

@@ -101,6 +101,7 @@ int runMasks(const CompareOptions& options, const ImageF& image, const ImageF& r
              {"edgeShare", difference->edgeShare()},
              {"interior", difference->interior}},
             report);
+  sayWritten(options.output, {options.differencePath});
   return report.status();
 }
 
@@ -124,6 +125,7 @@ int runCompare(const CompareOptions& options) {
   }
   checkLimits(*difference, options, report);
   printResult(*difference, options, report);
+  sayWritten(options.output, {options.differencePath});
   return report.status();
 }
 

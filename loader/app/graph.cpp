@@ -74,7 +74,9 @@ bool writeGraph(const ShaderPack& pack, const std::string& title, const std::str
   if (!checkWritable(path, report, status)) return false;
   const auto text = picture ? layOut(toDot(graph), extension.substr(1), report, status)
                             : std::optional(form(graph));
-  return text && writeWholeFile(path, *text, report, status);
+  if (!text || !writeWholeFile(path, *text, report, status)) return false;
+  sayWritten(report.output(), {path});
+  return true;
 }
 
 }  // namespace orris

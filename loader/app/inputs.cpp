@@ -1,7 +1,9 @@
 #include "app/inputs.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
@@ -9,8 +11,10 @@
 #include <set>
 #include <sstream>
 
+#include "app/shipped_worlds.h"
 #include "core/read_file.h"
 #include "core/replace_file.h"
+#include "pack/text.h"
 
 namespace orris {
 namespace {
@@ -70,6 +74,32 @@ std::ostream* streamOf(const std::string& path) {
   return path == "/dev/stderr" ? &std::cerr : nullptr;
 }
 
+/// A name without a namespace is one of the game's dimensions or a folder of the pack; other mods may add
+/// any other.
+bool knowsDimension(const FileSource& files, const std::string& request, Report& report,
+                    int& status) {
+  static const std::vector<std::string> kOfGame = {"overworld", "the_nether", "the_end"};
+  constexpr std::string_view kGame = "minecraft:";
+  const bool ofGame = request.starts_with(kGame);
+  const std::string name = ofGame ? request.substr(kGame.size()) : request;
+  const std::string folder = (name.starts_with('/') ? name : "/" + name) + "/";
+  const bool known =
+      name.empty() || name == "/" || std::ranges::find(kOfGame, name) != kOfGame.end() ||
+      name.find(':') != std::string::npos ||
+      (!ofGame && (dimensionName(name) != name ||
+                   std::ranges::any_of(files.files(), [&](const std::string& file) {
+                     return file.starts_with(folder);
+                   })));
+  if (known) return true;
+  const std::string meant = suggest(name, kOfGame);
+  report.error("dimension-unknown", fmt::format("--dimension: there is no dimension {}", request),
+               meant.empty() ? "name overworld, the_nether, the_end, a folder of the pack (world0), "
+                               "or a dimension of a mod with its namespace"
+                             : meant);
+  status = kUsage;
+  return false;
+}
+
 std::optional<Camera> parseCamera(const std::string& text) {
   std::istringstream stream(text);
   double values[5];
@@ -90,6 +120,7 @@ std::optional<Camera> parseCamera(const std::string& text) {
 
 std::shared_ptr<const FileSource> openPackFiles(const std::string& path, Report& report,
                                                 int& status) {
+  report.setPack(path);
   Diagnostics diagnostics;
   std::shared_ptr<const FileSource> files = openPack(path, diagnostics);
   report.add(diagnostics);
@@ -103,6 +134,7 @@ std::optional<LoadRequest> makeLoadRequest(const std::shared_ptr<const FileSourc
                                            int& status) {
   LoadRequest request{
       .values = options.values, .profile = options.profile, .environment = environment};
+  if (!knowsDimension(*files, options.dimension, report, status)) return std::nullopt;
   if (!options.dimension.empty()) request.dimension = options.dimension;
   if (options.settingsFile.empty()) return request;
   const auto values = readSettings(files, request, options.settingsFile, report, status);
@@ -128,8 +160,18 @@ std::optional<ShaderPack> loadPack(const std::shared_ptr<const FileSource>& file
 
 std::optional<World> loadScene(const SceneOptions& options, const std::string& dimension,
                                Report& report, int& status) {
+  const std::string path = findWorld(options.path);
+  if (path.empty()) {
+    const std::vector<std::string> names = shippedWorldNames();
+    const std::string meant = suggest(options.path, names);
+    report.error("world-unreadable", "no such file or folder, nor a world that comes with Orris",
+                 meant.empty() ? fmt::format("worlds: {}", fmt::join(names, ", ")) : meant,
+                 options.path);
+    status = kUsage;
+    return std::nullopt;
+  }
   Diagnostics diagnostics;
-  std::optional<World> world = loadWorld(options.path, options.seed, diagnostics);
+  std::optional<World> world = loadWorld(path, options.seed, diagnostics);
   report.add(diagnostics);
   if (!world) {
     status = kUsage;

@@ -17,6 +17,7 @@
 #include "app/folder_config.h"
 #include "core/printable.h"
 #include "core/work_stage.h"
+#include "pack/text.h"
 
 namespace orris {
 namespace {
@@ -78,6 +79,19 @@ std::optional<FolderConfig> unaskedConfig(const std::vector<std::string>& argume
   return config;
 }
 
+/// The first word is a command; the parser would only say that one is required.
+bool knowsCommand(const CLI::App& app, const std::vector<std::string>& words) {
+  if (words.empty() || words.front().starts_with('-')) return true;
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  if (std::find(names.begin(), names.end(), words.front()) != names.end()) return true;
+  const std::string meant = suggest(words.front(), names);
+  std::cerr << fmt::format("orris: error: there is no command '{}'\n  hint: {}\n",
+                           printable(words.front()),
+                           meant.empty() ? "orris --help lists them" : meant);
+  return false;
+}
+
 int run(int argc, char** argv) {
   std::vector<std::string> arguments = repeatAssignmentFlags(argc, argv);
   const std::optional<FolderConfig> folder = unaskedConfig(arguments);
@@ -104,6 +118,7 @@ int run(int argc, char** argv) {
     command->allow_config_extras(CLI::config_extras_mode::error);
   }
 
+  if (!knowsCommand(app, arguments)) return kUsage;
   std::reverse(arguments.begin(), arguments.end());  // the order CLI11 takes a vector in
   try {
     app.parse(arguments);

@@ -11,6 +11,7 @@
 #include "app/commands.h"
 #include "app/graph.h"
 #include "app/inputs.h"
+#include "app/option_tree.h"
 #include "frame/auto_choices.h"
 
 namespace orris {
@@ -18,7 +19,8 @@ namespace {
 
 struct OptionsOptions {
   PackOptions pack;
-  std::string graph;  ///< file to write, "-" for standard output, "" for none
+  std::vector<std::string> filter;  ///< words of the options to print
+  std::string graph;                ///< file to write, "-" for standard output, "" for none
   OutputOptions output;
 };
 
@@ -34,14 +36,6 @@ Reach reachOf(const ShaderPack& pack) {
     for (const std::string& option : program.options) reach[option].insert(program.name);
   }
   return reach;
-}
-
-// Tooltips of a pack's language file: "option.NAME" is the label. Contract: options.csv.
-std::string labelOf(const ShaderPack& pack, const std::string& option) {
-  const auto language = pack.languages.find("en_us");
-  if (language == pack.languages.end()) return "";
-  const auto label = language->second.find("option." + option);
-  return label == language->second.end() ? "" : label->second;
 }
 
 /// What each value costs where the host chooses: value -> formula, in the pack's order.
@@ -61,7 +55,7 @@ nlohmann::json toJson(const ShaderPack& pack, const Option& option, const Reach&
   for (const SourceLocation& place : option.at) places.push_back(toJson(place));
   const auto programs = reach.find(option.name);
   return {{"name", option.name},
-          {"label", labelOf(pack, option.name)},
+          {"label", labelOf(pack, "option." + option.name)},
           {"comment", option.comment},
           {"boolean", option.isBoolean},
           {"value", pack.options.value(pack.values, option.name)},
@@ -95,37 +89,48 @@ nlohmann::json toJson(const ShaderPack& pack) {
           {"sliders", pack.properties.sliders}};
 }
 
-void printOption(const ShaderPack& pack, const Option& option, const Reach& reach) {
+/// One line, or with `details` where it is defined and what it reaches too.
+std::vector<std::string> linesOf(const ShaderPack& pack, const Option& option, const Reach& reach,
+                                 bool details) {
   const std::string value = pack.options.value(pack.values, option.name);
-  std::string text = fmt::format("{} = {}", option.name, value);
-  if (value != option.defaultValue) text += fmt::format(" (default {})", option.defaultValue);
-  text += fmt::format("  [{}]\n", join(option.values, " "));
-  const std::string label = labelOf(pack, option.name);
-  if (!label.empty()) text += fmt::format("  label    {}\n", label);
-  for (const SourceLocation& place : option.at) {
-    text += fmt::format("  defined  {}:{}\n", place.file, place.line);
-  }
+  std::string head = fmt::format("{} = {}", option.name, value);
+  if (value != option.defaultValue) head += fmt::format(" (default {})", option.defaultValue);
+  if (!option.isBoolean) head += fmt::format("  [{}]", join(option.values, " "));
+  const std::string label = labelOf(pack, "option." + option.name);
+  if (!label.empty()) head += "  " + label;
+  std::vector<std::string> lines = {head};
+  if (!details) return lines;
+  for (const SourceLocation& place : option.at)
+    lines.push_back(fmt::format("defined  {}:{}", place.file, place.line));
   for (const auto& [candidate, cost] : costsOf(pack, option.name))
-    text += fmt::format("  auto     {}: {} ms\n", candidate, cost);
+    lines.push_back(fmt::format("auto     {}: {} ms", candidate, cost));
   const auto programs = reach.find(option.name);
-  text += fmt::format("  reaches  {}\n", programs == reach.end()
-                                             ? "no program of this folder"
-                                             : fmt::format("{}", fmt::join(programs->second, " ")));
-  printText(text);
+  lines.push_back("reaches  " + (programs == reach.end()
+                                     ? "no program of this folder"
+                                     : fmt::format("{}", fmt::join(programs->second, " "))));
+  return lines;
 }
 
-void printPack(const ShaderPack& pack) {
-  const Reach reach = reachOf(pack);
-  for (const auto& [name, option] : pack.options.all()) printOption(pack, option, reach);
+void printProfiles(const ShaderPack& pack) {
   const std::string current = pack.currentProfile();
   for (const Profile& profile : pack.properties.profiles) {
     std::string text = "profile " + profile.name + (profile.name == current ? " (current)" : "");
     for (const auto& [name, value] : profile.values) text += fmt::format(" {}={}", name, value);
     printText(text + '\n');
   }
-  for (const Screen& screen : pack.properties.screens) {
-    printText(fmt::format("screen {}: {}\n", screen.name.empty() ? "(main)" : screen.name,
-                          join(screen.entries, " ")));
+}
+
+void printPack(const ShaderPack& pack, const std::vector<std::string>& filter, bool verbose) {
+  const Reach reach = reachOf(pack);
+  const auto wanted = [&](const Option& option) { return matchesFilter(pack, option, filter); };
+  const bool details = verbose || !filter.empty();
+  const std::string tree = optionTree(
+      pack, wanted, [&](const Option& option) { return linesOf(pack, option, reach, details); });
+  printText(tree);
+  if (filter.empty()) {
+    printProfiles(pack);
+  } else if (tree.empty()) {
+    printText(fmt::format("no option has {}\n", join(filter, " and ")));
   }
 }
 
@@ -153,7 +158,7 @@ int runOptions(const OptionsOptions& options) {
     if (!writeGraph(*pack, titleOf(options.pack.path), options.graph, report, status))
       return status;
   } else if (!options.output.json) {
-    printPack(*pack);
+    printPack(*pack, options.filter, options.output.verbose);
   }
   printJson(toJson(*pack), report);
   return report.status();
@@ -166,6 +171,10 @@ void addOptionsCommand(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand(
       "options", "options of a pack: values, profiles, screens, programs reached");
   addPackArgument(*command, options->pack.path);
+  command->add_option("filter", options->filter,
+                      "print only options with all these words in their name, label, comment or "
+                      "values, and where each is defined and what it reaches")
+      ->type_name("WORD");
   addPackFlags(*command, options->pack);
   addVersionFlags(*command, options->pack.versions);
   command

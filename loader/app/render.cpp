@@ -1,5 +1,8 @@
 // orris render: the whole pipeline headlessly, to a picture.
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -73,7 +76,22 @@ std::vector<FrameStepTime> drawFrames(RenderSession& session, int frames, Report
   return times;
 }
 
+using Clock = std::chrono::steady_clock;
+
+void sayRendered(const RenderOptions& options, RenderSession& session,
+                 const gl::DriverInfo& driver, Clock::time_point began) {
+  std::vector<std::string> paths = {options.outputs.picture};
+  for (const auto& [buffer, path] : options.outputs.dumps) paths.push_back(path);
+  paths.push_back(options.outputs.timings);
+  const double seconds = std::chrono::duration<double>(Clock::now() - began).count();
+  sayWritten(options.output, paths,
+             fmt::format("{}x{}, {} frame{}, {:.1f} s, {}", options.image.width,
+                         options.image.height, session.frame(), session.frame() == 1 ? "" : "s",
+                         seconds, driver.renderer.substr(0, driver.renderer.find(" ("))));
+}
+
 int runRender(const RenderOptions& options, Report& report, nlohmann::json& result) {
+  const Clock::time_point began = Clock::now();
   int status = kClean;
   Diagnostics diagnostics;
   if (!checkPaths(options.outputs, report, status)) return status;
@@ -99,6 +117,7 @@ int runRender(const RenderOptions& options, Report& report, nlohmann::json& resu
   const std::vector<std::string> errors = context->takeErrors();
   for (const std::string& message : errors) report.error("gl-error", message);
   const bool written = writeOutputs(options.outputs, session->renderer(), times, report, status);
+  if (written) sayRendered(options, *session, context->driver(), began);
   return errors.empty() || !written ? status : kHostFailed;
 }
 

@@ -27,7 +27,9 @@ const std::string& entryFileOf(const Diagnostic& diagnostic) {
 /// Prints the first of each kind; `all` are those before it.
 class Printer {
  public:
-  Printer(const Diagnostics& all, const OutputOptions& output) : output_(output) {
+  Printer(const Diagnostics& all, const OutputOptions& output, const TextStyle& style,
+          const std::string& folder)
+      : output_(output), style_(style), folder_(folder) {
     for (const Diagnostic& diagnostic : all) count(diagnostic);
   }
 
@@ -35,7 +37,7 @@ class Printer {
     const std::size_t nth = count(diagnostic);
     if (!isShown(diagnostic.severity, output_)) return;
     if (nth <= limits::kPrintedOfAKind || output_.verbose) {
-      std::cerr << formatDiagnostic(diagnostic) << std::endl;
+      std::cerr << styledText(diagnostic, style_, folder_) << std::endl;
     } else if (nth == limits::kPrintedOfAKind + 1) {
       std::cerr << fmt::format("more messages of the kind {} follow; --verbose prints them\n",
                                diagnostic.id);
@@ -48,6 +50,8 @@ class Printer {
   }
 
   const OutputOptions& output_;
+  const TextStyle& style_;
+  const std::string& folder_;
   std::map<std::string, std::size_t> printed_;
 };
 
@@ -56,14 +60,17 @@ class Printer {
 void Report::add(Diagnostics& diagnostics) {
   MessageBudget budget;
   for (const Diagnostic& diagnostic : all_) budget.count(diagnostic);
-  Printer printer(all_, output_);
+  Printer printer(all_, output_, style_, folder_);
   for (Diagnostic& diagnostic : diagnostics) {
-    auto place = seen_.find(keyOf(diagnostic));
+    const std::string key = keyOf(diagnostic);
+    met_.insert(key);
+    auto place = seen_.find(key);
     const bool isNew = place == seen_.end();
     if (isNew) {
       if (budget.take(diagnostic) == MessageBudget::Verdict::Drop) continue;
-      place = seen_.emplace(keyOf(diagnostic), all_.size()).first;
+      place = seen_.emplace(key, all_.size()).first;
       entryFiles_.emplace_back();
+      causes_.emplace_back();
       contexts_.emplace_back();
     }
     entryFiles_[place->second].insert(entryFileOf(diagnostic));
@@ -81,6 +88,13 @@ bool isShown(Severity severity, const OutputOptions& output) {
                          : output.verbose ? Severity::Note
                                           : Severity::Warning;
   return severity >= least;
+}
+
+void Report::beginAgain() {
+  std::erase_if(seen_, [&](const auto& entry) {
+    return all_[entry.second].severity == Severity::Error || !met_.contains(entry.first);
+  });
+  met_.clear();
 }
 
 void Report::noteContexts(std::size_t count) {
@@ -102,6 +116,17 @@ void Report::error(const std::string& id, const std::string& message, const std:
   add(one);
 }
 
+void sayWritten(const OutputOptions& output, const std::vector<std::string>& paths,
+                const std::string& what) {
+  if (output.json || output.quiet) return;
+  std::string list;
+  for (const std::string& path : paths) {
+    if (!path.empty()) list += (list.empty() ? "" : ", ") + path;
+  }
+  if (list.empty()) return;
+  printText("wrote " + list + (what.empty() ? "" : " (" + what + ")") + '\n');
+}
+
 nlohmann::json toJson(const SourceLocation& location) {
   return {{"file", location.file}, {"line", location.line}, {"column", location.column}};
 }
@@ -118,6 +143,11 @@ nlohmann::json toJson(const Diagnostics& diagnostics) {
       entry["includedFrom"].push_back(toJson(place));
     }
     entry["sourceLine"] = diagnostic.sourceLine;
+    entry["related"] = nlohmann::json::array();
+    for (const RelatedPlace& place : diagnostic.related) {
+      entry["related"].push_back(toJson(place.at));
+      entry["related"].back()["message"] = place.message;
+    }
     entry["notes"] = diagnostic.notes;
     entry["hint"] = diagnostic.hint;
     if (diagnostic.effect != Effect::Unstated) entry["effect"] = effectName(diagnostic.effect);

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <map>
 #include <tuple>
 
+#include "app/text_style.h"
 #include "check/ignore_comments.h"
 #include "core/limits.h"
 #include "core/message_limits.h"
@@ -16,8 +16,6 @@
 
 namespace orris {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 6> kStageEndings = {".vsh", ".tcs", ".tes",
                                                            ".gsh", ".fsh", ".csh"};
@@ -28,20 +26,6 @@ std::string programOf(std::string_view file) {
     if (file.ends_with(ending)) return std::string(file.substr(0, file.size() - ending.size()));
   }
   return "";
-}
-
-// A zip is made from the repository's root, as a rule.
-std::string defaultRoot(const std::string& path) {
-  std::error_code error;
-  if (!fs::is_directory(path, error)) return "shaders";
-  fs::path root = fs::path(path);
-  if (fs::is_directory(root / "shaders", error)) root /= "shaders";
-  const fs::path here = fs::current_path(error);
-  const fs::path inside = root.is_absolute() ? root.lexically_relative(here) : fs::path();
-  if (!inside.empty() && *inside.begin() != "..") root = inside;
-  std::string text = root.lexically_normal().generic_string();
-  while (text.size() > 1 && text.ends_with('/')) text.pop_back();
-  return text;
 }
 
 /// Lines of the pack's files, each file read once.
@@ -75,7 +59,10 @@ class Judge {
     if (files_ != nullptr) comments_.emplace(*files_);
   }
 
-  void add(Diagnostic diagnostic, const std::set<std::string>& entryFiles) {
+  /// `cause`: the number of an earlier or later call whose problem this one follows from.
+  void add(Diagnostic diagnostic, const std::set<std::string>& entryFiles,
+           std::optional<std::size_t> cause = std::nullopt) {
+    causes_.push_back(cause);
     Finding finding{.diagnostic = std::move(diagnostic)};
     Diagnostic& d = finding.diagnostic;
     if (d.sourceLine.empty()) d.sourceLine = quoteLine(d.at);
@@ -93,11 +80,6 @@ class Judge {
     if (comments_) {
       for (Diagnostic& problem : comments_->problems()) add(std::move(problem), {});
     }
-    const auto place = [](const Finding& finding) {
-      const SourceLocation& at = finding.diagnostic.at;
-      return std::tie(at.file, at.line, at.column);
-    };
-    std::ranges::stable_sort(findings_, {}, place);
     for (Finding& finding : findings_) {
       const bool open =
           finding.silence == Silence::None && finding.diagnostic.severity != Severity::Note;
@@ -105,7 +87,7 @@ class Judge {
         finding.silence = Silence::Baseline;
       }
     }
-    return std::move(findings_);
+    return sorted(folded());
   }
 
  private:
@@ -114,6 +96,37 @@ class Judge {
     std::string line = quotedLine(text_.line(at), at.column);
     quotedBytes_ += line.size();
     return line;
+  }
+
+  static std::vector<Finding> sorted(std::vector<Finding> findings) {
+    const auto order = [](const Finding& finding) {
+      const Diagnostic& d = finding.diagnostic;
+      return std::tuple<bool, int, const std::string&, int, int>(
+          finding.follows.empty() && !(d.repair && d.severity == Severity::Error),
+          -int(d.severity), d.at.file, d.at.line, d.at.column);
+    };
+    std::ranges::stable_sort(findings, {}, order);
+    for (Finding& finding : findings) finding.follows = sorted(std::move(finding.follows));
+    return findings;
+  }
+
+  /// What is silenced stands alone, and so does what follows from it: nobody would see it otherwise.
+  std::vector<Finding> folded() {
+    const auto isOpen = [&](std::size_t i) { return findings_[i].silence == Silence::None; };
+    std::vector<Finding> top;
+    for (std::size_t i = 0; i < findings_.size(); ++i) {
+      const auto cause = causes_[i];
+      if (!cause || !isOpen(i) || !isOpen(*cause)) continue;
+      Finding& main = findings_[*cause];
+      // The programs fail by the cause.
+      main.programs.insert(findings_[i].programs.begin(), findings_[i].programs.end());
+      main.follows.push_back(findings_[i]);
+    }
+    for (std::size_t i = 0; i < findings_.size(); ++i) {
+      const auto cause = causes_[i];
+      if (!cause || !isOpen(i) || !isOpen(*cause)) top.push_back(std::move(findings_[i]));
+    }
+    return top;
   }
 
   void applySeverity(Finding& finding) const {
@@ -146,6 +159,7 @@ class Judge {
   std::optional<IgnoreComments> comments_;
   std::vector<Finding> findings_;
   std::size_t quotedBytes_ = 0;
+  std::vector<std::optional<std::size_t>> causes_;  ///< of each
 };
 
 }  // namespace
@@ -153,11 +167,11 @@ class Judge {
 PackResult judgePack(PackVerdict verdict, const Report& report, const ReportOptions& options,
                      Baseline* baseline) {
   PackResult result;
-  result.root = options.sourceRoot.value_or(defaultRoot(verdict.path));
+  result.root = options.sourceRoot.value_or(shadersFolderOf(verdict.path));
   result.verdict = std::move(verdict);
   Judge judge(result, options, baseline);
   for (std::size_t i = 0; i < report.all().size(); ++i) {
-    judge.add(report.all()[i], report.entryFiles(i));
+    judge.add(report.all()[i], report.entryFiles(i), report.cause(i));
   }
   result.findings = judge.finish();
   const bool failed = std::ranges::any_of(result.findings, [&](const Finding& finding) {
@@ -168,6 +182,8 @@ PackResult judgePack(PackVerdict verdict, const Report& report, const ReportOpti
 }
 
 bool countsAsFailure(const Finding& finding, bool strict) {
+  const auto fails = [&](const Finding& other) { return countsAsFailure(other, strict); };
+  if (std::ranges::any_of(finding.follows, fails)) return true;
   return finding.silence == Silence::None &&
          finding.diagnostic.severity >= (strict ? Severity::Warning : Severity::Error);
 }

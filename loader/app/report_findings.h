@@ -22,13 +22,15 @@ struct Finding {
   std::set<std::string> programs;  ///< "/world0/composite": those that it was met in
   Silence silence = Silence::None;
   bool milder = false;  ///< turned off or lowered by --ignore or --severity
+  std::vector<Finding> follows{};  ///< what is gone once this one is mended; these follow from none
 };
 
 /// One pack, judged.
 struct PackResult {
   PackVerdict verdict;
   std::string root;               ///< uri of the shaders folder, "" when the pack was not opened
-  std::vector<Finding> findings;  ///< by file, line and column
+  /// Those that others follow from, or may, then by severity, the worst first; then by file, line and column.
+  std::vector<Finding> findings;
 };
 
 /// All packs of a run.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/report_findings.h"
+#include "app/text_style.h"
 
 namespace orris {
 
@@ -25,12 +26,12 @@ std::string writeSarif(const ValidateResult& result);   ///< SARIF 2.1.0, one ru
 std::string writeJunit(const ValidateResult& result);   ///< a suite for each folder of a pack
 std::string writeGithub(const ValidateResult& result);  ///< workflow commands: "::error file=..."
 
-/// The message as text, its id at the end of the first line as compilers name their flags, long source
-/// lines cut around the caret.
-std::string fullText(Diagnostic diagnostic);
+/// The diagnostic of a finding with a note that says how many follow from it.
+Diagnostic withFollows(const Finding& finding);
 /// The messages of one pack that `output` asks for, as they go to standard error, and with `strict`
-/// all that make the exit status 1.
-std::string messagesOf(const PackResult& pack, const OutputOptions& output, bool strict);
+/// all that make the exit status 1; with --verbose, below each what follows from it.
+std::string messagesOf(const PackResult& pack, const OutputOptions& output, bool strict,
+                       const TextStyle& style);
 /// The counts of one pack, as they go to standard output.
 std::string summaryOf(const PackResult& pack);
 

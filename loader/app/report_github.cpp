@@ -29,7 +29,7 @@ std::string escapedProperty(std::string_view text) {
 }
 
 std::string annotation(const Finding& finding) {
-  const Diagnostic& d = finding.diagnostic;
+  const Diagnostic d = withFollows(finding);
   std::string line = fmt::format("::{} ", commandOf(d.severity));
   if (!finding.uri.empty()) line += fmt::format("file={},", escapedProperty(finding.uri));
   if (d.at.line > 0) line += fmt::format("line={},", d.at.line);
@@ -37,6 +37,9 @@ std::string annotation(const Finding& finding) {
   std::string message = d.message;
   for (const SourceLocation& place : d.includedFrom) {
     message += fmt::format("\nincluded from {}:{}", place.file, place.line);
+  }
+  for (const RelatedPlace& place : d.related) {
+    message += fmt::format("\nnote: {}: {}", formatLocation(place.at), place.message);
   }
   for (const std::string& note : d.notes) message += "\nnote: " + note;
   if (!d.hint.empty()) message += "\nhint: " + d.hint;

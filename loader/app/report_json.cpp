@@ -30,6 +30,8 @@ json entryOf(const Finding& finding) {
   entry["uri"] = finding.uri;
   entry["fingerprint"] = finding.fingerprint;
   entry["programs"] = finding.programs;
+  entry["follows"] = json::array();
+  for (const Finding& other : finding.follows) entry["follows"].push_back(entryOf(other));
   if (finding.silence != Silence::None) entry["silencedBy"] = silenceName(finding.silence);
   return entry;
 }

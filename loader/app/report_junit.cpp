@@ -123,7 +123,7 @@ std::string caseXml(const Suite& suite, const Case& one) {
   for (const Finding* finding : one.failures) {
     text += fmt::format("      <failure type=\"{}\" message=\"{}\">{}</failure>\n",
                         escaped(finding->diagnostic.id), escaped(finding->diagnostic.message),
-                        escaped(fullText(finding->diagnostic)));
+                        escaped(styledText(withFollows(*finding), {})));
   }
   if (one.failures.empty() && one.failed) {
     text +=
@@ -131,7 +131,7 @@ std::string caseXml(const Suite& suite, const Case& one) {
         "does\"></failure>\n";
   }
   std::string remarks;
-  for (const Finding* finding : one.remarks) remarks += fullText(finding->diagnostic) + '\n';
+  for (const Finding* finding : one.remarks) remarks += styledText(finding->diagnostic, {}) + '\n';
   if (!remarks.empty())
     text += fmt::format("      <system-out>{}</system-out>\n", escaped(remarks));
   return text + "    </testcase>\n";

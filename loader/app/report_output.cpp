@@ -1,6 +1,7 @@
 #include "app/report_output.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <iostream>
@@ -36,7 +37,7 @@ void ReportOutput::add(PackVerdict verdict, const Report& report) {
   Baseline* baseline = result_.baseline ? &*result_.baseline : nullptr;
   result_.packs.push_back(judgePack(std::move(verdict), report, options_, baseline));
   const PackResult& pack = result_.packs.back();
-  std::cerr << messagesOf(pack, output_, options_.strict) << std::flush;
+  std::cerr << messagesOf(pack, output_, options_.strict, styleOf(STDERR_FILENO)) << std::flush;
   if (options_.format == "text") printText(summaryOf(pack));
   result_.status = std::max(result_.status, pack.verdict.status);
 }
@@ -84,6 +85,9 @@ std::string ReportOutput::baselineText() const {
       const bool known = finding.silence == Silence::None || finding.silence == Silence::Baseline;
       if (known && finding.diagnostic.severity != Severity::Note) {
         problems.push_back(finding.diagnostic);
+      }
+      for (const Finding& other : finding.follows) {
+        if (other.diagnostic.severity != Severity::Note) problems.push_back(other.diagnostic);
       }
     }
   }

@@ -72,7 +72,7 @@ json resultOf(const PackResult& pack, const Finding& finding) {
   const Diagnostic& d = finding.diagnostic;
   json result = {{"ruleId", d.id},
                  {"level", levelOf(d.severity)},
-                 {"message", {{"text", messageOf(d)}}},
+                 {"message", {{"text", messageOf(withFollows(finding))}}},
                  {"partialFingerprints", {{"orris/v1", finding.fingerprint}}},
                  {"suppressions", json::array()}};
   if (const Rule* rule = findRule(d.id)) result["ruleIndex"] = rule - ruleTable().data();
@@ -85,6 +85,12 @@ json resultOf(const PackResult& pack, const Finding& finding) {
         {{"id", i + 1},
          {"message", {{"text", "included from here"}}},
          {"physicalLocation", physicalLocation(pack.root + place.file, place, "")}});
+  }
+  for (const RelatedPlace& place : d.related) {
+    result["relatedLocations"].push_back(
+        {{"id", result["relatedLocations"].size() + 1},
+         {"message", {{"text", place.message}}},
+         {"physicalLocation", physicalLocation(pack.root + place.at.file, place.at, "")}});
   }
   if (finding.silence != Silence::None)
     result["suppressions"].push_back(suppressionOf(finding.silence));

@@ -15,47 +15,35 @@ std::string counted(int count, std::string_view noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
-// Lists of blocks in properties run over thousands of columns: what counts is around the caret.
-constexpr int kWidest = 160, kBeforeCaret = 100;
-
-bool startsCharacter(char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }
-
-void clipSourceLine(Diagnostic& diagnostic) {
-  std::string& line = diagnostic.sourceLine;
-  if (std::ssize(line) <= kWidest) return;
-  const int size = static_cast<int>(line.size());
-  int begin = std::clamp(diagnostic.at.column - 1 - kBeforeCaret, 0, size - kWidest);
-  int end = begin + kWidest;
-  while (begin > 0 && !startsCharacter(line[begin])) --begin;
-  while (end < size && !startsCharacter(line[end])) ++end;
-  const bool more = end < size;
-  line = (begin > 0 ? "..." : "") + line.substr(begin, end - begin) + (more ? "..." : "");
-  if (begin > 0) diagnostic.at.column -= begin - 3;
-}
-
 }  // namespace
 
-std::string fullText(Diagnostic diagnostic) {
-  diagnostic.message += fmt::format(" [{}]", diagnostic.id);
-  const std::string whole = formatDiagnostic(diagnostic);
-  clipSourceLine(diagnostic);
-  const std::string clipped = formatDiagnostic(diagnostic);
-  // The place stays the true one; only the excerpt and its caret are those of the clipped line.
-  return whole.substr(0, whole.find('\n')) +
-         clipped.substr(std::min(clipped.find('\n'), clipped.size()));
+Diagnostic withFollows(const Finding& finding) {
+  Diagnostic diagnostic = finding.diagnostic;
+  const auto count = finding.follows.size();
+  if (count > 0) {
+    diagnostic.notes.push_back(fmt::format("{} finding{} from this one (--verbose lists them)",
+                                           count, count == 1 ? " follows" : "s follow"));
+  }
+  return diagnostic;
 }
 
-std::string messagesOf(const PackResult& pack, const OutputOptions& output, bool strict) {
+std::string messagesOf(const PackResult& pack, const OutputOptions& output, bool strict,
+                       const TextStyle& style) {
+  const std::string folder = shadersFolderOf(pack.verdict.path);
   std::string text;
   std::map<std::string, std::size_t> printed;
-  for (const Finding& finding : pack.findings) {
+  const auto add = [&](const Finding& finding) {
     const bool shown =
         finding.silence == Silence::None &&
         (isShown(finding.diagnostic.severity, output) || countsAsFailure(finding, strict));
-    if (!shown) continue;
+    if (!shown) return;
     const std::size_t count = ++printed[finding.diagnostic.id];
     if (count <= limits::kPrintedOfAKind || output.verbose)
-      text += fullText(finding.diagnostic) + '\n';
+      text += styledText(withFollows(finding), style, folder) + '\n';
+  };
+  for (const Finding& finding : pack.findings) {
+    add(finding);
+    if (output.verbose) std::ranges::for_each(finding.follows, add);
   }
   for (const auto& [id, count] : printed) {
     if (count <= limits::kPrintedOfAKind || output.verbose) continue;
@@ -91,7 +79,7 @@ std::string summaryOf(const PackResult& pack) {
 std::string writeText(const ValidateResult& result) {
   std::string text;
   for (const PackResult& pack : result.packs) {
-    text += messagesOf(pack, {.verbose = result.verbose}, result.strict) + summaryOf(pack);
+    text += messagesOf(pack, {.verbose = result.verbose}, result.strict, {}) + summaryOf(pack);
   }
   return text;
 }

@@ -144,6 +144,7 @@ int runTrace(const TraceOptions& options, Report& report, nlohmann::json& result
     std::cout << fmt::format("{} samples a pixel, noise {:.3g} % rms of the mean\n",
                              2 * film->samples, 100 * film->noise().relative);
   }
+  sayWritten(options.output, {options.picture});
   return status;
 }
 
@@ -178,6 +179,7 @@ int runShadowMask(const TraceOptions& options, Report& report, nlohmann::json& r
       {"size", {mask.width, mask.height}}, {"lit", lit}, {"casters", view->casters.faces.size()}};
   if (!options.output.json && !options.output.quiet)
     std::cout << fmt::format("{} of {} pixels lit\n", lit, mask.pixels.size());
+  if (status == kClean) sayWritten(options.output, {options.picture});
   return status;
 }
 

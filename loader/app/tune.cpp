@@ -165,6 +165,7 @@ int runTune(const TuneOptions& options, Report& report, nlohmann::json& result) 
             {"settings", study->settings().size()}};
   if (!options.study.output.json && !options.study.output.quiet)
     printText(explanation(found.chart, chosen, goal));
+  sayWritten(options.study.output, {options.settings});
   return status;
 }
 

@@ -7,6 +7,9 @@
 namespace orris {
 namespace {
 
+// A mistake in a shared file fails all programs; JSON names each.
+constexpr std::size_t kMostFailed = 8;
+
 std::string toText(const MatrixSummary& matrix) {
   std::string text = fmt::format("  matrix {}", matrix.kind);
   if (!matrix.profile.empty()) text += fmt::format(", profile {}", matrix.profile);
@@ -45,7 +48,13 @@ std::string toText(const PackVerdict& verdict) {
   if (verdict.profiles.size() > 1) text += fmt::format(", {} profiles", verdict.profiles.size());
   text += '\n';
   const auto addFailed = [&](const ProgramVerdicts& programs) {
-    for (const std::string& name : programs.failed) text += fmt::format("  failed: {}\n", name);
+    std::size_t named = 0;
+    for (const std::string& name : programs.failed) {
+      if (named++ == kMostFailed) break;
+      text += fmt::format("  failed: {}\n", name);
+    }
+    if (programs.failed.size() > kMostFailed)
+      text += fmt::format("  failed: {} more\n", programs.failed.size() - kMostFailed);
   };
   addFailed(verdict.programs);
   for (const auto& [mod, programs] : verdict.modPrograms) addFailed(programs);

@@ -4,12 +4,14 @@
 
 #include <algorithm>
 
+#include "app/consequences.h"
 #include "app/draw_check.h"
 #include "app/inputs.h"
 #include "app/patched_sources.h"
 #include "app/progress.h"
 #include "check/conditional_place.h"
 #include "check/link_errors.h"
+#include "check/open_comments.h"
 #include "check/pack_checks.h"
 #include "core/work_stage.h"
 #include "frame/auto_choices.h"
@@ -107,7 +109,8 @@ void checkOne(const ShaderPack& pack, const LoadRequest& request, Checker& check
     programs.all.insert(unit.name);
     if (!checker.passed(unit.hash)) programs.failed.insert(unit.name);
   }
-  if (checker.gpu && !hasErrors(diagnostics)) {
+  reportSwallowedCode(pack, checker.glslang, checker.jobs, diagnostics);
+  if (checker.gpu && checker.draw && !hasErrors(diagnostics)) {
     checkDrawing(checker.backend, pack.source, request, diagnostics);
   }
   dropRepeatedLinkErrors(diagnostics);
@@ -132,7 +135,9 @@ void checkMatrix(const std::vector<ShaderPack>& folders, const LoadRequest& requ
                                     progress->advance();
                                   });
   progress.reset();
+  const std::size_t before = report.all().size();
   report.add(result.diagnostics);
+  for (std::size_t i = before; i < report.all().size(); ++i) verdict.ofMatrix.insert(i);
   verdict.matrices.push_back({.kind = options.matrix.kind,
                               .profile = request.profile,
                               .shard = matrix.shard,
@@ -230,6 +235,38 @@ void checkVersion(Outline& outline, const std::vector<std::string>& profiles,
   }
 }
 
+/// All that is checked of the files that `verdict` has.
+void checkPack(PackVerdict& verdict, const ValidateOptions& options, Checker& checker,
+               Report& report) {
+  const HostVersions newest = options.versions ? options.versions->newest : HostVersions();
+  auto outline = loadOutline(newest, options, checker, verdict, report);
+  if (!outline) return;
+  const std::vector<HostVersions> all = versionsToCheck(*outline->pack, options);
+  const std::vector<std::string> profiles =
+      chosen(options.profiles, namesOf(outline->pack->properties.profiles));
+  checker.budget.beginPack(profiles.size() * all.size());
+  for (const HostVersions& versions : all) {
+    const std::string name = versions == newest ? "" : nameOf(versions);
+    report.setContext(name);
+    if (!name.empty()) outline = loadOutline(versions, options, checker, verdict, report);
+    if (outline) checkVersion(*outline, profiles, name, options, checker, verdict, report);
+  }
+  report.setContext("");
+  report.noteContexts(profiles.size() * all.size());
+}
+
+void checkAgain(const std::shared_ptr<const FileSource>& files, const ValidateOptions& options,
+                Checker checker, Report& report) {
+  PackVerdict verdict{.files = files};
+  ValidateOptions same = options;
+  same.matrix.kind = "none";
+  same.patched.clear();
+  checker.glslang.clear();
+  checker.driver.clear();
+  checker.draw = false;
+  checkPack(verdict, same, checker, report);
+}
+
 }  // namespace
 
 MacroDefinitions Checker::environment(const HostVersions& versions) const {
@@ -254,21 +291,8 @@ PackVerdict validatePack(const std::string& path, const ValidateOptions& options
   PackVerdict verdict{.path = path};
   verdict.files = openPackFiles(path, report, verdict.status);
   if (!verdict.files) return verdict;
-  const HostVersions newest = options.versions ? options.versions->newest : HostVersions();
-  auto outline = loadOutline(newest, options, checker, verdict, report);
-  if (!outline) return verdict;
-  const std::vector<HostVersions> all = versionsToCheck(*outline->pack, options);
-  const std::vector<std::string> profiles =
-      chosen(options.profiles, namesOf(outline->pack->properties.profiles));
-  checker.budget.beginPack(profiles.size() * all.size());
-  for (const HostVersions& versions : all) {
-    const std::string name = versions == newest ? "" : nameOf(versions);
-    report.setContext(name);
-    if (!name.empty()) outline = loadOutline(versions, options, checker, verdict, report);
-    if (outline) checkVersion(*outline, profiles, name, options, checker, verdict, report);
-  }
-  report.setContext("");
-  report.noteContexts(profiles.size() * all.size());
+  checkPack(verdict, options, checker, report);
+  findConsequences(verdict, options, checker, checkAgain, report);
   return verdict;
 }
 

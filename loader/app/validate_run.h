@@ -30,6 +30,7 @@ struct PackVerdict {
   std::map<std::string, ProgramVerdicts> modPrograms;  ///< by name of the mod, "Distant Horizons"
   std::set<std::string> dimensions, profiles;
   std::vector<MatrixSummary> matrices;  ///< one for each profile, with --matrix
+  std::set<std::size_t> ofMatrix;       ///< problems of the report that only other options have
   int status = kClean;
 };
 
@@ -42,6 +43,7 @@ struct Checker {
   MatrixBudget budget;
   std::optional<gl::DriverInfo> gpu;
   Verdicts glslang, driver;
+  bool draw = true;  ///< a frame, with a driver
 
   MacroDefinitions environment(const HostVersions& versions) const;
   bool passed(std::uint64_t hash) const;

@@ -213,7 +213,7 @@ void Viewer::pollFiles() {
 }
 
 void Viewer::reload(const std::string& cause, bool withOptionFile) {
-  report_ = Report(options_.output);  // a mistake made again is told again
+  report_.beginAgain();
   LoadRequest& request = session_->loadRequest();
   const auto choices = readChoices(withOptionFile);
   bool succeeded = false;

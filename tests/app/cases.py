@@ -73,7 +73,11 @@ def png(width, height, color):
 
 USAGE = [
     Case("no_command", [""], 2, errors=["orris: error: A subcommand is required"]),
-    Case("unknown_command", ["paint pack"], 2, errors=["orris: error: "]),
+    Case("unknown_command", ["paint pack"], 2,
+         errors=["^orris: error: there is no command 'paint'$"], stderr=["hint: orris --help"]),
+    Case("misspelt_command", ["rendr pack world"], 2,
+         errors=["^orris: error: there is no command 'rendr'$"],
+         stderr=[r"^  hint: did you mean render\?$"]),
     Case("unknown_flag", ["validate x --colour", "world x --size 1x1", "options x --frames 2",
                           "compare a b --sharp", f"{RENDER} --colour"],
          2, errors=[r"orris \w+: error: The following argument"]),
@@ -236,6 +240,85 @@ PACKS = [
          stderr=["note: place is a guess: texcoord stands in 2 lines"]),
     Case("options_json", ["options pack --json"], 0, pack({"final.fsh": WITH_MODE}),
          stdout=[r'"name": "MODE"', r'"value": "1"', r'"line": 4', r'"final"']),
+]
+
+# One program, and one that only the file lib/all.glsl breaks.
+MAIN = "void main() { gl_FragColor = vec4(shade() * EXPOSURE); }\n"
+SHADE = "float shade() {\n  return 1.0;\n}\n"
+
+
+def two_programs(library, more=""):
+    """Both include the library; /composite1.fsh has a mistake of its own where `more` says so."""
+    include = VERSION + '#include "/lib/all.glsl"\n'
+    return pack({"composite.fsh": include + MAIN, "deferred.fsh": include + MAIN,
+                 "composite1.fsh": VERSION + f"void main() {{ {more}gl_FragColor = vec4(1.0); }}\n",
+                 "lib/all.glsl": library})
+
+
+MORE = "float a = lost; "
+OWN = r"^/composite1\.fsh:2:\d+: error: 'lost' : undeclared identifier \[glsl-compile\]$"
+FOLLOW = [r"^  note: \d+ findings? follows? from this one \(--verbose lists them\)$"]
+ONCE = [
+    Case("lost_endif", ["validate pack"], 1,
+         two_programs("#define EXPOSURE 1.0\n#ifdef FAST\nfloat fast() {\n  return 2.0;\n}\n\n" + SHADE, MORE),
+         [r"^/lib/all\.glsl:5:\d+: error: expected #endif after this line: nothing closes the #ifdef in "
+          r"line 2 \[conditional-unbalanced\]$", OWN],
+         stderr=[r"\A/lib/all\.glsl:5:", r"^  note: /lib/all\.glsl:2:1: the #ifdef without #endif$", *FOLLOW]),
+    Case("endif_too_many", ["validate pack"], 1,
+         two_programs("#ifndef LIB\n#define LIB\n#define EXPOSURE 1.0\n\n#ifdef FAST\nfloat fast() {\n#endif\n"
+                      "  return 2.0;\n}\n#endif\n\n" + SHADE + "#endif\n", MORE),
+         [r"^/lib/all\.glsl:(7|10):1: error: #endif without #if \[conditional-unbalanced\]$", OWN],
+         stderr=[r"\A/lib/all\.glsl:(7|10):1: ", *FOLLOW]),
+    Case("comment_for_the_line", ["validate pack"], 1,
+         two_programs("#define EXPOSURE 1.0 /* [0.5 1.0]\n#define OTHER 1\n" + SHADE
+                      + "/* RENDERTARGETS: 0 */\nfloat more;\n", MORE),
+         [r"^/lib/all\.glsl:1:22: error: this comment swallows code: .* in line 6 \[comment-nested\]$", OWN],
+         stderr=[r"\A/lib/all\.glsl:1:22", *FOLLOW, "hint: write // for a comment of one line"]),
+    Case("comment_never_closed", ["validate pack"], 1,
+         two_programs("#define EXPOSURE 1.0\n/* what it does\n" + SHADE, MORE),
+         [r"^/lib/all\.glsl:2:1: error: block comment is not closed: .* \[comment-unclosed\]$", OWN],
+         stderr=[r"\A/lib/all\.glsl:2:1", *FOLLOW]),
+    Case("a_comment_in_a_comment_that_harms_nobody", ["validate pack"], 0,
+         two_programs("#define EXPOSURE 1.0\n/*\nfloat old() { return 1.0; /* why */\n" + SHADE), stdout=[r"^pack: 4/4 programs$"]),
+    Case("lost_brace", ["validate pack"], 1,
+         two_programs("#define EXPOSURE 1.0\nfloat other() {\n  return 2.0;\n\n" + SHADE, MORE),
+         [r"^/lib/all\.glsl:[34]:\d+: error: expected '}' after ';': .* \[brace-unbalanced\]$", OWN]),
+    Case("brace_too_many", ["validate pack"], 1,
+         two_programs("#define EXPOSURE 1.0\nfloat other() {\n  return 2.0;\n}\n}\n\n" + SHADE, MORE),
+         [r"^/lib/all\.glsl:[45]:1: error: '}' without '{': nothing opens what it would close \[brace-unbalanced\]$", OWN],
+         stderr=[r"\A/lib/all\.glsl:"]),
+    Case("what_follows_is_listed_in_json", ["validate pack --json"], 1,
+         two_programs("#define EXPOSURE 1.0\n/* what it does\n" + SHADE),
+         [r"\[comment-unclosed\]$"],
+         stdout=[r'"follows": \[\n\s+\{']),
+    Case("what_follows_is_printed_when_verbose", ["validate pack --verbose"], 1,
+         two_programs("#define EXPOSURE 1.0\n/* what it does\n" + SHADE),
+         [r"\[comment-unclosed\]$", "error: .*Missing entry point"]),
+    Case("a_silenced_cause_hides_nothing", ["validate pack --ignore comment-unclosed"], 1,
+         two_programs("#define EXPOSURE 1.0\n/* what it does\n" + SHADE), ["Missing entry point"]),
+    Case("colour_is_forced", ["validate pack"], 1, two_programs("#define EXPOSURE 1.0\n"),
+         stderr=["^\x1b\\[1m/deferred\\.fsh:3:35: \x1b\\[0m\x1b\\[1;31merror: "],
+         environment={"CLICOLOR_FORCE": "1"}),
+    Case("no_colour_wins", ["validate pack"], 1, two_programs("#define EXPOSURE 1.0\n"),
+         [r"^/deferred\.fsh:3:35: error: "], environment={"CLICOLOR_FORCE": "1", "NO_COLOR": "1"}),
+    Case("render_says_it_as_validate_does", ON_PACK, 1,
+         pack({"final.fsh": VERSION + "void main() {\n  float a = 1.0\n  gl_FragColor = vec4(a);\n}\n"}),
+         [r"^/final\.fsh:3:16: error: syntax error: expected ';' after '1\.0' \[glsl-compile\]$"]),
+    Case("unknown_dimension", [f"{RENDER} --dimension foo", "validate pack --dimension foo"], 2, PACK,
+         ["error: --dimension: there is no dimension foo"]),
+    Case("misspelt_dimension", ["validate pack --dimension minecraft:the_neter"], 2, PACK,
+         ["error: --dimension"], stderr=[r"did you mean the_nether\?"]),
+    Case("a_shipped_world_by_name", ["render pack cornell -o out.png --size 16x16 --frames 1"], 0, PACK,
+         stdout=[r"^wrote out\.png \(16x16, 1 frame, [\d.]+ s, "], creates=["out.png"]),
+    Case("misspelt_shipped_world", ["render pack cornel -o out.png"], 2, PACK,
+         ["^cornel: error: no such file or folder, nor a world"], stderr=[r"did you mean cornell\?"]),
+    Case("options_filter", ["options pack mode"], 0, pack({"final.fsh": WITH_MODE}),
+         stdout=[r"^MODE = 1  \[0 1 2\]$", r"^  defined  /final\.fsh:4$", r"^  reaches  final$"]),
+    Case("options_filter_without_a_match", ["options pack none such"], 0, pack({"final.fsh": WITH_MODE}),
+         stdout=["^no option has none and such$"]),
+    Case("options_tree", ["options pack"], 0,
+         pack({"final.fsh": WITH_MODE, "shaders.properties": "screen=[LIGHT]\nscreen.LIGHT=MODE\n"}),
+         stdout=[r"^main screen\n  \[LIGHT\]\n    MODE = 1  \[0 1 2\]$"]),
 ]
 
 # Two options, either of which breaks a program alone; DEEP makes the compiler overflow its stack.
@@ -533,4 +616,4 @@ TRACES = [
          [r"^out\.exr\.trace: error: is not a checkpoint of trace$"]),
 ]
 
-CASES = USAGE + PACKS + MATRIX + WORLDS + OUTPUTS + COMPARISONS + CHARTS + TRACES
+CASES = USAGE + PACKS + ONCE + MATRIX + WORLDS + OUTPUTS + COMPARISONS + CHARTS + TRACES
