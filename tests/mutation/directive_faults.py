@@ -154,6 +154,36 @@ def version_removed(view):
             yield Fault("version-removed", file, number, "")
 
 
+def comment_for_line(view):
+    """/* for // behind an option."""
+    for file, source, number, match in matching(view, r"^\s*#\s*define\s+\w+\s+[\w.-]+\s*(//)\s*\["):
+        yield edit("comment-for-line", file, source, number, *match.span(1), "/*")
+
+
+def comment_end_removed(view):
+    """The last line of a comment of several lines without its */, when another comment comes."""
+    for file, source in view.sources.items():
+        begin = None
+        for number, text in enumerate(source.lines, 1):
+            if begin is None and re.match(r"\s*/\*(?!.*\*/)", text):
+                begin = number
+            elif begin and "*/" in text:
+                code = [i for i in view.reach.lines[file] if i > number]
+                if code and text.strip().endswith("*/"):
+                    at = text.index("*/")
+                    yield edit("comment-end-removed", file, source, number, at, at + 2, "",
+                               ends=(begin,))
+                begin = None
+
+
+def condition_name(view):
+    """An option misspelt in an #if, #elif or #ifdef."""
+    for file, source, number, match in matching(view, r"^\s*#\s*(?:el)?if(?:def)?\s+(?:defined\W+)?(\w{5,})"):
+        if match.group(1) in view.options:
+            yield edit("condition-name", file, source, number, *match.span(1),
+                       view.misspell(match.group(1)))
+
+
 KINDS = dict([
     ("include-path", include_path),
     ("include-removed", include_removed),
@@ -161,6 +191,9 @@ KINDS = dict([
     conditionals("endif-removed", -1, ""),
     ("endif-extra", endif_extra),
     ("directive-misspelt", directive_misspelt),
+    ("comment-for-line", comment_for_line),
+    ("comment-end-removed", comment_end_removed),
+    ("condition-name", condition_name),
     ("macro-body", macro_body),
     ("option-branch", option_branch),
     ("render-target-too-many", render_targets),

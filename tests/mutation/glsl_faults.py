@@ -222,10 +222,26 @@ def attribute_name(view):
                        view.misspell(match.group(1)))
 
 
+def brace_extra(view):
+    """One more } behind the end of a block, on a blank line or behind the last of the file."""
+    for file, source in view.sources.items():
+        used = view.reach.lines[file]
+        for number in range(2, len(source.lines) + 1):
+            before = source.code[number - 2].strip()
+            if not source.lines[number - 1].strip() and before == "}" and number - 1 in used:
+                yield Fault("brace-extra", file, number, "}", ends=(number - 1,))
+
+
+def varying_removed(view):
+    for file, source, number, match in varyings(view):
+        yield edit("varying-removed", file, source, number, 0, len(source.lines[number - 1]), "")
+
+
 KINDS = dict([
     from_pattern("semicolon", r"(;)", semicolon),
     braces("closing-brace", "}"),
     braces("opening-brace", "{"),
+    ("brace-extra", brace_extra),
     from_pattern("closing-parenthesis", r"(\))", lambda *_: ""),
     from_pattern("opening-parenthesis", r"\w(\()", lambda *_: ""),
     from_pattern("operator", r"[\w)] ([*/+]) [\w(]", lambda *_: " "),
@@ -244,6 +260,7 @@ KINDS = dict([
     ("uniform-type", uniform_type),
     ("varying-name", varying_name),
     ("varying-renamed", varying_renamed),
+    ("varying-removed", varying_removed),
     ("varying-type", varying_type),
     ("attribute-name", attribute_name),
 ])

@@ -38,6 +38,8 @@ class Result:
     located: bool = False  # the same, or at the other end of the changed pair
     healed: bool = False  # elsewhere, and the #include told there leaves nothing to report
     first: bool = False  # the first message is a located one
+    rank: int = 0  # of the first located message among the new ones, from 1; 0: none
+    unfolded: int = 0  # new messages that are not folded under another
     messages: tuple = ()
 
 
@@ -155,14 +157,18 @@ def judge(view, fault, root):
     if fresh:
         result.exact = any(near(message, fault.file, (fault.line,)) for message in fresh)
         result.located = any(near(message, fault.file, places) for message in fresh)
-        result.first = near(fresh[0], fault.file, places)
+        result.rank = next((i for i, message in enumerate(fresh, 1)
+                            if near(message, fault.file, places)), 0)
+        result.first, result.unfolded = result.rank == 1, len(fresh)
         result.messages = tuple("{file}:{line}: {severity}: {message} [{id}]".format(**message)
                                 for message in fresh[:4])
     return result
 
 
 def near(diagnostic, file, lines):
-    return diagnostic["file"] == file and any(abs(diagnostic["line"] - line) <= 1 for line in lines)
+    """Is one of the places of the message there?"""
+    return any(place["file"] == file and any(abs(place["line"] - line) <= 1 for line in lines)
+               for place in (diagnostic, *diagnostic["related"]))
 
 
 def choose(views, kinds, count, seed):
@@ -255,6 +261,31 @@ def report(results):
         table(results, "pack", lambda r: r.pack)]))
 
 
+def once_table(results):
+    """Markdown: each mistake, what is said first, its rank and how many messages stand beside it."""
+    rows = ["| mistake | at | first message | rank | messages |", "| --- | --- | --- | --- | --- |"]
+    for result in sorted(results, key=lambda r: r.fault.kind):
+        said = result.messages[0] if result.messages else "-"
+        rows.append(f"| {result.fault.kind} | {result.fault.file}:{result.fault.line} | "
+                    f"{said.replace('|', '&#124;')} | {result.rank or '-'} | {result.unfolded} |")
+    return "\n".join(rows)
+
+
+def meets_bar(result):
+    """Among the first three messages, at its line, with at most three in all."""
+    return result.verdict == "equivalent" or (0 < result.rank <= 3 and result.unfolded <= 3)
+
+
+def run_once(results, least):
+    bad = [result for result in results if not meets_bar(result)]
+    print(once_table(results))
+    report(bad)
+    good = len(results) - len(bad)
+    print(f"\n{len(results)} mistakes, one of each kind: {good} are reported at their line among the "
+          f"first three messages, with at most three in all")
+    return 0 if good >= least else 1
+
+
 def score(results):
     """Shares in percent: of the faults found; of these located; located or healed."""
     real = [result for result in results if result.verdict != "equivalent"]
@@ -276,6 +307,9 @@ def parse_arguments():
     parser.add_argument("--budget", type=float, default=86400, help="seconds; begin none after")
     parser.add_argument("--pack", action="append", help="only this pack; may be repeated")
     parser.add_argument("--kind", action="append", choices=sorted(KINDS), metavar="KIND")
+    parser.add_argument("--once", type=int, metavar="LEAST",
+                        help="one fault of each kind in one --pack; how many must be reported at "
+                        "their line, among the first three messages and with at most three in all")
     parser.add_argument("--json", help="write every fault and its verdict")
     parser.add_argument("--min-found", type=float, default=0, help="percent")
     parser.add_argument("--min-located", type=float, default=0, help="percent")
@@ -289,13 +323,20 @@ def main():
                if not arguments.pack or name in arguments.pack}
     with ThreadPoolExecutor(arguments.jobs) as pool:
         views = list(pool.map(lambda item: PackView(*item, orris), sources.items()))
-        jobs = choose(views, arguments.kind or list(KINDS), arguments.faults, arguments.seed)
+        kinds = arguments.kind or list(KINDS)
+        count = len(kinds) if arguments.once is not None else arguments.faults
+        jobs = choose(views, kinds, count, arguments.seed)
+        if arguments.once is not None:
+            jobs = list({fault.kind: (view, fault) for view, fault in reversed(jobs)}.values())
         with temporary_folder() as folder:
             copies = Copies(folder, arguments.budget)
             results = [result for result in pool.map(copies.judge, jobs) if result]
-    report(results)
+    if arguments.once is None:
+        report(results)
     if arguments.json:
         Path(arguments.json).write_text(json.dumps([asdict(r) for r in results], indent=1))
+    if arguments.once is not None:
+        return run_once(results, arguments.once)
     found, located, healed = score(results)
     print(f"\n{len(results)} faults in {len(views)} packs, seed {arguments.seed}: "
           f"{found:.1f} % found, {located:.1f} % of those located, {healed:.1f} % located or healed")

@@ -83,6 +83,15 @@ def block_listed_twice(view):
                        (match.end(2), match.end(2)), " " + plain[0], ends=(first,))
 
 
+def block_name(view):
+    blocks = re.compile(r"(?<![\w:])(?:minecraft:)?(\w+_(?:leaves|planks|stairs|log|slab|ore))(?![\w:])")
+    for number, text, match, _ in block_rows(view):
+        for found in blocks.finditer(text, *match.span(2)):
+            if text.count(found.group(1)) == 1:
+                yield edit("block-name", "block.properties", number, text, found.span(1),
+                           view.misspell(found.group(1)))
+
+
 def dimension_folder(view):
     for number, text, match in values(view, r"dimension\.[\w-]+", "dimension.properties"):
         begin, end = match.span(1)
@@ -144,6 +153,7 @@ KINDS = dict([
     from_value("uniform-syntax", r"(?:uniform|variable)\.\w+\.\w+", r"(\))", lambda *_: ""),
     from_value("program-condition", r"program\.[\w/.-]+", r"\b([A-Z]\w{2,})\b", misspelt_option),
     from_value("buffer-size", r"size\.buffer\.\w+", r"(?<!\S)([\d.]+)$", lambda *_: "half"),
+    ("block-name", block_name),
     ("block-id-twice", block_id_twice),
     ("block-listed-twice", block_listed_twice),
     ("dimension-folder", dimension_folder),
