@@ -30,7 +30,7 @@ struct Rule {
 
 // In this order: names are settled before the rules that read declarations, and the version is set
 // last because the others ask for the pack's.
-constexpr std::array<Rule, 15> kRules = {{
+constexpr std::array<Rule, 16> kRules = {{
     {ruleExtensions, false},
     {ruleAttributeVarying, false},
     {ruleTextureFunctions, false},
@@ -42,6 +42,7 @@ constexpr std::array<Rule, 15> kRules = {{
     {ruleMixBool, true},
     {ruleZeroInit, true},
     {ruleEntityId, false},
+    {ruleSharedBounds, true},
     {ruleOutColor, true},
     {ruleFragData, true},
     {ruleHostNames, true},

@@ -46,8 +46,8 @@ struct HostName {
 /// - texture-functions: texture2D, shadow2D, texelFetch2D, ... -> the GLSL 4.50 names
 /// - texture-name: a sampler named texture or gcolor -> gtexture, other variables -> orris_texture
 /// - reserved-names: words newer GLSL reserves, used as names (sample) -> orris_<word>
-/// - stray-semicolon: empty declarations at file scope are dropped
-/// - unused-functions: functions named nowhere else are dropped
+/// - stray-semicolon, unused-functions: empty declarations, functions named nowhere else are dropped
+/// - shared-bounds: indices of shared variables that are no literals stay inside of their arrays
 /// - global-const: `const` is dropped from globals whose initialiser is not constant
 /// - mix-bool: mix(vecN, vecN, bool) -> orris_mix with its overloads
 /// - entity-id: uint(... mc_Entity ...) -> uint(max(... mc_Entity ..., 0.0)) in vertex stages

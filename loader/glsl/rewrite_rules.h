@@ -78,6 +78,7 @@ void ruleGlobalConst(RewriteContext& context);
 void ruleMixBool(RewriteContext& context);
 void ruleZeroInit(RewriteContext& context);
 void ruleEntityId(RewriteContext& context);
+void ruleSharedBounds(RewriteContext& context);
 void ruleOutColor(RewriteContext& context);
 void ruleFragData(RewriteContext& context);
 void ruleHostNames(RewriteContext& context);

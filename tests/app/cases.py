@@ -91,6 +91,23 @@ USAGE = [
          ["--set: expected NAME=VALUE"]),
 ]
 
+# Far outside of the array, where nothing of the process is mapped: the last and the first element are meant.
+FAR_INDICES = """#version 430
+layout(local_size_x = 64) in;
+const ivec3 workGroups = ivec3(1, 1, 1);
+layout(rgba16f) uniform image2D colorimg0;
+shared uint s[64];
+void main() {
+  uint i = gl_LocalInvocationIndex;
+  s[i] = 7u;
+  barrier();
+  s[i * 65536u + 1000000u] = 7u;
+  barrier();
+  float seen = float(s[int(i) - 100000]) / 14.0;
+  imageStore(colorimg0, ivec2(i % 8u, i / 8u), vec4(seen, seen, seen, 1.0));
+}
+"""
+
 PACKS = [
     Case("versions_that_never_were", ["validate pack --iris 1.11 --game 1.20.1",
                                       f"{RENDER} --iris 1.11 --game 1.20.1",
@@ -118,6 +135,8 @@ PACKS = [
         "composite.fsh": VERSION + "#if MAX_COLOR_BUFFERS >= 32\nuniform sampler2D colortex20;\n"
                                    "#endif\nvoid main() { gl_FragData[0] = vec4(1.0); }\n"}),
          stdout=[r"2/2 programs"]),
+    Case("shared_array_is_bounded", [f"render pack {CORNELL} -o out.png --size 8x8 --frames 1"], 0,
+         pack({"composite.csh": FAR_INDICES}), creates=["out.png"]),
     Case("missing_include", ON_PACK, 1, pack({
         "final.fsh": VERSION + '#include "/lib/none.glsl"\nvoid main() { }\n'}),
         [r"^/final\.fsh:2:\d+: error: .*none\.glsl"]),
