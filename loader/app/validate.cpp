@@ -7,6 +7,7 @@
 #include "app/folder_config.h"
 #include "app/report_output.h"
 #include "app/validate_run.h"
+#include "core/pack_search.h"
 
 namespace orris {
 namespace {
@@ -19,15 +20,28 @@ int runExplain(const ValidateOptions& options) {
   return output.finish();
 }
 
+/// The packs below each path; a path that holds none stays, to be reported.
+std::vector<std::string> packsBelow(const std::vector<std::string>& paths) {
+  std::vector<std::string> packs;
+  for (const std::string& path : paths) {
+    std::vector<std::string> found = findPacks(path);
+    if (found.empty()) found.push_back(path);
+    packs.insert(packs.end(), found.begin(), found.end());
+  }
+  return packs;
+}
+
 int runValidate(const ValidateOptions& options) {
   ReportOutput output(options.report, options.output);
   if (!output.open()) return kUsage;
+  const std::vector<std::string> paths =
+      options.recursive ? packsBelow(options.paths) : options.paths;
   Checker checker{.jobs = options.jobs,
                   .target = *findTarget(options.target),
                   .backend = options.backend,
-                  .budget = MatrixBudget(matrixTime(options.matrix), options.paths.size())};
+                  .budget = MatrixBudget(matrixTime(options.matrix), paths.size())};
   if (options.draw && !findDriver(options, checker)) return kHostFailed;
-  for (const std::string& path : options.paths) {
+  for (const std::string& path : paths) {
     // A report of its own for each pack: equal messages of two packs are two problems.
     Report report(options.output, Report::Mode::Keep);
     PackVerdict verdict = validatePack(path, options, checker, report);
@@ -52,6 +66,7 @@ void addValidateCommand(CLI::App& app, int& status, const FolderConfig& folder) 
   command->add_option("--dimensions", options->dimensions, "check these folders: all, or NAME,...")
       ->delimiter(',')
       ->allow_extra_args(false);
+  command->add_flag("--recursive", options->recursive, "check every pack below the folders named");
   command->add_flag("--draw", options->draw,
                     "compile and link with the GL driver too, and draw one frame");
   addBackendFlag(*command, options->backend);

@@ -23,6 +23,7 @@ struct ValidateOptions {
   std::optional<VersionRange> versions;  ///< nullopt: from what the pack states to the newest
   std::string patched;                   ///< folder
   bool draw = false;
+  bool recursive = false;  ///< the packs below each path
   gl::Backend backend = gl::Backend::Auto;
   std::string explainLog;      ///< file, or "-"
   std::string patchedShaders;  ///< folder that Iris wrote

@@ -1,12 +1,14 @@
 #include "core/file_source.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
 
 #include "core/limits.h"
 #include "core/pack_path.h"
+#include "core/pack_search.h"
 #include "core/read_file.h"
 #include "core/zip_source.h"
 
@@ -168,6 +170,25 @@ std::unique_ptr<FileSource> refuse(const std::string& path, std::string message,
   return nullptr;
 }
 
+constexpr size_t kPacksNamed = 5;
+
+/// The folder is no pack itself; what it holds may be.
+std::unique_ptr<FileSource> refuseFolder(const std::string& path, Diagnostics& diagnostics) {
+  const std::vector<std::string> packs = findPacks(path);
+  if (packs.empty()) {
+    return refuse(path, "no shader pack: the folder has no folder named shaders",
+                  "give the folder that holds shaders/", diagnostics);
+  }
+  const size_t named = std::min(packs.size(), kPacksNamed);
+  std::string names = fmt::format("{}", fmt::join(packs.begin(), packs.begin() + named, ", "));
+  if (named < packs.size()) names += fmt::format(" and {} more", packs.size() - named);
+  if (packs.size() == 1) {
+    return refuse(path, "no shader pack itself, but it holds one", "give " + names, diagnostics);
+  }
+  return refuse(path, fmt::format("no shader pack itself, but it holds {}", packs.size()),
+                "give one of " + names + "; orris validate --recursive checks all", diagnostics);
+}
+
 /// Absent when the folder is no pack.
 std::optional<fs::path> rootInside(const fs::path& folder) {
   std::error_code error;
@@ -207,10 +228,7 @@ std::unique_ptr<FileSource> openPack(const std::string& path, Diagnostics& diagn
     return files ? std::make_unique<ZipSource>(path, limits, std::move(*files)) : nullptr;
   }
   const auto root = rootInside(path);
-  if (!root) {
-    return refuse(path, "no shader pack: the folder has no folder named shaders",
-                  "give the folder that holds shaders/", diagnostics);
-  }
+  if (!root) return refuseFolder(path, diagnostics);
   // A path that the user wrote may be a link to anywhere; what a pack brings along may not.
   if (!liesBelow(path, root->string())) {
     return refuse((fs::path(path) / "shaders").string(),

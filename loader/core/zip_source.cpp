@@ -155,4 +155,10 @@ std::optional<std::map<std::string, std::string>> readZip(const std::string& pat
   return files;
 }
 
+bool isPackZip(const std::string& path) {
+  Diagnostics ignored;
+  const Archive archive = openArchive(path, ignored);
+  return archive && findRoot(archive.get(), zip_get_num_entries(archive.get(), 0));
+}
+
 }  // namespace orris

@@ -21,4 +21,7 @@ std::optional<std::map<std::string, std::string>> readZip(const std::string& pat
 std::optional<std::string> readBesideInZip(const std::string& zip, std::string_view path,
                                            const PackLimits& limits);
 
+/// The archive can be opened and holds a folder `shaders`.
+bool isPackZip(const std::string& path);
+
 }  // namespace orris
