@@ -116,9 +116,11 @@ int runRender(const RenderOptions& options, Report& report, nlohmann::json& resu
   if (report.status() != kClean) return report.status();
   const std::vector<std::string> errors = context->takeErrors();
   for (const std::string& message : errors) report.error("gl-error", message);
-  const bool written = writeOutputs(options.outputs, session->renderer(), times, report, status);
-  if (written) sayRendered(options, *session, context->driver(), began);
-  return errors.empty() || !written ? status : kHostFailed;
+  // The frames are not what the pack asks for: a picture of an earlier run stays.
+  if (!errors.empty()) return kHostFailed;
+  if (writeOutputs(options.outputs, session->renderer(), times, report, status))
+    sayRendered(options, *session, context->driver(), began);
+  return status;
 }
 
 void addOutputPaths(CLI::App& command, RenderOutputs& outputs) {

@@ -18,51 +18,23 @@ struct GrammarWord {
 };
 
 // glslang: MachineIndependent/glslang.y. Other words are keywords in capitals.
-constexpr std::array<GrammarWord, 38> kPunctuators{{{"SEMICOLON", ";"},
-                                                    {"COMMA", ","},
-                                                    {"COLON", ":"},
-                                                    {"DOT", "."},
-                                                    {"EQUAL", "="},
-                                                    {"QUESTION", "?"},
-                                                    {"LEFT_PAREN", "("},
-                                                    {"RIGHT_PAREN", ")"},
-                                                    {"LEFT_BRACKET", "["},
-                                                    {"RIGHT_BRACKET", "]"},
-                                                    {"LEFT_BRACE", "{"},
-                                                    {"RIGHT_BRACE", "}"},
-                                                    {"PLUS", "+"},
-                                                    {"DASH", "-"},
-                                                    {"STAR", "*"},
-                                                    {"SLASH", "/"},
-                                                    {"PERCENT", "%"},
-                                                    {"LEFT_ANGLE", "<"},
-                                                    {"RIGHT_ANGLE", ">"},
-                                                    {"BANG", "!"},
-                                                    {"TILDE", "~"},
-                                                    {"AMPERSAND", "&"},
-                                                    {"VERTICAL_BAR", "|"},
-                                                    {"CARET", "^"},
-                                                    {"AND_OP", "&&"},
-                                                    {"OR_OP", "||"},
-                                                    {"XOR_OP", "^^"},
-                                                    {"EQ_OP", "=="},
-                                                    {"NE_OP", "!="},
-                                                    {"LE_OP", "<="},
-                                                    {"GE_OP", ">="},
-                                                    {"INC_OP", "++"},
-                                                    {"DEC_OP", "--"},
-                                                    {"LEFT_OP", "<<"},
-                                                    {"RIGHT_OP", ">>"},
-                                                    {"ADD_ASSIGN", "+="},
-                                                    {"SUB_ASSIGN", "-="},
-                                                    {"MUL_ASSIGN", "*="}}};
+constexpr std::array<GrammarWord, 38> kGrammarPunctuators{{
+    {"SEMICOLON", ";"}, {"COMMA", ","}, {"COLON", ":"}, {"DOT", "."}, {"EQUAL", "="},
+    {"QUESTION", "?"}, {"LEFT_PAREN", "("}, {"RIGHT_PAREN", ")"}, {"LEFT_BRACKET", "["},
+    {"RIGHT_BRACKET", "]"}, {"LEFT_BRACE", "{"}, {"RIGHT_BRACE", "}"}, {"PLUS", "+"}, {"DASH", "-"},
+    {"STAR", "*"}, {"SLASH", "/"}, {"PERCENT", "%"}, {"LEFT_ANGLE", "<"}, {"RIGHT_ANGLE", ">"},
+    {"BANG", "!"}, {"TILDE", "~"}, {"AMPERSAND", "&"}, {"VERTICAL_BAR", "|"}, {"CARET", "^"},
+    {"AND_OP", "&&"}, {"OR_OP", "||"}, {"XOR_OP", "^^"}, {"EQ_OP", "=="}, {"NE_OP", "!="},
+    {"LE_OP", "<="}, {"GE_OP", ">="}, {"INC_OP", "++"}, {"DEC_OP", "--"}, {"LEFT_OP", "<<"},
+    {"RIGHT_OP", ">>"}, {"ADD_ASSIGN", "+="}, {"SUB_ASSIGN", "-="}, {"MUL_ASSIGN", "*="},
+}};
 
 std::string_view punctuatorOf(std::string_view word) {
-  const auto found = std::ranges::find(kPunctuators, word, &GrammarWord::name);
-  return found == kPunctuators.end() ? std::string_view() : found->text;
+  const auto found = std::ranges::find(kGrammarPunctuators, word, &GrammarWord::name);
+  return found == kGrammarPunctuators.end() ? std::string_view() : found->text;
 }
 
-std::string lower(std::string_view word) {
+std::string inLowerCase(std::string_view word) {
   std::string text(word);
   std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
   return text;
@@ -80,14 +52,14 @@ std::string describe(std::string_view word) {
   if (isNumber(word)) return "a number";
   if (isName(word)) return "a name";
   if (word == "$end" || word == "end") return "the end of the text";
-  return fmt::format("'{}'", lower(word));
+  return fmt::format("'{}'", inLowerCase(word));
 }
 
 bool isA(const Token& token, std::string_view word) {
   if (const std::string_view text = punctuatorOf(word); !text.empty()) return token.text == text;
   if (isNumber(word)) return token.kind == TokenKind::Number;
   if (token.kind != TokenKind::Identifier) return false;
-  return isName(word) || token.text == lower(word);
+  return isName(word) || token.text == inLowerCase(word);
 }
 
 /// Can nothing but an operator or punctuator follow?

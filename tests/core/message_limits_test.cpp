@@ -8,7 +8,7 @@
 namespace orris {
 namespace {
 
-Diagnostic skyError() {
+Diagnostic unboundedError() {
   Diagnostic d;
   d.id = "many";
   d.at = {"/lib/sky.glsl", 41, 10};
@@ -17,7 +17,7 @@ Diagnostic skyError() {
 }
 
 TEST(message_limits, of_a_long_line_the_part_before_the_column_is_quoted) {
-  Diagnostic d = skyError();
+  Diagnostic d = unboundedError();
   const std::string line = std::string(100'000, 'a') + "XY" + std::string(100'000, 'b');
   d.at.column = 100'002;
   d.sourceLine = quotedLine(line, d.at.column);
@@ -32,7 +32,7 @@ TEST(message_limits, of_a_long_line_the_part_before_the_column_is_quoted) {
 }
 
 TEST(message_limits, a_cut_stands_between_characters) {
-  Diagnostic d = skyError();
+  Diagnostic d = unboundedError();
   for (int i = 0; i < 50'000; ++i) d.message += "\xC3\xBC";
   d.sourceLine = "x" + d.message;
   d.at.column = 40'000;
@@ -44,8 +44,8 @@ TEST(message_limits, a_cut_stands_between_characters) {
 }
 
 TEST(message_limits, of_a_kind_the_first_are_kept_and_one_message_stands_for_the_rest) {
-  Diagnostics all(2 * limits::kMessagesOfAKind, skyError());
-  Diagnostic other = skyError();
+  Diagnostics all(2 * limits::kMessagesOfAKind, unboundedError());
+  Diagnostic other = unboundedError();
   other.id = "other";
   all.push_back(other);
   boundMessages(all);
@@ -56,16 +56,16 @@ TEST(message_limits, of_a_kind_the_first_are_kept_and_one_message_stands_for_the
 }
 
 TEST(message_limits, the_first_error_survives_a_full_list) {
-  Diagnostic note = skyError();
+  Diagnostic note = unboundedError();
   note.severity = Severity::Note;
   Diagnostics all(limits::kMessagesOfAKind + 5, note);
-  all.push_back(skyError());
+  all.push_back(unboundedError());
   boundMessages(all);
   EXPECT_TRUE(hasErrors(all));
 }
 
 TEST(message_limits, the_bytes_of_a_list_and_its_chains_are_bounded) {
-  Diagnostic d = skyError();
+  Diagnostic d = unboundedError();
   d.message = d.hint = std::string(2 * limits::kMessageBytes, 'm');
   d.includedFrom.resize(100, {"/a.glsl", 1, 0});
   d.includedFrom.back().file = "/composite.fsh";

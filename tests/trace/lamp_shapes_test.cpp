@@ -11,7 +11,7 @@ using test::BlockScene;
 using test::Estimate;
 
 constexpr int kSide = 7;         // of the room, inside
-constexpr int kWhiteLamp = 106;  // listed, so that its colour is not that of its texture
+constexpr int kListedLamp = 106;  // listed, so that its colour is not that of its texture
 constexpr double kWhiteGreen = 0.92;
 constexpr int kGreyByte = 188;
 
@@ -35,7 +35,7 @@ BlockScene roomWith(const std::string& block) {
       {"hollow": "black_concrete", "min": [0, 0, 0], "max": [8, 8, 8]},
       {"block": ")" + block + R"(", "at": [4, 4, 4]}],
       "cameras": [{"name": "a", "position": [2, 2, 2], "yaw": 0, "pitch": 0, "fov": 60}]})";
-  return test::blockScene(json, {{nameOf(block), kWhiteLamp}}, strengthOne());
+  return test::blockScene(json, {{nameOf(block), kListedLamp}}, strengthOne());
 }
 
 /// A point of the room's walls, all alike.
@@ -137,7 +137,7 @@ TEST(LavaFloor, lights_the_ceiling_as_a_rectangle_does) {
       {"hollow": "black_concrete", "min": [0, 0, 0], "max": [8, 5, 8]},
       {"box": "lava", "min": [1, 1, 1], "max": [7, 1, 7]}],
       "cameras": [{"name": "a", "position": [2, 3, 2], "yaw": 0, "pitch": 0, "fov": 60}]})",
-      {{"minecraft:lava", kWhiteLamp}}, strengthOne());
+      {{"minecraft:lava", kListedLamp}}, strengthOne());
   TraceSettings settings;
   settings.bounces = 1;
   const PathTracer tracer(scene.scene, {}, settings);
@@ -176,8 +176,8 @@ TEST(ClosedBoxOfBlocks, holds_e_over_one_less_rho_with_lava_water_and_glass_in_i
       {"box": "water", "min": [3, 2, 5], "max": [4, 3, 6]}, {"block": "stone", "at": [6, 2, 6]},
       {"block": "glass_pane[north=true,south=true]", "at": [6, 3, 2]}],
       "cameras": [{"name": "a", "position": [2, 3, 2], "yaw": 0, "pitch": 0, "fov": 60}]})",
-      {{"minecraft:sea_lantern", kWhiteLamp},
-       {"minecraft:lava", kWhiteLamp},
+      {{"minecraft:sea_lantern", kListedLamp},
+       {"minecraft:lava", kListedLamp},
        {"minecraft:water", 20},
        {"minecraft:white_stained_glass", 21}},
       strengthOne(), greyLamps);
