@@ -108,6 +108,13 @@ void main() {
 }
 """
 
+TOO_MANY_GROUPS = """#version 430
+layout(local_size_x = 8, local_size_y = 8) in;
+const vec2 workGroupsRender = vec2(1000000.0, 1000000.0);
+layout(rgba16f) uniform image2D colorimg0;
+void main() { imageStore(colorimg0, ivec2(gl_GlobalInvocationID.xy), vec4(1.0)); }
+"""
+
 PACKS = [
     Case("versions_that_never_were", ["validate pack --iris 1.11 --game 1.20.1",
                                       f"{RENDER} --iris 1.11 --game 1.20.1",
@@ -135,6 +142,9 @@ PACKS = [
         "composite.fsh": VERSION + "#if MAX_COLOR_BUFFERS >= 32\nuniform sampler2D colortex20;\n"
                                    "#endif\nvoid main() { gl_FragData[0] = vec4(1.0); }\n"}),
          stdout=[r"2/2 programs"]),
+    Case("gl_error_leaves_no_picture", [f"render pack {CORNELL} -o out.png --size 8x8 --frames 1"],
+         3, pack({"composite.csh": TOO_MANY_GROUPS}),
+         [r"GL_INVALID_VALUE in glDispatchCompute.* \[gl-error\]"]),
     Case("shared_array_is_bounded", [f"render pack {CORNELL} -o out.png --size 8x8 --frames 1"], 0,
          pack({"composite.csh": FAR_INDICES}), creates=["out.png"]),
     Case("missing_include", ON_PACK, 1, pack({
