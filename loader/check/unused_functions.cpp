@@ -193,6 +193,8 @@ class UnusedFunctions {
   }
 
   void note(const LeftOut& function, Diagnostic error) {
+    // Iris refuses the program for it: checkUnusedSyntax() reports that.
+    if (findSyntaxMistake(function.source)) return void(fine_.insert(function.place));
     error.severity = Severity::Warning;
     error.id = "unused-function-broken";
     error.message =

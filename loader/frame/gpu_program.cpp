@@ -134,12 +134,15 @@ void reportCompile(const std::string& log, const StageText& stage, const SourceL
   diagnostics.insert(diagnostics.end(), found.begin(), found.end());
 }
 
-/// What glslang refuses too is said as validate says it.
+/// What glslang refuses too is said as validate says it. Of extensions only the driver is a judge.
 bool reportAsValidate(const std::vector<const StageText*>& written, const SourceLines& lines,
                       Diagnostics& diagnostics) {
   Diagnostics found;
   validateWithGlslang(written, lines, found);
-  if (!hasErrors(found)) return false;
+  const bool judges = std::none_of(found.begin(), found.end(), [](const Diagnostic& d) {
+    return d.message.find("extension not supported") != std::string::npos;
+  });
+  if (!judges || !hasErrors(found)) return false;
   diagnostics.insert(diagnostics.end(), found.begin(), found.end());
   return true;
 }
