@@ -16,7 +16,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     entries.push_back({.name = "u" + std::to_string(number),
                        .type = static_cast<ValueType>(number % kTypes),
                        .expression = line,
-                       .at = {"/shaders.properties", number + 1, 1}});
+                       .at = {"/shaders.properties", number + 1, 1},
+                       .lines = {line}});
   }
   const auto type = [](const std::string& name) -> std::optional<ValueType> {
     if (name == "i") return ValueType::Int;

@@ -263,7 +263,7 @@ def broken_edit_changes_nothing_and_is_told_once(test):
     time.sleep(1)
     view.end(status=1)
     errors = view.stderr()
-    assert errors.count("error:") == 1, errors
+    assert errors.count(": error:") == 1, errors
     assert errors.startswith("/lib/tint.glsl:9:") and "included from /composite.fsh:2" in errors, errors
     assert share_within_one(read_png(path), before) == 1
 
@@ -277,7 +277,7 @@ def repaired_edit_is_taken_over(test):
         test.edit("return color\n", "return color;\n")
         view.wait_for("reloaded (tint.glsl changed): 0 programs built, 4 kept")
     view.end()
-    assert view.stderr().count("error:") == 2, view.stderr()
+    assert view.stderr().count(": error:") == 2, view.stderr()
 
 
 def missing_include_is_located_and_changes_nothing(test):
@@ -289,7 +289,7 @@ def missing_include_is_located_and_changes_nothing(test):
     view.wait_for("reloaded")
     view.end()
     errors = view.stderr()
-    assert errors.count("error:") == 1 and "/composite.fsh:2:" in errors, errors
+    assert errors.count(": error:") == 1 and "/composite.fsh:2:" in errors, errors
 
 
 def option_file_takes_effect(test):
@@ -311,7 +311,7 @@ def option_file_takes_effect(test):
     # What the command line gets wrong is no fault of the pack.
     wrong = View(test, "--set", "TINT=9")
     wrong.finish(status=2)
-    assert wrong.stderr().count("error:") == 1, wrong.stderr()
+    assert wrong.stderr().count(": error:") == 1, wrong.stderr()
     # What is there at the start counts too, and the command line counts more.
     assert abs(mean(test.picture())[0] - red) < 1
     assert share_within_one(test.picture("--set", "TINT=0"), before) == 1
