@@ -111,6 +111,7 @@ class ConsequenceSearch {
       for (const std::size_t cause : causes) edits_.add(*report_.all()[cause].repair);
       settle(causes, stage.misread);
     }
+    foldVaryings();
     foldNames();
   }
 
@@ -145,6 +146,24 @@ class ConsequenceSearch {
       const bool gone = --left[keyOf(report_.all()[i], {})] < 0;
       const auto cause = gone ? nearestCause(causes, i) : fits ? std::nullopt : causeRead(causes, i);
       if (cause) fold(i, *cause);
+    }
+  }
+
+  /// What a stage that several programs share does not declare, none of their next stages gets.
+  void foldVaryings() {
+    std::map<std::string, std::size_t> causes;
+    for (std::size_t i = 0; i < report_.all().size(); ++i) {
+      const Diagnostic& d = report_.all()[i];
+      const std::string name = unknownName(d.message);
+      if (!name.empty() && !d.related.empty() && d.severity == Severity::Error && isOpen(i))
+        causes.try_emplace("'" + name + "' ", i);
+    }
+    for (std::size_t i = 0; i < report_.all().size(); ++i) {
+      const Diagnostic& d = report_.all()[i];
+      if (d.id != "varying-missing" || !isOpen(i)) continue;
+      for (const auto& [name, cause] : causes) {
+        if (d.message.starts_with(name)) fold(i, cause);
+      }
     }
   }
 

@@ -32,6 +32,9 @@ class CommentScan {
 
   std::vector<OpenComment> run() {
     for (number_ = 1; number_ <= int(lines_.size()); ++number_) readLine(lines_[number_ - 1]);
+    // The comment goes on in whatever is included next.
+    if (inside_ && current_.nestedLine == 0) current_.nestedLine = number_;
+    if (inside_) close();
     return std::move(found_);
   }
 
@@ -168,6 +171,12 @@ std::ptrdiff_t problemsWith(const ShaderPack& folder, const CommentInFile& in,
 }
 
 Diagnostic describeNested(const std::string& file, const OpenComment& comment) {
+  if (comment.nestedColumn == 0) {
+    return {.severity = Severity::Note,
+            .id = kNested,
+            .at = {file, comment.line, comment.column},
+            .message = "this comment does not end in its file"};
+  }
   return {.severity = Severity::Note,
           .id = kNested,
           .at = {file, comment.line, comment.column},
@@ -190,8 +199,10 @@ Diagnostics trySwallowing(const ShaderPack& folder, const CommentInFile& in) {
   if (least * 2 > before || before == 0) return {};
   Diagnostic d = describeNested(in.file, in.comment);
   d.severity = Severity::Error;
-  d.message = fmt::format("this comment swallows code: it has no \"*/\" before the \"/*\" in line {}",
-                          in.comment.nestedLine);
+  d.message = in.comment.nestedColumn > 0
+                  ? fmt::format("this comment swallows code: it has no \"*/\" before the \"/*\" in line {}",
+                                in.comment.nestedLine)
+                  : "this comment swallows code: it has no \"*/\" in this file";
   d.sourceLine = folder.sourceLine(in.file, in.comment.line);
   d.hint = "write // for a comment of one line, or close it with */";
   d.repair = best;

@@ -10,10 +10,10 @@
 
 namespace orris {
 
-/// A block comment with another "/*" in it, as gcc's -Wcomment reports.
+/// A block comment with another "/*" in it, as gcc's -Wcomment reports, or without an end in its file.
 struct OpenComment {
   int line = 0, column = 0;              ///< of its "/*"
-  int nestedLine = 0, nestedColumn = 0;  ///< of the first "/*" in it
+  int nestedLine = 0, nestedColumn = 0;  ///< of the first "/*" in it; the end of the file and 0
   std::vector<int> ends;                 ///< lines before which its "*/" may be missing, rising
   bool ofOption = false;                 ///< behind a #define, whose line it does not end on
 };

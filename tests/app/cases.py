@@ -321,6 +321,18 @@ ONCE = [
                       + "/* RENDERTARGETS: 0 */\nfloat more;\n", MORE),
          [r"^/lib/all\.glsl:1:22: error: this comment swallows code: .* in line 6 \[comment-nested\]$", OWN],
          stderr=[r"\A/lib/all\.glsl:1:22", *FOLLOW, "hint: write // for a comment of one line"]),
+    Case("comment_without_an_end_in_its_file", ["validate pack"], 1,
+         two_programs("#define EXPOSURE 1.0 /* [0.5 1.0]\n" + SHADE, MORE),
+         [r"^/lib/all\.glsl:1:22: error: (this comment swallows code: it has no \"\*/\" in this file "
+          r"\[comment-nested\]|block comment is not closed.*)$", OWN],
+         stderr=[r"\A/lib/all\.glsl:1:22", *FOLLOW]),
+    Case("a_varying_that_a_shared_stage_lacks", ["validate pack"], 1,
+         {**two_programs(""), **pack({
+             **{f"{name}.fsh": VERSION + "in vec3 tint;\nvoid main() { gl_FragColor = vec4(tint, 1.0); }\n"
+                for name in ("composite", "deferred")},
+             **{f"{name}.vsh": VERSION + '#include "/lib/all.glsl"\n' for name in ("composite", "deferred")},
+             "lib/all.glsl": "void main() { tint = vec3(1.0); gl_Position = ftransform(); }\n"})},
+         [r"^/lib/all\.glsl:1:15: error: 'tint' : undeclared identifier \[glsl-compile\]$"], stderr=FOLLOW),
     Case("comment_never_closed", ["validate pack"], 1,
          two_programs("#define EXPOSURE 1.0\n/* what it does\n" + SHADE, MORE),
          [r"^/lib/all\.glsl:2:1: error: block comment is not closed: .* \[comment-unclosed\]$", OWN],

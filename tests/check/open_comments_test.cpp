@@ -26,6 +26,7 @@ std::vector<std::string> comments(const std::string& text) {
 TEST(OpenComments, a_comment_with_another_begin_in_a_later_line) {
   EXPECT_THAT(comments("a\n/* b\nc\n\nd /* e */\n"), ElementsAre("2>5: 3 4 5"));
   EXPECT_THAT(comments("#define A 1 /* [0 1]\n#define B\n/* c */\n"), ElementsAre("1>3: 2 3"));
+  EXPECT_THAT(comments("#define A 1 /* [0 1]\n#define B\n"), ElementsAre("1>3: 2 3"));
 }
 
 TEST(OpenComments, what_ends_a_comment_or_decorates_it_begins_none) {
