@@ -12,12 +12,12 @@
 #include <string>
 #include <vector>
 
-#include "app/commands.h"
-#include "app/exit_status.h"
-#include "app/folder_config.h"
+#include "app/commands/commands.h"
+#include "app/input/exit_status.h"
+#include "app/input/folder_config.h"
 #include "core/printable.h"
 #include "core/work_stage.h"
-#include "pack/text.h"
+#include "pack/files/text.h"
 
 namespace orris {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "gl/format.h"
+#include "image/texel_format.h"
 #include "gl/handle.h"
 
 namespace orris::gl {

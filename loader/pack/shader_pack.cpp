@@ -8,10 +8,10 @@
 
 #include "core/text_file.h"
 #include "core/work_stage.h"
-#include "pack/chosen_values.h"
-#include "pack/features.h"
-#include "pack/folder_build.h"
-#include "pack/text.h"
+#include "pack/options/chosen_values.h"
+#include "pack/versions/features.h"
+#include "pack/programs/folder_build.h"
+#include "pack/files/text.h"
 
 namespace orris {
 namespace {

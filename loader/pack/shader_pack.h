@@ -10,13 +10,13 @@
 #include <vector>
 
 #include "core/file_source.h"
-#include "glsl/validate.h"
-#include "pack/directives.h"
-#include "pack/id_map.h"
-#include "pack/iris_versions.h"
-#include "pack/program_id.h"
-#include "pack/program_list.h"
-#include "pack/shader_properties.h"
+#include "glsl/compile/validate.h"
+#include "pack/programs/directives.h"
+#include "pack/ids/id_map.h"
+#include "pack/versions/iris_versions.h"
+#include "pack/programs/program_id.h"
+#include "pack/programs/program_list.h"
+#include "pack/properties/shader_properties.h"
 
 namespace orris {
 
@@ -39,7 +39,7 @@ struct ProgramSource {
   ProgramGroup group = ProgramGroup::Gbuffers;
   int index = 0;
   std::vector<StageText> stages;  ///< vertex, [tess, geometry,] fragment; empty if only computes
-  /// With LoadRequest::irisTexts what Iris hands to the driver, stage by stage (glsl/iris_text.h);
+  /// With LoadRequest::irisTexts what Iris hands to the driver, stage by stage (glsl/iris/iris_text.h);
   /// empty for programs that Iris does not draw.
   std::vector<StageText> irisStages;
   std::vector<ComputeSource> computes;  ///< in dispatch order
@@ -50,7 +50,7 @@ struct ProgramSource {
   std::map<std::string, BlendMode> bufferBlend;
   std::array<float, 3> scale{1, 0, 0};
   bool incomplete = false;            ///< an #include of it is in error and counts as empty
-  bool writesFragData = false;        ///< fixed-function alpha test applies (glsl/rewrite.h)
+  bool writesFragData = false;        ///< fixed-function alpha test applies (glsl/rewrite/rewrite.h)
   std::map<std::string, bool> flips;  ///< explicit flip.* of this program, canonical buffer names
   std::vector<AppliedRule> rules;
   std::vector<std::string> options;  ///< sorted: those that its text depends on, no other does
@@ -93,7 +93,7 @@ struct ShaderPack {
   std::string folder;                   ///< program folder in use: "/" or "/world0"
   std::vector<std::string> dimensions;  ///< all program folders: "/", "/world0", ...
   ProgramList programs;     ///< of `folder`, in frame order then name; enabled ones only
-  ProgramList modPrograms;  ///< those of other mods (pack/mods.h), each as if its mod were there
+  ProgramList modPrograms;  ///< those of other mods (pack/mods/mods.h), each as if its mod were there
   std::vector<std::string> disabledPrograms;
   std::map<std::string, FileLines> files;    ///< every file of the include graph, options applied
   MacroDefinitions propertyMacros;           ///< what *.properties files are preprocessed with

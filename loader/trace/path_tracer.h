@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "trace/random.h"
+#include "trace/light/random.h"
 #include "trace/trace_scene.h"
 
 namespace orris {

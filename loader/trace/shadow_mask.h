@@ -7,7 +7,7 @@
 
 #include "image/image.h"
 #include "trace/path_tracer.h"
-#include "world/casters.h"
+#include "world/mesh/casters.h"
 
 namespace orris {
 

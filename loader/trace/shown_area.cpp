@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "trace/voxel_grid.h"
-#include "world/block_faces.h"
+#include "trace/grid/voxel_grid.h"
+#include "world/mesh/block_faces.h"
 
 namespace orris {
 namespace {

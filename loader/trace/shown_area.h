@@ -1,8 +1,8 @@
 // How much of itself a block of many faces shows.
 #pragma once
 
-#include "world/block_atlas.h"
-#include "world/block_facts.h"
+#include "world/atlas/block_atlas.h"
+#include "world/blocks/block_facts.h"
 
 namespace orris {
 

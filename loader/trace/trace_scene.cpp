@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "trace/scene_quads.h"
+#include "trace/grid/scene_quads.h"
 #include "trace/shown_area.h"
 
 namespace orris {

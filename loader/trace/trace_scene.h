@@ -4,10 +4,10 @@
 
 #include <memory>
 
-#include "trace/lamps.h"
-#include "trace/pack_lighting.h"
-#include "trace/voxel_grid.h"
-#include "world/block_mesh.h"
+#include "trace/light/lamps.h"
+#include "trace/light/pack_lighting.h"
+#include "trace/grid/voxel_grid.h"
+#include "world/mesh/block_mesh.h"
 
 namespace orris {
 

@@ -9,9 +9,9 @@
 #include "core/read_file.h"
 #include "core/text_file.h"
 #include "core/work_stage.h"
-#include "world/block_facts.h"
-#include "world/schematic.h"
-#include "world/world_json.h"
+#include "world/blocks/block_facts.h"
+#include "world/files/schematic.h"
+#include "world/files/world_json.h"
 
 namespace orris {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/diagnostic.h"
-#include "world/block_world.h"
+#include "world/blocks/block_world.h"
 
 namespace orris {
 

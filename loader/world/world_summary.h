@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "world/block_mesh.h"
+#include "world/mesh/block_mesh.h"
 
 namespace orris {
 

@@ -1,6 +1,6 @@
 #include "cache_scene.h"
 
-#include "frame/loaded_pack.h"
+#include "render/loaded_pack.h"
 
 namespace orris {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "frame/reference_scene.h"
+#include "trace/reference_scene.h"
 
 namespace orris {
 

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "core/file_source.h"
-#include "frame/gpu_scene.h"
+#include "render/gpu_scene.h"
 #include "pack/shader_pack.h"
 #include "world/world.h"
 

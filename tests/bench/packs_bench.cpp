@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
-#include "chart/setting_session.h"
-#include "chart/statistics.h"
+#include "chart/measure/setting_session.h"
+#include "chart/measure/statistics.h"
 #include "core/file_source.h"
 #include "gl/context.h"
 #include "world/world.h"

@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "core/file_source.h"
-#include "frame/render_session.h"
+#include "render/render_session.h"
 #include "gl/context.h"
 #include "gl/functions.h"
 #include "world/world.h"

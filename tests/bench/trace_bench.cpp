@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "frame/reference_scene.h"
+#include "trace/reference_scene.h"
 #include "trace_bench_embree.h"
 
 namespace orris {

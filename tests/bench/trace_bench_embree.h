@@ -4,7 +4,7 @@
 #include <ctime>
 #include <vector>
 
-#include "trace/voxel_grid.h"
+#include "trace/grid/voxel_grid.h"
 
 namespace orris {
 

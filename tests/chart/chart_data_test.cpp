@@ -1,9 +1,9 @@
-#include "chart/chart_data.h"
+#include "chart/page/chart_data.h"
 
 #include <gmock/gmock.h>
 
-#include "chart/chart_page.h"
-#include "chart/chart_text.h"
+#include "chart/page/chart_page.h"
+#include "chart/page/chart_text.h"
 
 namespace orris {
 namespace {

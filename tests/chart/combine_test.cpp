@@ -1,4 +1,4 @@
-#include "chart/combine.h"
+#include "chart/measure/combine.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "chart/error_meter.h"
+#include "chart/measure/error_meter.h"
 
 #include <gmock/gmock.h>
 

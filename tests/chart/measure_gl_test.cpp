@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "chart/measure.h"
-#include "chart/study_key.h"
+#include "chart/measure/measure.h"
+#include "chart/study/study_key.h"
 #include "core/file_source.h"
 
 namespace orris {

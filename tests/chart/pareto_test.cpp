@@ -1,4 +1,4 @@
-#include "chart/pareto.h"
+#include "chart/page/pareto.h"
 
 #include <gmock/gmock.h>
 

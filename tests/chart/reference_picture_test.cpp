@@ -1,4 +1,4 @@
-#include "chart/reference_picture.h"
+#include "chart/measure/reference_picture.h"
 
 #include <gmock/gmock.h>
 
@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <limits>
 
-#include "chart/display.h"
+#include "chart/measure/display.h"
 
 namespace orris {
 namespace {

@@ -1,4 +1,4 @@
-#include "chart/setting_result.h"
+#include "chart/measure/setting_result.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "chart/setting.h"
+#include "chart/measure/setting.h"
 
 #include <gmock/gmock.h>
 

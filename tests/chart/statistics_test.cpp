@@ -1,4 +1,4 @@
-#include "chart/statistics.h"
+#include "chart/measure/statistics.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "chart/tune_search.h"
+#include "chart/study/tune_search.h"
 
 #include <gmock/gmock.h>
 

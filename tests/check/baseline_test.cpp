@@ -1,4 +1,4 @@
-#include "check/baseline.h"
+#include "check/report/baseline.h"
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "check/file_name_checks.h"
-#include "check/program_check.h"
+#include "check/pack/file_name_checks.h"
+#include "check/compile/program_check.h"
 #include "frame_fixture.h"
 
 namespace orris {

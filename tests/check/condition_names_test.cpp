@@ -1,4 +1,4 @@
-#include "check/condition_names.h"
+#include "check/pack/condition_names.h"
 
 #include "pack_fixture.h"
 

@@ -1,4 +1,4 @@
-#include "check/conditional_place.h"
+#include "check/hints/conditional_place.h"
 
 #include <gmock/gmock.h>
 

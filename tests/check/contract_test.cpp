@@ -7,17 +7,17 @@
 #include <sstream>
 
 #include "check/contract_page.h"
-#include "frame/program_uses.h"
-#include "frame/uniforms.h"
-#include "frame/vertex_layout.h"
-#include "gl/format.h"
-#include "pack/directives.h"
-#include "pack/expression_functions.h"
-#include "pack/features.h"
-#include "pack/program_id.h"
-#include "pack/property_keys.h"
+#include "plan/program_uses.h"
+#include "plan/uniforms.h"
+#include "render/vertex_layout.h"
+#include "image/texel_format.h"
+#include "pack/programs/directives.h"
+#include "pack/expressions/expression_functions.h"
+#include "pack/versions/features.h"
+#include "pack/programs/program_id.h"
+#include "pack/properties/property_keys.h"
 #include "pack/shader_pack.h"
-#include "pack/texture_format.h"
+#include "pack/properties/texture_format.h"
 #include "text_fixture.h"
 
 namespace orris {
@@ -143,7 +143,7 @@ TEST(ContractUniforms, are_those_of_the_table) {
   Names known;
   for (const UniformRow& row : uniformTable()) known.emplace_back(row.name);
   EXPECT_THAT(without(known, words), IsEmpty());
-  for (const std::string& name : namesIn("Uniforms", "loader/frame/uniforms.cpp"))
+  for (const std::string& name : namesIn("Uniforms", "loader/plan/uniforms.cpp"))
     EXPECT_NE(findUniform(name), nullptr) << name;
 }
 
@@ -167,7 +167,7 @@ TEST(ContractUniforms, the_player_is_that_of_the_world) {
 
 TEST(ContractAttributes, are_those_of_the_layout) {
   EXPECT_THAT(without(attributeNames(), wordsOfSection("Vertex attributes")), IsEmpty());
-  Names generic = namesIn("Vertex attributes", "loader/frame/vertex_layout.cpp");
+  Names generic = namesIn("Vertex attributes", "loader/render/vertex_layout.cpp");
   std::erase_if(generic, [](const std::string& name) { return name.starts_with("gl_"); });
   EXPECT_THAT(without(generic, asSet(attributeNames())), IsEmpty());
 }
@@ -185,7 +185,7 @@ TEST(ContractBuffers, are_those_of_the_code) {
   EXPECT_EQ(known.size(), 2u * kColorTargets + 3 + 2 + 8 + 8);
   EXPECT_THAT(without(known, words), IsEmpty());
   for (const std::string& name :
-       namesIn("Buffers, samplers and images", "loader/frame/sampler_binder.cpp")) {
+       namesIn("Buffers, samplers and images", "loader/render/sampler_binder.cpp")) {
     const bool named = name == "gtexture" || name == "lightmap" || name == "normals" ||
                        name == "specular" || name.starts_with("dhDepthTex");
     EXPECT_TRUE(named || parseBufferName(name, false)) << name;
@@ -206,7 +206,7 @@ TEST(ContractDirectives, each_changes_the_settings) {
   const std::set<std::string> words = wordsOfSection("Directives in shader text");
   EXPECT_THAT(without(packDirectiveNames(), words), IsEmpty());
   for (const ContractRow& row : rowsOf("Directives in shader text")) {
-    if (row.code != "loader/pack/pack_directives.cpp" ||
+    if (row.code != "loader/pack/programs/pack_directives.cpp" ||
         row.test.starts_with("ContractDirectives.forms"))
       continue;
     const std::set<std::string> known = asSet(packDirectiveNames());
@@ -268,7 +268,7 @@ TEST(ContractMacros, are_those_of_the_code) {
       "MC_OS_*",  "MC_GL_VENDOR_*",           "MC_GL_RENDERER_*", "MC_FXAA_LEVEL",
       "MC_OLD_*", "MC_ANISOTROPIC_FILTERING", "VIVECRAFT*",       "IRIS_HAS_CONNECTED_TEXTURES",
       "IS_MONOCLE", "ALLOWS_UNKNOWN_SHADERS"};
-  for (const std::string& name : namesIn("Macros", "loader/pack/macros.cpp")) {
+  for (const std::string& name : namesIn("Macros", "loader/pack/versions/macros.cpp")) {
     EXPECT_TRUE(known.contains(name) || matchesAny(name, kElsewhere)) << name;
   }
 }

@@ -1,4 +1,4 @@
-#include "check/covering_array.h"
+#include "check/matrix/covering_array.h"
 
 #include <gtest/gtest.h>
 

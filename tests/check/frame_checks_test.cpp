@@ -1,4 +1,4 @@
-#include "check/frame_checks.h"
+#include "check/frame/frame_checks.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

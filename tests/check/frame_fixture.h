@@ -8,8 +8,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "check/frame_view.h"
-#include "check/pack_checks.h"
+#include "check/frame/frame_view.h"
+#include "check/pack/pack_checks.h"
 #include "core/file_source.h"
 #include "pack/shader_pack.h"
 #include "text_fixture.h"

@@ -1,8 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "check/frame_checks.h"
-#include "check/texture_checks.h"
+#include "check/frame/frame_checks.h"
+#include "check/frame/texture_checks.h"
 #include "frame_fixture.h"
 
 namespace orris {

@@ -1,4 +1,4 @@
-#include "check/id_checks.h"
+#include "check/ids/id_checks.h"
 
 #include "pack_fixture.h"
 

@@ -1,4 +1,4 @@
-#include "check/isolated_jobs.h"
+#include "check/workers/isolated_jobs.h"
 
 #include <gmock/gmock.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-#include "check/language_checks.h"
+#include "check/options/language_checks.h"
 
 #include "pack_fixture.h"
 

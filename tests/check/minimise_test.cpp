@@ -1,4 +1,4 @@
-#include "check/minimise.h"
+#include "check/matrix/minimise.h"
 
 #include <gmock/gmock.h>
 

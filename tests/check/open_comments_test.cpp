@@ -1,8 +1,8 @@
-#include "check/open_comments.h"
+#include "check/pack/open_comments.h"
 
 #include <gmock/gmock.h>
 
-#include "pack/text.h"
+#include "pack/files/text.h"
 #include "pack_fixture.h"
 #include "text_fixture.h"
 

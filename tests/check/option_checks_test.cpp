@@ -1,4 +1,4 @@
-#include "check/option_checks.h"
+#include "check/options/option_checks.h"
 
 #include "pack_fixture.h"
 

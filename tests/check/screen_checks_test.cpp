@@ -1,4 +1,4 @@
-#include "check/screen_checks.h"
+#include "check/options/screen_checks.h"
 
 #include "pack_fixture.h"
 

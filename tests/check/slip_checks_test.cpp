@@ -1,4 +1,4 @@
-#include "check/slip_checks.h"
+#include "check/pack/slip_checks.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

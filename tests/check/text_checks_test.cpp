@@ -1,7 +1,7 @@
 // Includes, directives and shaders.properties as texts.
-#include "check/directive_checks.h"
-#include "check/include_checks.h"
-#include "check/property_checks.h"
+#include "check/pack/directive_checks.h"
+#include "check/pack/include_checks.h"
+#include "check/pack/property_checks.h"
 #include "pack_fixture.h"
 
 namespace orris {

@@ -1,8 +1,8 @@
-#include "check/unused_functions.h"
+#include "check/compile/unused_functions.h"
 
 #include <gmock/gmock.h>
 
-#include "check/program_check.h"
+#include "check/compile/program_check.h"
 #include "frame_fixture.h"
 
 namespace orris {

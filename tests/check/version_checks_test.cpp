@@ -1,4 +1,4 @@
-#include "check/version_checks.h"
+#include "check/pack/version_checks.h"
 
 #include <gmock/gmock.h>
 

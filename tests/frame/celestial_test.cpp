@@ -1,11 +1,11 @@
-#include "frame/celestial.h"
+#include "plan/celestial.h"
 
 #include <gtest/gtest.h>
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <optional>
 
-#include "frame/frame_state.h"
+#include "plan/frame_state.h"
 
 namespace orris {
 namespace {

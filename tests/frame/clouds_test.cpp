@@ -1,4 +1,4 @@
-#include "frame/clouds.h"
+#include "plan/clouds.h"
 
 #include <gtest/gtest.h>
 

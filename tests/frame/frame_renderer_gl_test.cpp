@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 
-#include "frame/frame_renderer.h"
+#include "render/frame_renderer.h"
 #include "frame/render_fixture.h"
 
 namespace orris {

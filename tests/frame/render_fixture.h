@@ -8,7 +8,7 @@
 #include <string>
 
 #include "core/file_source.h"
-#include "frame/render_session.h"
+#include "render/render_session.h"
 
 namespace orris {
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "frame/gpu_scene.h"
+#include "render/gpu_scene.h"
 
 namespace orris {
 namespace {

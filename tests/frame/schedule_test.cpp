@@ -1,4 +1,4 @@
-#include "frame/schedule.h"
+#include "plan/schedule.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "core/file_source.h"
-#include "frame/program_uses.h"
+#include "plan/program_uses.h"
 
 namespace orris {
 namespace {

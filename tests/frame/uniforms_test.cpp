@@ -1,4 +1,4 @@
-#include "frame/uniforms.h"
+#include "plan/uniforms.h"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 #include <sstream>
 #include <string>
 
-#include "glsl/preprocessor.h"
-#include "glsl/rewrite.h"
+#include "glsl/preprocess/preprocessor.h"
+#include "glsl/rewrite/rewrite.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace orris;

@@ -1,4 +1,4 @@
-#include "gl/format.h"
+#include "image/texel_format.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "glsl/condition.h"
+#include "glsl/preprocess/condition.h"
 
 #include <gtest/gtest.h>
 

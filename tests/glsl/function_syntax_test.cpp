@@ -1,4 +1,4 @@
-#include "glsl/function_syntax.h"
+#include "glsl/syntax/function_syntax.h"
 
 #include <gtest/gtest.h>
 

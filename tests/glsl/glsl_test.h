@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "glsl/preprocessor.h"
-#include "glsl/rewrite.h"
-#include "glsl/validate.h"
+#include "glsl/preprocess/preprocessor.h"
+#include "glsl/rewrite/rewrite.h"
+#include "glsl/compile/validate.h"
 
 namespace orris::test {
 

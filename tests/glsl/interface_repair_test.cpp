@@ -1,11 +1,11 @@
-#include "glsl/interface_repair.h"
+#include "glsl/rewrite/interface_repair.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "glsl/file_scope.h"
+#include "glsl/tokens/file_scope.h"
 #include "glsl/glsl_test.h"
-#include "glsl/text_edits.h"
+#include "glsl/tokens/text_edits.h"
 
 namespace orris {
 namespace {

@@ -1,4 +1,4 @@
-#include "glsl/iris_text.h"
+#include "glsl/iris/iris_text.h"
 
 #include <gtest/gtest.h>
 

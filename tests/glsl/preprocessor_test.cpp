@@ -1,4 +1,4 @@
-#include "glsl/preprocessor.h"
+#include "glsl/preprocess/preprocessor.h"
 
 #include <gtest/gtest.h>
 

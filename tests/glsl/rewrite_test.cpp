@@ -1,4 +1,4 @@
-#include "glsl/rewrite.h"
+#include "glsl/rewrite/rewrite.h"
 
 #include <gtest/gtest.h>
 

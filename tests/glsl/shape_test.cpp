@@ -1,4 +1,4 @@
-#include "glsl/shape.h"
+#include "glsl/tokens/shape.h"
 
 #include <gtest/gtest.h>
 

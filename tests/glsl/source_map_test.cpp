@@ -1,4 +1,4 @@
-#include "glsl/source_map.h"
+#include "glsl/tokens/source_map.h"
 
 #include <gtest/gtest.h>
 

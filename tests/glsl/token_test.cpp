@@ -1,4 +1,4 @@
-#include "glsl/token.h"
+#include "glsl/tokens/token.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // What a pack says of the cost of an option's values, and which of them is chosen.
-#include "pack/auto_option.h"
+#include "pack/options/auto_option.h"
 
 #include <gmock/gmock.h>
 
-#include "pack/auto_properties.h"
+#include "pack/options/auto_properties.h"
 #include "pack/shader_pack.h"
 
 namespace orris {

@@ -1,4 +1,4 @@
-#include "pack/block_history.h"
+#include "pack/ids/block_history.h"
 
 #include <gtest/gtest.h>
 

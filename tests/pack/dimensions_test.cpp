@@ -1,4 +1,4 @@
-#include "pack/dimensions.h"
+#include "pack/programs/dimensions.h"
 
 #include <gmock/gmock.h>
 

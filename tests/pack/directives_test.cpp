@@ -1,8 +1,8 @@
-#include "pack/directives.h"
+#include "pack/programs/directives.h"
 
 #include <gmock/gmock.h>
 
-#include "glsl/preprocessor.h"
+#include "glsl/preprocess/preprocessor.h"
 
 namespace orris {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "pack/expression.h"
+#include "pack/expressions/expression.h"
 
 namespace orris {
 namespace {

@@ -1,4 +1,4 @@
-#include "pack/expression.h"
+#include "pack/expressions/expression.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "pack/extended_graph.h"
+#include "pack/files/extended_graph.h"
 
 #include <gtest/gtest.h>
 

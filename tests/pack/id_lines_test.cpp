@@ -1,4 +1,4 @@
-#include "pack/id_lines.h"
+#include "pack/ids/id_lines.h"
 
 #include <gmock/gmock.h>
 

@@ -2,8 +2,8 @@
 // BlockMaterialMapping.
 #include <gmock/gmock.h>
 
-#include "glsl/preprocessor.h"
-#include "pack/id_map.h"
+#include "glsl/preprocess/preprocessor.h"
+#include "pack/ids/id_map.h"
 
 namespace orris {
 namespace {

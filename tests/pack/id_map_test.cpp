@@ -1,9 +1,9 @@
-#include "pack/id_map.h"
+#include "pack/ids/id_map.h"
 
 #include <gtest/gtest.h>
 
-#include "pack/block_tags.h"
-#include "pack/legacy_ids.h"
+#include "pack/ids/block_tags.h"
+#include "pack/ids/legacy_ids.h"
 
 namespace orris {
 namespace {

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "core/file_source.h"
-#include "pack/include_graph.h"
+#include "pack/files/include_graph.h"
 
 namespace orris {
 namespace {

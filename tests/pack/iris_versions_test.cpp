@@ -1,11 +1,11 @@
-#include "pack/iris_versions.h"
+#include "pack/versions/iris_versions.h"
 
 #include <gmock/gmock.h>
 
 #include <algorithm>
 #include <fstream>
 
-#include "pack/features.h"
+#include "pack/versions/features.h"
 #include "pack/shader_pack.h"
 
 namespace orris {

@@ -1,4 +1,4 @@
-#include "pack/java_order.h"
+#include "pack/files/java_order.h"
 
 #include <gmock/gmock.h>
 

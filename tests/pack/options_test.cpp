@@ -1,8 +1,8 @@
-#include "pack/options.h"
+#include "pack/options/options.h"
 
 #include <gmock/gmock.h>
 
-#include "pack/option_line.h"
+#include "pack/options/option_line.h"
 
 namespace orris {
 namespace {

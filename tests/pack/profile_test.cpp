@@ -1,8 +1,8 @@
 // Profiles and screens: tables of cases. Contract: options.csv profile.*, screen.*.
 #include <gmock/gmock.h>
 
-#include "pack/chosen_values.h"
-#include "pack/shader_properties.h"
+#include "pack/options/chosen_values.h"
+#include "pack/properties/shader_properties.h"
 
 namespace orris {
 namespace {

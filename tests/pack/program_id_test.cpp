@@ -1,4 +1,4 @@
-#include "pack/program_id.h"
+#include "pack/programs/program_id.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "pack/properties_text.h"
+#include "pack/files/properties_text.h"
 
 #include <gtest/gtest.h>
 

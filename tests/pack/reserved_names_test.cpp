@@ -1,4 +1,4 @@
-#include "pack/reserved_names.h"
+#include "pack/files/reserved_names.h"
 
 #include <gmock/gmock.h>
 

@@ -1,8 +1,8 @@
-#include "pack/shader_properties.h"
+#include "pack/properties/shader_properties.h"
 
 #include <gmock/gmock.h>
 
-#include "pack/boolean_expression.h"
+#include "pack/expressions/boolean_expression.h"
 
 namespace orris {
 namespace {

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <regex>
 
-#include "world/world_json.h"
+#include "world/files/world_json.h"
 
 namespace orris::test {
 namespace {

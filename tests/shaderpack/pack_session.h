@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 
-#include "frame/render_session.h"
+#include "render/render_session.h"
 #include "gl/context.h"
 
 namespace orris::test {

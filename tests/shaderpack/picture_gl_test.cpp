@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "frame/counters.h"
+#include "render/counters.h"
 #include "pack_session.h"
 
 namespace orris::test {

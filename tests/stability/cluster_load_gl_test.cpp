@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "cluster_lab.h"
-#include "frame/frame_state.h"
+#include "plan/frame_state.h"
 #include "lab.h"
 
 namespace orris::test {

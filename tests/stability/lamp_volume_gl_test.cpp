@@ -3,7 +3,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "frame/lamp_volumes.h"
+#include "render/lamp_volumes.h"
 #include "volume_lab.h"
 
 namespace orris::test {

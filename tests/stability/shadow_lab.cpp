@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "frame/celestial.h"
+#include "plan/celestial.h"
 #include "lab.h"
 
 namespace orris::test {

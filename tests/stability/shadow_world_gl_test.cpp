@@ -9,7 +9,7 @@
 #include <iterator>
 #include <sstream>
 
-#include "frame/celestial.h"
+#include "plan/celestial.h"
 #include "shadow_lab.h"
 #include "trace/shadow_mask.h"
 

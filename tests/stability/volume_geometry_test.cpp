@@ -4,8 +4,8 @@
 #include <cmath>
 #include <random>
 
-#include "frame/shadow_volumes.h"
-#include "world/silhouette.h"
+#include "render/shadow_volumes.h"
+#include "world/mesh/silhouette.h"
 
 namespace orris {
 namespace {

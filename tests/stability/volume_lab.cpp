@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "world/world_json.h"
+#include "world/files/world_json.h"
 
 namespace orris::test {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "../shaderpack/pack_session.h"
-#include "frame/reference_scene.h"
+#include "trace/reference_scene.h"
 #include "image/mask_compare.h"
 #include "trace/shadow_mask.h"
 

@@ -5,8 +5,8 @@
 #include <filesystem>
 
 #include "../shaderpack/pack_session.h"
-#include "frame/frame_state.h"
-#include "frame/reference_scene.h"
+#include "plan/frame_state.h"
+#include "trace/reference_scene.h"
 #include "image/mask_compare.h"
 #include "trace/shadow_mask.h"
 

@@ -5,7 +5,7 @@
 #include <map>
 #include <tuple>
 
-#include "trace/trace_run.h"
+#include "trace/film/trace_run.h"
 
 namespace orris::test {
 

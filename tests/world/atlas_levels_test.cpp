@@ -1,4 +1,4 @@
-#include "world/atlas_levels.h"
+#include "world/atlas/atlas_levels.h"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
-#include "world/block_atlas.h"
+#include "world/atlas/block_atlas.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
 
-#include "world/block_data.h"
-#include "world/block_facts.h"
-#include "world/texture_canvas.h"
+#include "world/blocks/block_data.h"
+#include "world/blocks/block_facts.h"
+#include "world/atlas/texture_canvas.h"
 
 namespace orris {
 namespace {

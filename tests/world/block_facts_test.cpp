@@ -1,4 +1,4 @@
-#include "world/block_facts.h"
+#include "world/blocks/block_facts.h"
 
 #include <gtest/gtest.h>
 
@@ -6,9 +6,9 @@
 #include <map>
 #include <set>
 
-#include "world/block_data.h"
-#include "world/block_state.h"
-#include "world/texture_canvas.h"
+#include "world/blocks/block_data.h"
+#include "world/blocks/block_state.h"
+#include "world/atlas/texture_canvas.h"
 #include "world/world.h"
 
 namespace orris {

@@ -1,4 +1,4 @@
-#include "world/block_mesh.h"
+#include "world/mesh/block_mesh.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "world/block_shape.h"
+#include "world/blocks/block_shape.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <ostream>
 #include <string>
 
-#include "world/block_facts.h"
-#include "world/block_state.h"
+#include "world/blocks/block_facts.h"
+#include "world/blocks/block_state.h"
 
 namespace orris {
 namespace {

@@ -1,4 +1,4 @@
-#include "world/block_state.h"
+#include "world/blocks/block_state.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "world/block_world.h"
+#include "world/blocks/block_world.h"
 
 #include <gtest/gtest.h>
 

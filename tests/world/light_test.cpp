@@ -1,4 +1,4 @@
-#include "world/light.h"
+#include "world/mesh/light.h"
 
 #include <gtest/gtest.h>
 

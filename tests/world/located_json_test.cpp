@@ -1,4 +1,4 @@
-#include "world/located_json.h"
+#include "world/files/located_json.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "world/schematic.h"
+#include "world/files/schematic.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "world/world_json.h"
+#include "world/files/world_json.h"
 
 #include <gtest/gtest.h>
 

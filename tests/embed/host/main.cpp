@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "core/file_source.h"
-#include "frame/render_session.h"
+#include "render/render_session.h"
 #include "gl/context.h"
 #include "world/world.h"
 

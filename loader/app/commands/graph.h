@@ -1,0 +1,16 @@
+// orris options --graph: the pass graph into a file, in the form that its extension asks for.
+#pragma once
+
+#include <string>
+
+#include "app/report/report.h"
+#include "pack/shader_pack.h"
+
+namespace orris {
+
+/// Writes the graph of `pack`, called `title`, to `path`: .json, .dot, .md, or a picture (.svg, .png, .pdf) drawn by
+/// Graphviz's dot; "-" prints Markdown on standard output. False: reported, `status` is set.
+bool writeGraph(const ShaderPack& pack, const std::string& title, const std::string& path,
+                Report& report, int& status);
+
+}  // namespace orris

@@ -1,0 +1,160 @@
+// orris render: the whole pipeline headlessly, to a picture.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/commands/commands.h"
+#include "app/input/inputs.h"
+#include "app/validate/patched_sources.h"
+#include "app/report/progress.h"
+#include "app/commands/render_output.h"
+#include "check/compile/program_check.h"
+#include "render/counters.h"
+#include "render/render_session.h"
+
+namespace orris {
+namespace {
+
+struct RenderOptions {
+  PackOptions pack;
+  SceneOptions scene;
+  ImageOptions image;
+  OutputOptions output;
+  RenderOutputs outputs;
+};
+
+/// Pack, options and camera as the command line asks for them.
+std::optional<SessionRequest> makeRequest(const RenderOptions& options, const World& world,
+                                          Report& report, int& status) {
+  const auto files = openPackFiles(options.pack.path, report, status);
+  if (!files) return std::nullopt;
+  PackOptions pack = options.pack;
+  if (pack.dimension.empty()) pack.dimension = world.environment.dimension;
+  const auto load = makeLoadRequest(files, pack, {}, report, status);
+  const auto camera =
+      load ? chooseCamera(world, options.scene.camera, report, status) : std::nullopt;
+  if (!camera) return std::nullopt;
+  SessionRequest request;
+  request.openPack = [files](Diagnostics&) { return files; };
+  request.load = *load;
+  request.versions = options.pack.versions;
+  request.renderer = {options.image.width, options.image.height, isLinear(options.outputs.picture),
+                      !options.outputs.timings.empty()};
+  request.camera = *camera;
+  request.seed = options.scene.seed;
+  return request;
+}
+
+/// The sources are wanted most when the driver refuses one: written before it is asked.
+bool showSources(const RenderOptions& options, const SessionRequest& request,
+                 const gl::DriverInfo& driver, Report& report, int& status) {
+  if (options.outputs.patched.empty() && !options.output.verbose) return true;
+  Diagnostics diagnostics;
+  LoadRequest load = request.load;
+  load.environment = environmentFor(driver, request.versions);
+  const auto pack = loadShaderPack(request.openPack(diagnostics), load, diagnostics);
+  if (!pack) return true;  // the session says why
+  Diagnostics notes = ruleNotes(*pack);
+  report.add(notes);
+  return options.outputs.patched.empty() ||
+         writePatched(options.outputs.patched, *pack, report, status);
+}
+
+std::vector<FrameStepTime> drawFrames(RenderSession& session, int frames, Report& report) {
+  std::vector<FrameStepTime> times;
+  Progress progress("rendering", frames, report.output());
+  for (int frame = 0; frame < frames; ++frame) {
+    Diagnostics diagnostics;
+    session.renderFrame(diagnostics);
+    report.add(diagnostics);
+    for (const StepTime& step : session.renderer().stepTimes()) times.push_back({frame, step});
+    progress.advance();
+  }
+  return times;
+}
+
+using Clock = std::chrono::steady_clock;
+
+void sayRendered(const RenderOptions& options, RenderSession& session,
+                 const gl::DriverInfo& driver, Clock::time_point began) {
+  std::vector<std::string> paths = {options.outputs.picture};
+  for (const auto& [buffer, path] : options.outputs.dumps) paths.push_back(path);
+  paths.push_back(options.outputs.timings);
+  const double seconds = std::chrono::duration<double>(Clock::now() - began).count();
+  sayWritten(options.output, paths,
+             fmt::format("{}x{}, {} frame{}, {:.1f} s, {}", options.image.width,
+                         options.image.height, session.frame(), session.frame() == 1 ? "" : "s",
+                         seconds, driver.renderer.substr(0, driver.renderer.find(" ("))));
+}
+
+int runRender(const RenderOptions& options, Report& report, nlohmann::json& result) {
+  const Clock::time_point began = Clock::now();
+  int status = kClean;
+  Diagnostics diagnostics;
+  if (!checkPaths(options.outputs, report, status)) return status;
+  auto world = loadScene(options.scene, options.pack.dimension, report, status);
+  if (!world) return status;
+  const auto request = makeRequest(options, *world, report, status);
+  if (!request) return status;
+
+  const auto context = gl::createContext({.backend = options.image.backend}, diagnostics);
+  report.add(diagnostics);
+  if (!context) return kHostFailed;
+  if (!showSources(options, *request, context->driver(), report, status)) return status;
+  const auto session = RenderSession::create(*context, *request, std::move(*world), diagnostics);
+  report.add(diagnostics);
+  if (!session) return loadFailureStatus(request->openPack(diagnostics), request->load);
+  if (!checkBuffers(options.outputs, session->renderer(), report, status)) return status;
+
+  const auto times = drawFrames(*session, options.image.frames, report);
+  result = describe(*session, context->driver());
+  Diagnostics counted = counterWarnings(session->renderer());
+  report.add(counted);
+  if (report.status() != kClean) return report.status();
+  const std::vector<std::string> errors = context->takeErrors();
+  for (const std::string& message : errors) report.error("gl-error", message);
+  // The frames are not what the pack asks for: a picture of an earlier run stays.
+  if (!errors.empty()) return kHostFailed;
+  if (writeOutputs(options.outputs, session->renderer(), times, report, status))
+    sayRendered(options, *session, context->driver(), began);
+  return status;
+}
+
+void addOutputPaths(CLI::App& command, RenderOutputs& outputs) {
+  command.add_option("-o,--output", outputs.picture, "picture: .png (display) or .exr (linear)")
+      ->type_name("OUT")
+      ->required();
+  addAssignmentFlag(command, "--dump", outputs.dumps, "write a buffer after the last frame",
+                    "BUFFER=FILE");
+  command.add_option("--timings", outputs.timings, "write a CSV of the time of every step")
+      ->type_name("FILE");
+  command.add_option("--patched", outputs.patched, "write the sources as the driver gets them")
+      ->type_name("DIR");
+}
+
+}  // namespace
+
+void addRenderCommand(CLI::App& app, int& status) {
+  const auto options = std::make_shared<RenderOptions>();
+  CLI::App* command = app.add_subcommand("render", "render a world with a pack, without a window");
+  addPackArgument(*command, options->pack.path);
+  addWorldArgument(*command, options->scene.path);
+  addOutputPaths(*command, options->outputs);
+  addPackFlags(*command, options->pack);
+  addVersionFlags(*command, options->pack.versions);
+  addSceneFlags(*command, options->scene);
+  addImageFlags(*command, options->image);
+  addOutputFlags(*command, options->output);
+  command->callback([options, &status] {
+    Report report(options->output);
+    nlohmann::json result = nlohmann::json::object();
+    status = runRender(*options, report, result);
+    result["status"] = status;
+    printJson(std::move(result), report);
+  });
+}
+
+}  // namespace orris

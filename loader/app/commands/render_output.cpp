@@ -1,0 +1,144 @@
+#include "app/commands/render_output.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "app/input/inputs.h"
+#include "render/counters.h"
+#include "image/image.h"
+
+namespace orris {
+namespace {
+
+template <class T>
+bool writePicture(const std::string& path, const BasicImage<T>& image, Report& report,
+                  int& status) {
+  Diagnostics diagnostics;
+  const bool written = writeImage(path, image, diagnostics);
+  report.add(diagnostics);
+  if (!written) status = kUsage;
+  return written;
+}
+
+Image8 displayed(const ImageF& image) {
+  Image8 result(image.width, image.height, image.channels);
+  for (size_t i = 0; i < image.pixels.size(); ++i)
+    result.pixels[i] =
+        static_cast<std::uint8_t>(std::lround(std::clamp(image.pixels[i], 0.0f, 1.0f) * 255));
+  return result;
+}
+
+bool writeDump(const std::string& path, const ImageF& image, Report& report, int& status) {
+  return isLinear(path) ? writePicture(path, image, report, status)
+                        : writePicture(path, displayed(image), report, status);
+}
+
+bool writeTimings(const std::string& path, const std::vector<FrameStepTime>& times, Report& report,
+                  int& status) {
+  std::string text = "frame,step,milliseconds,processor_milliseconds\n";
+  for (const FrameStepTime& time : times)
+    text += fmt::format("{},{},{:.4f},{:.4f}\n", time.frame, time.step.name,
+                        time.step.seconds * 1e3, time.step.processorSeconds * 1e3);
+  return writeWholeFile(path, text, report, status);
+}
+
+nlohmann::json toJson(const SessionReload& reload) {
+  return {{"frame", reload.frame},
+          {"cause", reload.cause},
+          {"succeeded", reload.succeeded},
+          {"programsBuilt", reload.report.built},
+          {"programsReused", reload.report.programsReused},
+          {"compileSeconds", reload.report.compileSeconds}};
+}
+
+nlohmann::json toJson(const TargetPlan& plan, const char* kind) {
+  return {{"name", fmt::format("{}{}", kind, plan.index)},
+          {"format", plan.format},
+          {"width", plan.width},
+          {"height", plan.height},
+          {"sides", plan.needsAlt ? 2 : 1}};
+}
+
+/// What was chosen for options that are AUTO, of what and why.
+nlohmann::json describeAuto(const AutoChoices& autoChoices, const ShaderPack& pack) {
+  nlohmann::json options = nlohmann::json::array();
+  for (const AutoChoice& choice : autoChoices.all()) {
+    nlohmann::json candidates = nlohmann::json::array();
+    for (const AutoEstimate& estimate : choice.candidates)
+      candidates.push_back({{"value", estimate.value},
+                            {"milliseconds", estimate.milliseconds},
+                            {"allowed", estimate.allowed}});
+    for (const AutoCandidate& candidate : autoCandidates(pack))
+      for (nlohmann::json& entry : candidates)
+        if (candidate.option == choice.option && candidate.value == entry["value"])
+          entry["cost"] = candidate.formula();
+    options.push_back(
+        {{"option", choice.option}, {"value", choice.value}, {"candidates", candidates}});
+  }
+  return {{"options", options}, {"quantities", autoChoices.quantities()}};
+}
+
+}  // namespace
+
+bool isLinear(const std::string& path) { return std::filesystem::path(path).extension() != ".png"; }
+
+bool checkPaths(const RenderOutputs& outputs, Report& report, int& status) {
+  bool good = checkPicturePath(outputs.picture, report, status);
+  for (const auto& [buffer, path] : outputs.dumps) good &= checkPicturePath(path, report, status);
+  if (!outputs.timings.empty()) good &= checkWritable(outputs.timings, report, status);
+  return good;
+}
+
+bool checkBuffers(const RenderOutputs& outputs, const FrameRenderer& renderer, Report& report,
+                  int& status) {
+  bool good = true;
+  for (const auto& [buffer, path] : outputs.dumps) {
+    if (renderer.dump(buffer)) continue;
+    good = false;
+    report.error("dump-unknown", fmt::format("--dump {}: no such buffer in this frame", buffer),
+                 "buffers: " + renderer.bufferNames());
+    status = kUsage;
+  }
+  return good;
+}
+
+bool writeOutputs(const RenderOutputs& outputs, const FrameRenderer& renderer,
+                  const std::vector<FrameStepTime>& times, Report& report, int& status) {
+  bool good = isLinear(outputs.picture)
+                  ? writePicture(outputs.picture, renderer.screenshotLinear(), report, status)
+                  : writePicture(outputs.picture, renderer.screenshot(), report, status);
+  for (const auto& [buffer, path] : outputs.dumps)
+    if (const auto image = renderer.dump(buffer)) good &= writeDump(path, *image, report, status);
+  if (!outputs.timings.empty()) good &= writeTimings(outputs.timings, times, report, status);
+  return good;
+}
+
+nlohmann::json describe(RenderSession& session, const gl::DriverInfo& driver) {
+  const Schedule& schedule = session.renderer().schedule();
+  const ShaderPack& pack = session.renderer().pack();
+  nlohmann::json reloads = nlohmann::json::array(), programs = reloads, steps = reloads,
+                 targets = reloads;
+  for (const SessionReload& reload : session.reloads()) reloads.push_back(toJson(reload));
+  for (const int index : schedule.programs) programs.push_back(pack.programs[size_t(index)].name);
+  for (const Step& step : schedule.frame) steps.push_back(step.name);
+  for (const TargetPlan& plan : schedule.colortex) targets.push_back(toJson(plan, "colortex"));
+  for (const TargetPlan& plan : schedule.shadowcolor)
+    targets.push_back(toJson(plan, "shadowcolor"));
+  return {{"frames", session.frame()},
+          {"renderer", driver.renderer},
+          {"glVersion", driver.version},
+          {"profile", pack.currentProfile()},
+          {"reloads", reloads},
+          {"programs", programs},
+          {"steps", steps},
+          {"targets", targets},
+          {"auto", describeAuto(session.autoChoices(), pack)},
+          {"counters", readCounters(session.renderer())},
+          {"shadowResolution", schedule.shadowResolution}};
+}
+
+}  // namespace orris

@@ -1,0 +1,42 @@
+// What `orris render` leaves behind: pictures, buffers, sources, times.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "app/report/report.h"
+#include "render/render_session.h"
+
+namespace orris {
+
+struct RenderOutputs {
+  std::string picture;
+  OptionValues dumps;   ///< buffer -> file
+  std::string timings;  ///< CSV
+  std::string patched;  ///< folder
+};
+
+/// The time of one step of one frame.
+struct FrameStepTime {
+  int frame = 0;
+  StepTime step;
+};
+
+/// PNG files hold what a display gets, all others linear light.
+bool isLinear(const std::string& path);
+
+/// Can everything be written that is asked for? Before any work.
+bool checkPaths(const RenderOutputs& outputs, Report& report, int& status);
+/// Do the buffers of --dump exist? Before the first frame.
+bool checkBuffers(const RenderOutputs& outputs, const FrameRenderer& renderer, Report& report,
+                  int& status);
+
+/// The picture, the buffers and the times.
+bool writeOutputs(const RenderOutputs& outputs, const FrameRenderer& renderer,
+                  const std::vector<FrameStepTime>& times, Report& report, int& status);
+
+/// The result for --json: driver, steps, targets, what each (re)load built.
+nlohmann::json describe(RenderSession& session, const gl::DriverInfo& driver);
+
+}  // namespace orris

@@ -1,0 +1,18 @@
+// From the command line to what the path tracer takes.
+#pragma once
+
+#include <optional>
+
+#include "app/input/common.h"
+#include "app/report/report.h"
+#include "trace/reference_scene.h"
+
+namespace orris {
+
+/// The world as the reference pack's frame shows it, with the pack's options as `pack` sets them.
+/// nullopt: reported, `status` is set.
+std::optional<ReferenceScene> openReferenceScene(const PackOptions& pack, const SceneOptions& scene,
+                                                 const ImageOptions& image, Report& report,
+                                                 int& status);
+
+}  // namespace orris

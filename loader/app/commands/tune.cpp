@@ -1,0 +1,204 @@
+// orris tune: the options that a scene needs, and no more.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/study/chart_output.h"
+#include "app/commands/commands.h"
+#include "app/input/inputs.h"
+#include "app/study/study.h"
+#include "chart/study/tune_search.h"
+
+namespace orris {
+namespace {
+
+struct TuneOptions {
+  StudyOptions study;
+  std::string settings;  ///< the option file to write
+  std::optional<double> error, milliseconds;
+};
+
+TuneGoal goalOf(const TuneOptions& options) {
+  return {options.error, options.milliseconds.value_or(0)};
+}
+
+/// What is known of each setting; `attempted` that could not be drawn are NaN.
+std::vector<Tried> triedOf(const Study& study, const ChartData& chart,
+                           const std::vector<bool>& attempted) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  std::vector<Tried> tried(study.settings().size());
+  for (std::size_t i = 0; i < tried.size(); ++i)
+    if (attempted[i]) tried[i] = CostError{kNone, kNone};
+  for (const ChartPoint& point : chart.points) {
+    const auto index = std::size_t(point.setting - study.settings().data());
+    if (attempted[index]) tried[index] = CostError{point.milliseconds.value, point.error.value};
+  }
+  return tried;
+}
+
+struct Search {
+  ChartData chart;
+  std::vector<Tried> tried;
+  bool ended = true;  ///< false: the budget did
+};
+
+Search search(Study& study, const TuneGoal& goal) {
+  std::vector<bool> attempted(study.settings().size());
+  Search result;
+  result.tried.resize(attempted.size());
+  for (;;) {
+    const std::vector<std::size_t> next = nextToTry(study.settings(), result.tried, goal);
+    if (next.empty()) break;
+    study.measure(next);
+    for (const std::size_t index : next) attempted[index] = true;
+    result.chart = study.chart();
+    result.tried = triedOf(study, result.chart, attempted);
+    result.ended = study.timeLeft();
+    if (!result.ended) break;
+  }
+  return result;
+}
+
+const ChartPoint* pointOf(const ChartData& chart, const Setting& setting) {
+  for (const ChartPoint& point : chart.points)
+    if (point.setting == &setting) return &point;
+  return nullptr;
+}
+
+std::string numbersOf(const ChartPoint& point) {
+  const std::string& chosen = point.result->chosen;
+  return fmt::format("{}{:.3f} ms [{:.3f}, {:.3f}], error {:.4g} [{:.4g}, {:.4g}]",
+                     chosen.empty() ? "" : "took " + chosen + ", ", point.milliseconds.value,
+                     point.milliseconds.interval.low, point.milliseconds.interval.high,
+                     point.error.value, point.error.interval.low, point.error.interval.high);
+}
+
+/// Why not this one?
+std::string verdict(const ChartPoint& point, const ChartPoint& chosen, const TuneGoal& goal) {
+  const CostError own{point.milliseconds.value, point.error.value};
+  if (!goal.reachedBy(own)) return goal.error ? "too wrong" : "too slow";
+  return goal.error ? fmt::format("{:.2f} times the cost", own.cost / chosen.milliseconds.value)
+                    : fmt::format("{:.2f} times the error", own.error / chosen.error.value);
+}
+
+/// The chosen setting, those that differ from it in one axis, and the rest of the front.
+std::string explanation(const ChartData& chart, const ChartPoint& chosen, const TuneGoal& goal) {
+  std::string text = fmt::format("{}: {}\n", chosen.setting->label, numbersOf(chosen));
+  text += goal.error ? fmt::format("the cheapest found with an error of at most {}\n", *goal.error)
+                     : fmt::format("the most accurate found in {} ms a frame\n", goal.milliseconds);
+  for (const ChartPoint& point : chart.points) {
+    if (&point == &chosen) continue;
+    const bool near = differences(*point.setting, *chosen.setting) == 1;
+    if (!near && !point.front) continue;
+    text += fmt::format("  {}: {}; {}\n", point.setting->label, numbersOf(point),
+                        verdict(point, chosen, goal));
+  }
+  return text;
+}
+
+/// All values in force, as the game's option file holds them.
+bool writeSettings(const Study& study, const Setting& setting, const std::string& path,
+                   Report& report, int& status) {
+  LoadRequest load = requestFor(study.input().request, setting).load;
+  load.buildSources = false;
+  const auto pack = loadPack(study.input().files, load, report, status);
+  return pack && writeWholeFile(path, writeOptionFile(pack->options, pack->values), report, status);
+}
+
+void reportOutOfReach(const Study& study, const Search& found, const TuneGoal& goal, Report& report,
+                      int& status) {
+  std::string hint = "no setting could be measured";
+  if (const auto nearest = nearestTo(found.tried, goal)) {
+    const Setting& setting = study.settings()[*nearest];
+    hint =
+        fmt::format("nearest is {}: {}", setting.label, numbersOf(*pointOf(found.chart, setting)));
+  }
+  report.error("tune-out-of-reach",
+               goal.error
+                   ? fmt::format("no setting tried has an error of at most {}", *goal.error)
+                   : fmt::format("no setting tried takes at most {} ms a frame", goal.milliseconds),
+               hint);
+  status = kProblems;
+}
+
+void noteBudget(const Search& found, Report& report) {
+  if (found.ended) return;
+  Diagnostic diagnostic;
+  diagnostic.severity = Severity::Warning;
+  diagnostic.id = "study-unfinished";
+  diagnostic.message = "the budget ended the search";
+  diagnostic.hint = "run the same command again to go on";
+  Diagnostics diagnostics = {std::move(diagnostic)};
+  report.add(diagnostics);
+}
+
+int runTune(const TuneOptions& options, Report& report, nlohmann::json& result) {
+  int status = kClean;
+  if (!checkWritable(options.settings, report, status)) return status;
+  const StudyFiles files(options.study.folder.empty() ? options.settings + ".tune"
+                                                      : options.study.folder);
+  const auto study = Study::open(options.study, files, report, status);
+  if (!study) return status;
+  const TuneGoal goal = goalOf(options);
+  const Search found = search(*study, goal);
+  if (!writeChart(found.chart, files, report, status)) return status;
+  noteBudget(found, report);
+  const auto best = bestOf(found.tried, goal);
+  if (!best) {
+    reportOutOfReach(*study, found, goal, report, status);
+    return status;
+  }
+  const Setting& setting = study->settings()[*best];
+  const ChartPoint& chosen = *pointOf(found.chart, setting);
+  if (!writeSettings(*study, setting, options.settings, report, status)) return status;
+  result = {{"setting", setting.label},
+            {"profile", setting.profile},
+            {"values", setting.values},
+            {"size", {setting.size.width, setting.size.height}},
+            {"milliseconds", chosen.milliseconds.value},
+            {"error", chosen.error.value},
+            {"tried", found.chart.points.size()},
+            {"settings", study->settings().size()}};
+  if (!options.study.output.json && !options.study.output.quiet)
+    printText(explanation(found.chart, chosen, goal));
+  sayWritten(options.study.output, {options.settings});
+  return status;
+}
+
+}  // namespace
+
+void addTuneCommand(CLI::App& app, int& status) {
+  const auto options = std::make_shared<TuneOptions>();
+  CLI::App* command = app.add_subcommand(
+      "tune", "the cheapest options within an error, or the most accurate within a time");
+  addPackArgument(*command, options->study.pack.path);
+  addWorldArgument(*command, options->study.scene.path);
+  command->add_option("-o,--output", options->settings, "option file to write, for --settings")
+      ->type_name("FILE")
+      ->required();
+  CLI::Option_group* goal = command->add_option_group("goal");
+  goal->add_option("--error", options->error, "the cheapest with at most this error")
+      ->check(CLI::PositiveNumber);
+  goal->add_option("--ms", options->milliseconds, "the most accurate in at most this time a frame")
+      ->check(CLI::PositiveNumber);
+  goal->require_option(1);
+  command
+      ->add_option("--folder", options->study.folder,
+                   "for the measurements and their chart; default FILE.tune")
+      ->type_name("DIR");
+  addStudyFlags(*command, options->study);
+  command->callback([options, &status] {
+    if (options->study.axes.empty()) options->study.axes = {kProfileAxis};
+    Report report(options->study.output);
+    nlohmann::json result = nlohmann::json::object();
+    status = runTune(*options, report, result);
+    result["status"] = status;
+    printJson(std::move(result), report);
+  });
+}
+
+}  // namespace orris

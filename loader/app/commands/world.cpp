@@ -1,0 +1,125 @@
+// orris world: what is in a world.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/commands/commands.h"
+#include "app/input/inputs.h"
+#include "render/gpu_scene.h"
+
+namespace orris {
+namespace {
+
+struct WorldOptions {
+  SceneOptions scene;
+  OutputOptions output;
+};
+
+struct WorldFacts {
+  long blocks = 0;  ///< not air
+  long states = 0;  ///< palette entries in use
+  long lights = 0;  ///< blocks that emit
+  long faces = 0;
+  std::vector<std::string> unknown;
+};
+
+WorldFacts gatherFacts(const SceneData& scene) {
+  WorldFacts result;
+  const BlockWorld& blocks = scene.world.blocks;
+  const std::vector<BlockFacts>& facts = scene.facts;
+  std::vector<long> uses(facts.size(), 0);
+  const glm::ivec3 first = blocks.origin(), end = blocks.origin() + blocks.size();
+  for (int y = first.y; y < end.y; ++y) {
+    for (int z = first.z; z < end.z; ++z) {
+      for (int x = first.x; x < end.x; ++x) ++uses[blocks.indexAt({x, y, z})];
+    }
+  }
+  for (size_t i = 0; i < facts.size(); ++i) {
+    if (uses[i] == 0 || facts[i].air) continue;
+    ++result.states;
+    result.blocks += uses[i];
+    if (facts[i].emission > 0) result.lights += uses[i];
+    if (!facts[i].known) result.unknown.push_back(blocks.palette()[i].toString());
+  }
+  result.faces = long(scene.mesh.vertices.size() / 4);
+  return result;
+}
+
+nlohmann::json toJson(const World& world, const WorldFacts& facts) {
+  const glm::ivec3 origin = world.blocks.origin(), size = world.blocks.size();
+  nlohmann::json cameras = nlohmann::json::array();
+  for (const Camera& camera : world.cameras) {
+    cameras.push_back({{"name", camera.name},
+                       {"position", {camera.position.x, camera.position.y, camera.position.z}},
+                       {"yaw", camera.yaw},
+                       {"pitch", camera.pitch},
+                       {"fov", camera.fov}});
+  }
+  return {{"name", world.name},
+          {"exercises", world.exercises},
+          {"origin", {origin.x, origin.y, origin.z}},
+          {"size", {size.x, size.y, size.z}},
+          {"dimension", world.environment.dimension},
+          {"time", world.environment.time},
+          {"blocks", facts.blocks},
+          {"states", facts.states},
+          {"faces", facts.faces},
+          {"lights", facts.lights},
+          {"unknown", facts.unknown},
+          {"events", world.events.size()},
+          {"cameras", cameras}};
+}
+
+void printWorld(const World& world, const WorldFacts& facts) {
+  const glm::ivec3 origin = world.blocks.origin(), size = world.blocks.size();
+  std::string text = fmt::format("{}\n", world.name);
+  if (!world.exercises.empty()) text += fmt::format("  {}\n", world.exercises);
+  text += fmt::format("  size        {} x {} x {} blocks from ({}, {}, {})\n", size.x, size.y,
+                      size.z, origin.x, origin.y, origin.z);
+  text += fmt::format("  dimension   {}, time {}\n", world.environment.dimension,
+                      world.environment.time);
+  text += fmt::format("  blocks      {} of {} block states\n", facts.blocks, facts.states);
+  text += fmt::format("  faces       {}\n", facts.faces);
+  text += fmt::format("  lights      {}\n", facts.lights);
+  text += fmt::format("  unknown     {}\n", facts.unknown.size());
+  text += fmt::format("  events      {}\n", world.events.size());
+  for (const Camera& camera : world.cameras) {
+    text += fmt::format("  camera      {}: {:.2f},{:.2f},{:.2f},{:.1f},{:.1f}\n", camera.name,
+                        camera.position.x, camera.position.y, camera.position.z, camera.yaw,
+                        camera.pitch);
+  }
+  printText(text);
+}
+
+int runWorld(const WorldOptions& options) {
+  int status = kClean;
+  Report report(options.output);
+  std::optional<World> world = loadScene(options.scene, "", report, status);
+  if (!world) {
+    printJson(nlohmann::json::object(), report);
+    return status;
+  }
+  Diagnostics diagnostics;
+  const SceneData scene = buildScene(std::move(*world), {}, diagnostics);
+  report.add(diagnostics);
+  const WorldFacts facts = gatherFacts(scene);
+  if (!options.output.json) printWorld(scene.world, facts);
+  printJson(toJson(scene.world, facts), report);
+  return report.status();
+}
+
+}  // namespace
+
+void addWorldCommand(CLI::App& app, int& status) {
+  const auto options = std::make_shared<WorldOptions>();
+  CLI::App* command =
+      app.add_subcommand("world", "what is in a world: size, blocks, lights, cameras");
+  addWorldArgument(*command, options->scene.path);
+  command->add_option("--seed", options->scene.seed, "seed of generated worlds");
+  addOutputFlags(*command, options->output);
+  command->callback([options, &status] { status = runWorld(*options); });
+}
+
+}  // namespace orris

@@ -1,0 +1,81 @@
+// The flags that commands share, in groups, so that each has one spelling, one check and one help
+// text. A bad value ends the command with exit status 2 before anything is opened.
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "gl/context.h"
+#include "pack/versions/iris_versions.h"
+#include "pack/options/options.h"
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace orris {
+
+/// Which pack, and how it is set up.
+struct PackOptions {
+  std::string path;
+  std::string profile;
+  OptionValues values;  ///< --set, wins over --settings, which wins over --profile
+  std::string settingsFile;
+  std::string dimension;  ///< "" for the world's own
+  HostVersions versions;  ///< of Iris and the game
+};
+
+/// Which world, seen how.
+struct SceneOptions {
+  std::string path;
+  std::string camera;       ///< a name, or x,y,z,yaw,pitch; "" for the first camera
+  std::optional<int> time;  ///< ticks; nullopt for the world's own
+  unsigned seed = 0;
+};
+
+/// How much to draw, and on what.
+struct ImageOptions {
+  int width = 640, height = 360;
+  int frames = 32;
+  gl::Backend backend = gl::Backend::Auto;
+};
+
+/// What to print.
+struct OutputOptions {
+  bool json = false;     ///< a JSON object on standard output instead of text
+  bool quiet = false;    ///< errors only
+  bool verbose = false;  ///< notes too
+};
+
+void addPackFlags(CLI::App& command, PackOptions& options);  ///< all but path and versions
+/// --iris and --game, for commands that run a pack as one version.
+void addVersionFlags(CLI::App& command, HostVersions& versions);
+/// The oldest and the newest that a pack is checked for; equal when it is one.
+struct VersionRange {
+  HostVersions oldest, newest;
+};
+/// The same flags, which also take a range: 1.8..1.11. Nothing asked: nullopt.
+void addVersionRangeFlags(CLI::App& command, std::optional<VersionRange>& range);
+void addSceneFlags(CLI::App& command, SceneOptions& options);  ///< all but the path
+void addImageFlags(CLI::App& command, ImageOptions& options);
+void addSizeFlag(CLI::App& command, ImageOptions& options);  ///< of addImageFlags
+void addBackendFlag(CLI::App& command, gl::Backend& backend);
+void addOutputFlags(CLI::App& command, OutputOptions& options);
+/// The positional arguments PACK and WORLD.
+CLI::Option* addPackArgument(CLI::App& command, std::string& path);
+CLI::Option* addWorldArgument(CLI::App& command, std::string& path);
+/// Part I of N, "2/5", 1 to N; nullopt when the text is none.
+using Shard = std::pair<int, int>;
+std::optional<Shard> parseShard(const std::string& text);
+void addShardFlag(CLI::App& command, std::string& shard, const std::string& help);
+/// "60s", "5m"; nullopt for other texts and for "".
+std::optional<std::chrono::seconds> parseBudget(const std::string& text);
+void addBudgetFlag(CLI::App& command, std::string& budget, const std::string& help);
+/// A NAME=VALUE flag that may be repeated, or followed by several values.
+void addAssignmentFlag(CLI::App& command, const std::string& flag, OptionValues& values,
+                       const std::string& help, const std::string& typeName = "NAME=VALUE");
+
+}  // namespace orris

@@ -1,0 +1,191 @@
+#include "app/report/report_findings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <tuple>
+
+#include "app/report/text_style.h"
+#include "check/report/ignore_comments.h"
+#include "core/limits.h"
+#include "core/message_limits.h"
+#include "core/text_file.h"
+#include "pack/files/text.h"
+
+namespace orris {
+namespace {
+
+constexpr std::array<std::string_view, 6> kStageEndings = {".vsh", ".tcs", ".tes",
+                                                           ".gsh", ".fsh", ".csh"};
+
+/// "/world0/composite.fsh" -> "/world0/composite"; "" for a file that is no stage.
+std::string programOf(std::string_view file) {
+  for (const std::string_view ending : kStageEndings) {
+    if (file.ends_with(ending)) return std::string(file.substr(0, file.size() - ending.size()));
+  }
+  return "";
+}
+
+/// Lines of the pack's files, each file read once.
+class SourceText {
+ public:
+  explicit SourceText(const FileSource* files) : files_(files) {}
+
+  std::string line(const SourceLocation& at) {
+    if (files_ == nullptr || at.line <= 0) return "";
+    const auto [place, isNew] = lines_.try_emplace(at.file);
+    if (isNew) {
+      if (const auto text = readText(*files_, at.file)) place->second = splitLines(*text);
+    }
+    const auto index = static_cast<std::size_t>(at.line - 1);
+    return index < place->second.size() ? place->second[index] : "";
+  }
+
+ private:
+  const FileSource* files_;
+  std::map<std::string, std::vector<std::string>> lines_;
+};
+
+class Judge {
+ public:
+  Judge(const PackResult& pack, const ReportOptions& options, Baseline* baseline)
+      : files_(pack.verdict.files.get()),
+        root_(pack.root),
+        options_(options),
+        baseline_(baseline),
+        text_(files_) {
+    if (files_ != nullptr) comments_.emplace(*files_);
+  }
+
+  /// `cause`: the number of an earlier or later call whose problem this one follows from.
+  void add(Diagnostic diagnostic, const std::set<std::string>& entryFiles,
+           std::optional<std::size_t> cause = std::nullopt) {
+    causes_.push_back(cause);
+    Finding finding{.diagnostic = std::move(diagnostic)};
+    Diagnostic& d = finding.diagnostic;
+    if (d.sourceLine.empty()) d.sourceLine = quoteLine(d.at);
+    finding.uri = uriOf(d.at.file);
+    for (const std::string& file : entryFiles) {
+      if (std::string program = programOf(file); !program.empty()) finding.programs.insert(program);
+    }
+    if (comments_ && comments_->silences(d)) finding.silence = Silence::Comment;
+    applySeverity(finding);
+    finding.fingerprint = fingerprintOf(d);
+    findings_.push_back(std::move(finding));
+  }
+
+  std::vector<Finding> finish() {
+    if (comments_) {
+      for (Diagnostic& problem : comments_->problems()) add(std::move(problem), {});
+    }
+    for (Finding& finding : findings_) {
+      const bool open =
+          finding.silence == Silence::None && finding.diagnostic.severity != Severity::Note;
+      if (open && baseline_ != nullptr && baseline_->take(finding.fingerprint)) {
+        finding.silence = Silence::Baseline;
+      }
+    }
+    return sorted(folded());
+  }
+
+ private:
+  std::string quoteLine(const SourceLocation& at) {
+    if (quotedBytes_ > limits::kMessageListBytes) return "";
+    std::string line = quotedLine(text_.line(at), at.column);
+    quotedBytes_ += line.size();
+    return line;
+  }
+
+  static std::vector<Finding> sorted(std::vector<Finding> findings) {
+    const auto order = [](const Finding& finding) {
+      const Diagnostic& d = finding.diagnostic;
+      return std::tuple<bool, int, const std::string&, int, int>(
+          finding.follows.empty() && !(d.repair && d.severity == Severity::Error),
+          -int(d.severity), d.at.file, d.at.line, d.at.column);
+    };
+    std::ranges::stable_sort(findings, {}, order);
+    for (Finding& finding : findings) finding.follows = sorted(std::move(finding.follows));
+    return findings;
+  }
+
+  /// What is silenced stands alone, and so does what follows from it: nobody would see it otherwise.
+  std::vector<Finding> folded() {
+    const auto isOpen = [&](std::size_t i) { return findings_[i].silence == Silence::None; };
+    std::vector<Finding> top;
+    for (std::size_t i = 0; i < findings_.size(); ++i) {
+      const auto cause = causes_[i];
+      if (!cause || !isOpen(i) || !isOpen(*cause)) continue;
+      Finding& main = findings_[*cause];
+      // The programs fail by the cause.
+      main.programs.insert(findings_[i].programs.begin(), findings_[i].programs.end());
+      main.follows.push_back(findings_[i]);
+    }
+    for (std::size_t i = 0; i < findings_.size(); ++i) {
+      const auto cause = causes_[i];
+      if (!cause || !isOpen(i) || !isOpen(*cause)) top.push_back(std::move(findings_[i]));
+    }
+    return top;
+  }
+
+  void applySeverity(Finding& finding) const {
+    const auto chosen = options_.severities.find(finding.diagnostic.id);
+    if (chosen == options_.severities.end()) return;
+    finding.milder = finding.silence == Silence::None &&
+                     (!chosen->second || *chosen->second < finding.diagnostic.severity);
+    if (chosen->second)
+      finding.diagnostic.severity = *chosen->second;
+    else if (finding.silence == Silence::None)
+      finding.silence = Silence::Flag;
+  }
+
+  // A problem of a program as a whole names the program: its first stage stands for it.
+  std::string uriOf(const std::string& file) const {
+    if (!file.starts_with('/') || files_ == nullptr) return file;
+    if (file == "/") return root_;
+    for (const std::string_view ending : kStageEndings) {
+      const std::string stage = file + std::string(ending);
+      if (files_->contains(stage)) return root_ + stage;
+    }
+    return root_ + file;
+  }
+
+  const FileSource* files_;
+  const std::string& root_;
+  const ReportOptions& options_;
+  Baseline* baseline_;
+  SourceText text_;
+  std::optional<IgnoreComments> comments_;
+  std::vector<Finding> findings_;
+  std::size_t quotedBytes_ = 0;
+  std::vector<std::optional<std::size_t>> causes_;  ///< of each
+};
+
+}  // namespace
+
+PackResult judgePack(PackVerdict verdict, const Report& report, const ReportOptions& options,
+                     Baseline* baseline) {
+  PackResult result;
+  result.root = options.sourceRoot.value_or(shadersFolderOf(verdict.path));
+  result.verdict = std::move(verdict);
+  Judge judge(result, options, baseline);
+  for (std::size_t i = 0; i < report.all().size(); ++i) {
+    judge.add(report.all()[i], report.entryFiles(i), report.cause(i));
+  }
+  result.findings = judge.finish();
+  const bool failed = std::ranges::any_of(result.findings, [&](const Finding& finding) {
+    return countsAsFailure(finding, options.strict);
+  });
+  if (failed) result.verdict.status = std::max<int>(result.verdict.status, kProblems);
+  return result;
+}
+
+bool countsAsFailure(const Finding& finding, bool strict) {
+  const auto fails = [&](const Finding& other) { return countsAsFailure(other, strict); };
+  if (std::ranges::any_of(finding.follows, fails)) return true;
+  return finding.silence == Silence::None &&
+         finding.diagnostic.severity >= (strict ? Severity::Warning : Severity::Error);
+}
+
+}  // namespace orris

@@ -1,0 +1,14 @@
+// What `orris chart` leaves in its folder: tables, plots, the page.
+#pragma once
+
+#include "app/report/report.h"
+#include "app/study/study_files.h"
+#include "chart/page/chart_data.h"
+
+namespace orris {
+
+/// settings.csv, passes.csv, frames.csv, and NAME.gp, NAME.svg, NAME.png of each plot, index.html. A
+/// missing gnuplot is a warning, and leaves out the plots. false: reported, `status` is set.
+bool writeChart(const ChartData& chart, const StudyFiles& files, Report& report, int& status);
+
+}  // namespace orris

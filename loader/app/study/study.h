@@ -1,0 +1,70 @@
+// A pack measured in many settings over one world: what `orris chart` draws and `orris tune` chooses
+// from.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/report/report.h"
+#include "app/study/study_files.h"
+#include "app/study/study_input.h"
+#include "chart/page/chart_data.h"
+#include "chart/study/digest.h"
+
+namespace orris {
+
+class Study {
+ public:
+  /// Everything but measuring: pack, world, references, what the folder holds already. nullptr:
+  /// reported, `status` is set. All arguments must outlive it.
+  static std::unique_ptr<Study> open(const StudyOptions& options, const StudyFiles& files,
+                                     Report& report, int& status);
+
+  const StudyInput& input() const { return input_; }
+  const std::vector<Setting>& settings() const { return input_.settings; }
+  /// Measures what is not known of these settings, beside the first of all. What the budget ends
+  /// stays unmeasured; so does a setting that cannot be drawn, which is reported.
+  void measure(const std::vector<std::size_t>& indices);
+  bool timeLeft() const;
+
+  std::size_t measured() const;  ///< settings of which all is known
+  /// Of all cameras together. Holds until the next call.
+  ChartData chart();
+
+ private:
+  Study(const StudyOptions& options, const StudyFiles& files, Report& report, int& status)
+      : options_(options), files_(files), report_(report), status_(status) {}
+  bool prepare();
+  bool drawReferences();
+  std::optional<ReferencePicture> reference(const View& view);
+  std::string referenceName(const View& view) const;
+  std::string jobLabel(const Setting& setting, std::size_t camera) const;
+  SessionRequest request(const Setting& setting, std::size_t camera) const;
+  SettingJob& job(std::size_t setting, std::size_t camera) {
+    return jobs_[setting * input_.cameras.size() + camera];
+  }
+  const ReferencePicture& referenceOf(const Setting& setting, std::size_t camera) const {
+    return input_.references.at({camera, setting.size});
+  }
+  void makeJob(const Setting& setting, std::size_t camera);
+  void measure(const std::vector<SettingJob*>& jobs);
+  std::optional<ReferencePicture> drawReference(const SessionRequest& request);
+  void makeJobs();
+  void writePictures(const SettingJob& job, const ImageF& frame, const ImageF& mean);
+
+  const StudyOptions& options_;
+  const StudyFiles& files_;
+  Report& report_;
+  int& status_;
+  StudyInput input_;
+  std::unique_ptr<gl::Context> context_;
+  Digest digest_;
+  std::vector<SettingJob> jobs_;         ///< of each setting, one for each camera
+  SettingJob again_;                     ///< the first once more
+  std::vector<SettingResult> combined_;  ///< of each setting, over the cameras
+  std::optional<Measuring::Clock::time_point> end_;
+};
+
+}  // namespace orris

@@ -1,0 +1,36 @@
+// What the command line asks of `orris validate`.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "app/input/common.h"
+#include "app/validate/matrix_options.h"
+#include "app/report/report_options.h"
+
+namespace orris {
+
+struct ValidateOptions {
+  std::vector<std::string> paths;
+  PackOptions pack;
+  std::vector<std::string> profiles;  ///< {"all"}, names, or none: the values as they are
+  std::vector<std::string> dimensions{"all"};
+  int jobs = std::max(1, int(std::thread::hardware_concurrency()));
+  std::string target = "mesa";           ///< row of targetTable()
+  std::optional<VersionRange> versions;  ///< nullopt: from what the pack states to the newest
+  std::string patched;                   ///< folder
+  bool draw = false;
+  bool recursive = false;  ///< the packs below each path
+  gl::Backend backend = gl::Backend::Auto;
+  std::string explainLog;      ///< file, or "-"
+  std::string patchedShaders;  ///< folder that Iris wrote
+  std::string stage;           ///< "composite.fsh": what a bare driver log is about
+  OutputOptions output;
+  ReportOptions report;
+  MatrixOptions matrix;
+};
+
+}  // namespace orris

@@ -1,0 +1,299 @@
+#include "app/validate/validate_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/report/consequences.h"
+#include "validate/draw_check.h"
+#include "app/input/inputs.h"
+#include "app/validate/patched_sources.h"
+#include "app/report/progress.h"
+#include "check/hints/conditional_place.h"
+#include "check/compile/link_errors.h"
+#include "check/pack/open_comments.h"
+#include "check/pack/pack_checks.h"
+#include "core/work_stage.h"
+#include "plan/auto_choices.h"
+#include "render/render_session.h"
+#include "plan/uniforms.h"
+#include "pack/files/text.h"
+
+namespace orris {
+namespace {
+
+std::vector<std::string> namesOf(const std::vector<Profile>& profiles) {
+  std::vector<std::string> names;
+  for (const Profile& profile : profiles) names.push_back(profile.name);
+  return names;
+}
+
+std::vector<std::string> chosen(const std::vector<std::string>& request,
+                                const std::vector<std::string>& all) {
+  const bool everything = request.size() == 1 && request.front() == "all";
+  std::vector<std::string> result = everything ? all : request;
+  if (result.empty()) result.push_back("");
+  return result;
+}
+
+void checkPrograms(const ShaderPack& pack, Checker& checker, Diagnostics& diagnostics) {
+  checkWithGlslang(pack, checker.jobs, checker.glslang, diagnostics);
+  if (!checker.gpu) return;
+  // What glslang refuses has been told; the driver would tell it again in other words.
+  for (const auto& [hash, good] : checker.glslang) {
+    if (!good) checker.driver[hash] = false;
+  }
+  checkWithDriver(pack, checker.backend, checker.driver, diagnostics);
+}
+
+// The size decides nothing that the checks look at but sizes given in pixels.
+constexpr int kScheduleWidth = 1920, kScheduleHeight = 1080;
+
+void checkFrame(const ShaderPack& pack, const TargetLimits& target, Diagnostics& diagnostics) {
+  const Schedule schedule = buildSchedule(pack, kScheduleWidth, kScheduleHeight, {}, diagnostics);
+  const Diagnostics found = checkFolder({.pack = pack, .schedule = schedule, .target = target});
+  diagnostics.insert(diagnostics.end(), found.begin(), found.end());
+}
+
+/// The folders under the values of `request`, from the files that `outline` was loaded from.
+std::vector<ShaderPack> makeFolders(const ShaderPack& outline,
+                                    const std::vector<std::string>& dimensions,
+                                    LoadRequest& request, const Checker& checker,
+                                    PackVerdict& verdict, Report& report) {
+  std::vector<ShaderPack> folders;
+  std::vector<Diagnostics> found;
+  for (const std::string& dimension : dimensions) {
+    request.dimension = dimension;
+    auto pack = rebuildShaderPack(outline, request, found.emplace_back());
+    // OptiFine takes a stage without #version for GLSL 1.20.
+    if (!checker.target.iris)
+      std::erase_if(found.back(), [](const Diagnostic& d) { return d.id == "version-missing"; });
+    if (pack) {
+      folders.push_back(std::move(*pack));
+    } else {
+      verdict.status = loadFailureStatus(outline.source, request);
+    }
+  }
+  settleConditionals(folders, checker.jobs, found);
+  for (Diagnostics& diagnostics : found) report.add(diagnostics);
+  return folders;
+}
+
+/// What the host may choose for options that are AUTO: each candidate alone.
+void checkCandidates(const ShaderPack& pack, const LoadRequest& request, Checker& checker,
+                     Diagnostics& diagnostics) {
+  const std::vector<std::string> options = optionsAtAuto(pack);
+  for (const AutoCandidate& candidate : autoCandidates(pack)) {
+    if (std::find(options.begin(), options.end(), candidate.option) == options.end()) continue;
+    LoadRequest chosen = request;
+    chosen.dimension = pack.folder;
+    chosen.values[candidate.option] = candidate.value;
+    if (const auto other = rebuildShaderPack(pack, chosen, diagnostics)) {
+      checkPrograms(*other, checker, diagnostics);
+      checkFrame(*other, checker.target, diagnostics);
+    }
+  }
+}
+
+void checkOne(const ShaderPack& pack, const LoadRequest& request, Checker& checker,
+              PackVerdict& verdict, Report& report) {
+  Diagnostics diagnostics = ruleNotes(pack);
+  checkPrograms(pack, checker, diagnostics);
+  checkFrame(pack, checker.target, diagnostics);
+  checkCandidates(pack, request, checker, diagnostics);
+  verdict.dimensions.insert(pack.folder);
+  verdict.profiles.insert(request.profile);
+  for (const ProgramUnit& unit : programUnits(pack)) {
+    ProgramVerdicts& programs =
+        unit.mod.empty() ? verdict.programs : verdict.modPrograms[std::string(unit.mod)];
+    programs.all.insert(unit.name);
+    if (!checker.passed(unit.hash)) programs.failed.insert(unit.name);
+  }
+  reportSwallowedCode(pack, checker.glslang, checker.jobs, diagnostics);
+  if (checker.gpu && checker.draw && !hasErrors(diagnostics)) {
+    checkDrawing(checker.backend, pack.source, request, diagnostics);
+  }
+  dropRepeatedLinkErrors(diagnostics);
+  report.add(diagnostics);
+}
+
+void checkMatrix(const std::vector<ShaderPack>& folders, const LoadRequest& request,
+                 const ValidateOptions& options, Checker& checker, PackVerdict& verdict,
+                 Report& report) {
+  MatrixRequest matrix = matrixRequest(options.matrix, options.jobs);
+  if (matrix.kind == MatrixKind::None || folders.empty()) return;
+  matrix.until = checker.budget.beginMatrix();
+  std::optional<Progress> progress;
+  MatrixResult result = runMatrix({.folders = folders,
+                                   .environment = request.environment,
+                                   .verdicts = checker.glslang,
+                                   .told = report.all()},
+                                  matrix, [&](size_t, size_t total) {
+                                    if (!progress) {
+                                      progress.emplace("option matrix", int(total), options.output);
+                                    }
+                                    progress->advance();
+                                  });
+  progress.reset();
+  const std::size_t before = report.all().size();
+  report.add(result.diagnostics);
+  for (std::size_t i = before; i < report.all().size(); ++i) verdict.ofMatrix.insert(i);
+  verdict.matrices.push_back({.kind = options.matrix.kind,
+                              .profile = request.profile,
+                              .shard = matrix.shard,
+                              .shards = matrix.shards,
+                              .configurations = result.configurations,
+                              .tried = result.tried,
+                              .variants = result.variants,
+                              .compiled = result.compiled,
+                              .all = result.all,
+                              .seconds = result.seconds});
+}
+
+/// The options that --options names must be the pack's.
+bool knowsOptions(const ShaderPack& pack, const std::vector<std::string>& names, Report& report) {
+  bool all = true;
+  for (const std::string& name : names) {
+    if (pack.options.find(name)) continue;
+    std::vector<std::string> known;
+    for (const auto& [option, definition] : pack.options.all()) known.push_back(option);
+    report.error("option-unknown", fmt::format("--options: the pack has no option {}", name),
+                 suggest(name, known));
+    all = false;
+  }
+  return all;
+}
+
+/// What the pack is without its sources, and how it was asked for.
+struct Outline {
+  std::optional<ShaderPack> pack;
+  LoadRequest request;
+};
+
+std::string nameOf(const HostVersions& versions) {
+  return fmt::format("Iris {} and Minecraft {}", versionText(versions.iris),
+                     versionText(versions.game));
+}
+
+std::optional<Outline> loadOutline(const HostVersions& versions, const ValidateOptions& options,
+                                   const Checker& checker, PackVerdict& verdict, Report& report) {
+  const auto& files = verdict.files;
+  auto request =
+      makeLoadRequest(files, options.pack, checker.environment(versions), report, verdict.status);
+  if (!request) return std::nullopt;
+  request->buildSources = false;
+  request->keepGoing = true;
+  Outline outline{loadPack(files, *request, report, verdict.status), *request};
+  if (!outline.pack) return std::nullopt;
+  if (!knowsOptions(*outline.pack, options.matrix.options, report)) {
+    verdict.status = kUsage;
+    return std::nullopt;
+  }
+  outline.request.buildSources = true;
+  outline.request.buildModPrograms = true;
+  outline.request.irisTexts = checker.target.iris;
+  outline.request.uniformTypes = uniformTypes();
+  return outline;
+}
+
+/// The newest first: what is wrong there is the more urgent.
+std::vector<HostVersions> versionsToCheck(const ShaderPack& pack, const ValidateOptions& options) {
+  VersionRange range;
+  if (options.versions) {
+    range = *options.versions;
+  } else {
+    range.oldest = statedMinimum(pack.properties).value_or(range.newest);
+  }
+  if (range.oldest == range.newest) return {range.newest};
+  return {range.newest, range.oldest};
+}
+
+void checkVersion(Outline& outline, const std::vector<std::string>& profiles,
+                  const std::string& versions, const ValidateOptions& options, Checker& checker,
+                  PackVerdict& verdict, Report& report) {
+  LoadRequest& request = outline.request;
+  for (const std::string& profile : profiles) {
+    checker.budget.beginChecks();
+    if (!profile.empty()) request.profile = profile;
+    const std::string context = profiles.size() > 1 ? "profile " + profile : "";
+    const bool both = !context.empty() && !versions.empty();
+    report.setContext(context + (both ? ", " : "") + versions);
+    const std::vector<ShaderPack> folders =
+        makeFolders(*outline.pack, chosen(options.dimensions, outline.pack->dimensions), request,
+                    checker, verdict, report);
+    for (const ShaderPack& folder : folders) {
+      request.dimension = folder.folder;
+      checkOne(folder, request, checker, verdict, report);
+      if (!options.patched.empty() && versions.empty())
+        writePatchedWithMap(options.patched, folder, report, verdict.status);
+    }
+    if (folders.size() == outline.pack->dimensions.size()) {
+      Diagnostics diagnostics = checkWholePack(folders);
+      report.add(diagnostics);
+    }
+    checkMatrix(folders, request, options, checker, verdict, report);
+  }
+}
+
+/// All that is checked of the files that `verdict` has.
+void checkPack(PackVerdict& verdict, const ValidateOptions& options, Checker& checker,
+               Report& report) {
+  const HostVersions newest = options.versions ? options.versions->newest : HostVersions();
+  auto outline = loadOutline(newest, options, checker, verdict, report);
+  if (!outline) return;
+  const std::vector<HostVersions> all = versionsToCheck(*outline->pack, options);
+  const std::vector<std::string> profiles =
+      chosen(options.profiles, namesOf(outline->pack->properties.profiles));
+  checker.budget.beginPack(profiles.size() * all.size());
+  for (const HostVersions& versions : all) {
+    const std::string name = versions == newest ? "" : nameOf(versions);
+    report.setContext(name);
+    if (!name.empty()) outline = loadOutline(versions, options, checker, verdict, report);
+    if (outline) checkVersion(*outline, profiles, name, options, checker, verdict, report);
+  }
+  report.setContext("");
+  report.noteContexts(profiles.size() * all.size());
+}
+
+void checkAgain(const std::shared_ptr<const FileSource>& files, const ValidateOptions& options,
+                Checker checker, Report& report) {
+  PackVerdict verdict{.files = files};
+  ValidateOptions same = options;
+  same.matrix.kind = "none";
+  same.patched.clear();
+  checker.glslang.clear();
+  checker.driver.clear();
+  checker.draw = false;
+  checkPack(verdict, same, checker, report);
+}
+
+}  // namespace
+
+MacroDefinitions Checker::environment(const HostVersions& versions) const {
+  return gpu ? environmentFor(*gpu, versions) : standardMacros(hostOf(target, versions));
+}
+
+bool Checker::passed(std::uint64_t hash) const {
+  return glslang.at(hash) && (!gpu || driver.at(hash));
+}
+
+bool findDriver(const ValidateOptions& options, Checker& checker) {
+  Report report(options.output);
+  Diagnostics diagnostics;
+  checker.gpu = askDriver(options.backend, diagnostics);
+  report.add(diagnostics);
+  return checker.gpu.has_value();
+}
+
+PackVerdict validatePack(const std::string& path, const ValidateOptions& options, Checker& checker,
+                         Report& report) {
+  const WorkStage stage("checking", path);
+  PackVerdict verdict{.path = path};
+  verdict.files = openPackFiles(path, report, verdict.status);
+  if (!verdict.files) return verdict;
+  checkPack(verdict, options, checker, report);
+  findConsequences(verdict, options, checker, checkAgain, report);
+  return verdict;
+}
+
+}  // namespace orris

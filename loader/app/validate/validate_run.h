@@ -1,0 +1,58 @@
+// The stages of `orris validate` for one pack.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "app/validate/matrix_budget.h"
+#include "app/report/report.h"
+#include "app/validate/validate_options.h"
+#include "validate/driver_check.h"
+#include "check/compile/program_check.h"
+#include "check/compile/target_limits.h"
+#include "pack/shader_pack.h"
+
+namespace orris {
+
+/// Programs by name, counted once whatever the number of profiles.
+struct ProgramVerdicts {
+  std::set<std::string> all, failed;
+};
+
+/// What was checked of one pack.
+struct PackVerdict {
+  std::string path;
+  std::shared_ptr<const FileSource> files;  ///< nullptr: the pack could not be opened
+  ProgramVerdicts programs;
+  std::map<std::string, ProgramVerdicts> modPrograms;  ///< by name of the mod, "Distant Horizons"
+  std::set<std::string> dimensions, profiles;
+  std::vector<MatrixSummary> matrices;  ///< one for each profile, with --matrix
+  std::set<std::size_t> ofMatrix;       ///< problems of the report that only other options have
+  int status = kClean;
+};
+
+/// Checks shared by all packs of a run: the driver (with --draw), and what was checked. This process
+/// never holds a context: work with the driver is done in others.
+struct Checker {
+  int jobs = 1;
+  const TargetLimits& target;
+  gl::Backend backend = gl::Backend::Auto;
+  MatrixBudget budget;
+  std::optional<gl::DriverInfo> gpu;
+  Verdicts glslang, driver;
+  bool draw = true;  ///< a frame, with a driver
+
+  MacroDefinitions environment(const HostVersions& versions) const;
+  bool passed(std::uint64_t hash) const;
+};
+
+/// Asks the driver that --draw needs; false: reported.
+bool findDriver(const ValidateOptions& options, Checker& checker);
+
+PackVerdict validatePack(const std::string& path, const ValidateOptions& options, Checker& checker,
+                         Report& report);
+
+}  // namespace orris

@@ -1,0 +1,96 @@
+#include "chart/page/chart_page.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "chart/study/json_number.h"
+#include "chart/page/page_template.h"
+
+namespace orris {
+namespace {
+
+using nlohmann::json;
+
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view kDigits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    unsigned group = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    for (int k = 0; k < 4; ++k)
+      text += i + std::size_t(k) <= bytes.size() ? kDigits[group >> (18 - 6 * k) & 63] : '=';
+  }
+  return text;
+}
+
+std::string dataUri(const char* type, const std::string& bytes) {
+  return bytes.empty() ? "" : fmt::format("data:{};base64,{}", type, base64(bytes));
+}
+
+std::string sizeText(ImageSize size) { return fmt::format("{}x{}", size.width, size.height); }
+
+json toJson(const ChartPoint& point, const SettingPictures& pictures) {
+  const ErrorSummary& error = *point.result->error;
+  return {{"label", point.setting->label},
+          {"size", sizeText(point.setting->size)},
+          {"ms", jsonNumber(point.milliseconds.value)},
+          {"msLow", jsonNumber(point.milliseconds.interval.low)},
+          {"msHigh", jsonNumber(point.milliseconds.interval.high)},
+          {"p95", jsonNumber(point.p95)},
+          {"ratio", jsonNumber(point.cost.ratio)},
+          {"publishedRatio", point.publishedRatio ? json(*point.publishedRatio) : json(nullptr)},
+          {"error", jsonNumber(point.error.value)},
+          {"bias", jsonNumber(error.bias)},
+          {"noise", jsonNumber(error.noise)},
+          {"relMse", jsonNumber(error.relMse)},
+          {"ssim", point.result->ssim},
+          {"front", point.front},
+          {"frame", dataUri("image/png", pictures.frame)},
+          {"mean", dataUri("image/png", pictures.mean)},
+          {"difference", dataUri("image/png", pictures.error)}};
+}
+
+/// In a script element: no "</script>" may come of it.
+std::string scriptText(const json& value) {
+  std::string text = value.dump(-1, ' ', true, json::error_handler_t::replace), result;
+  for (const char c : text) result += c == '<' ? std::string("\\u003c") : std::string(1, c);
+  return result;
+}
+
+}  // namespace
+
+std::string chartPage(const ChartData& chart, const PagePictures& pictures) {
+  json points = json::array(), references = json::object(), plots = json::array(),
+       facts = json::array();
+  for (std::size_t i = 0; i < chart.points.size(); ++i)
+    points.push_back(toJson(chart.points[i], pictures.settings[i]));
+  for (const auto& [size, picture] : pictures.references)
+    references[sizeText(size)] = dataUri("image/png", picture);
+  for (const auto& [name, svg] : pictures.plots)
+    plots.push_back({{"name", name}, {"picture", dataUri("image/svg+xml", svg)}});
+  for (const auto& [name, text] : chart.request.facts) facts.push_back({name, text});
+  const json data = {
+      {"title", chart.request.title},
+      {"metric", chart.request.metric->label},
+      {"accumulated", chart.request.accumulated},
+      {"noiseFloor", chart.request.noiseFloor},
+      {"again", chart.again ? json{chart.again->ratio, chart.again->ratioInterval.low,
+                                   chart.again->ratioInterval.high}
+                            : json(nullptr)},
+      {"facts", std::move(facts)},
+      {"points", std::move(points)},
+      {"references", std::move(references)},
+      {"plots", std::move(plots)}};
+  std::string page(kPageTemplate);
+  const std::string_view mark = "/*CHART*/";
+  page.replace(page.find(mark), mark.size(), scriptText(data));
+  return page;
+}
+
+}  // namespace orris

@@ -1,0 +1,209 @@
+#include "check/hints/common_include.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "check/hints/compile_hints.h"
+#include "check/workers/diagnostic_codec.h"
+#include "check/workers/isolated_jobs.h"
+#include "check/hints/line_trial.h"
+#include "check/compile/stage_files.h"
+
+namespace orris {
+namespace {
+
+constexpr const char* kMissing = "include-probably-missing";
+// Each trial compiles this many programs; the rest are taken to be like them.
+constexpr std::size_t kMostSamples = 6, kMostAlike = 2;
+// Each place takes up to 16 trials.
+constexpr std::size_t kMostPlaces = 4, kMostOthers = 3;
+// Less likely places in a file, compared with its likeliest, are not told.
+constexpr double kAsLikely = 0.4;
+
+const Diagnostic* missingOf(const Diagnostics& diagnostics) {
+  const auto found = std::ranges::find(diagnostics, kMissing, &Diagnostic::id);
+  return found == diagnostics.end() ? nullptr : &*found;
+}
+
+/// Units that were told to include something.
+using Samples = std::vector<std::size_t>;
+
+class CommonInclude {
+ public:
+  CommonInclude(const ShaderPack& pack, const std::vector<ProgramUnit>& units,
+                const std::vector<Diagnostics>& found)
+      : pack_(pack), units_(units), found_(found), index_(pack) {
+    for (std::size_t i = 0; i < units.size(); ++i) {
+      const Diagnostic* missing = missingOf(found[i]);
+      if (!missing) continue;
+      ++failing_;
+      places_[{missing->at.file, missing->at.line}].push_back(i);
+    }
+  }
+
+  /// The one line that heals a unit of each place, first, and then others that do; else of each place
+  /// the others.
+  Diagnostics find() {
+    Diagnostics told;
+    Samples ofAll;
+    for (const auto& [place, units] : places_) {
+      if (ofAll.size() < kMostSamples) ofAll.push_back(units.front());
+    }
+    if (ofAll.size() > 1) tellAll(ofAll, told);
+    if (!told.empty()) return told;
+    std::size_t tried = 0;
+    for (auto& [place, units] : places_) {
+      if (tried++ == kMostPlaces) break;
+      Samples alike = units;
+      alike.resize(std::min(alike.size(), kMostAlike));
+      told.push_back(*missingOf(found_[alike.front()]));
+      addOthers(healing(alike), told.back());
+    }
+    return told;
+  }
+
+ private:
+  void tellAll(const Samples& samples, Diagnostics& told) {
+    const std::vector<MissingInclude> places = healing(samples);
+    if (places.empty()) return;
+    const MissingInclude& first = places.front();
+    const UnknownName name = unknownNames(samples)[first.first];
+    told.push_back(
+        {.severity = Severity::Error,
+         .id = kMissing,
+         .at = first.at,
+         .message = fmt::format("'{}' is unknown at {}:{}, and {} program{} like this: an #include "
+                                "seems to be missing here",
+                                name.name, name.at.file, name.at.line, failing_ - 1,
+                                failing_ == 2 ? " more is" : "s more are"),
+         .sourceLine = pack_.sourceLine(first.at.file, first.at.line),
+         .hint = hintOf(first),
+         .repair = LineEdit{first.at.file, first.at.line, hintOf(first)}});
+    addOthers(places, told.back());
+  }
+
+  void addOthers(const std::vector<MissingInclude>& places, Diagnostic& first) const {
+    std::size_t others = 0;
+    for (const MissingInclude& place : places) {
+      const bool same = place.at.file == first.at.file && place.at.line == first.at.line;
+      if (same || others++ == kMostOthers) continue;
+      first.related.push_back({place.at, fmt::format("or {} belongs here", hintOf(place))});
+    }
+  }
+
+  static std::string hintOf(const MissingInclude& missing) {
+    return fmt::format("#include \"{}\"", missing.target);
+  }
+
+  /// The places, the likeliest first, where one line heals all of them; no more than are told.
+  std::vector<MissingInclude> healing(const Samples& samples) {
+    std::vector<MissingInclude> places;
+    const IncludeTrial trial = [&](const MissingInclude& added) {
+      const bool known = std::ranges::any_of(places, [&](const MissingInclude& place) {
+        return place.at == added.at && place.target == added.target;
+      });
+      const bool likely = places.empty() || added.share >= kAsLikely;
+      if (!known && likely && healsAll(samples, added)) places.push_back(added);
+      return places.size() > kMostOthers;
+    };
+    findMissingIncludes(index_, commonFiles(samples), unknownNames(samples), trial);
+    return places;
+  }
+
+  bool healsAll(const Samples& samples, const MissingInclude& added) const {
+    return std::ranges::all_of(samples, [&](std::size_t i) {
+      Diagnostics errors = found_[i];
+      std::erase_if(errors, [](const Diagnostic& d) { return d.id == kMissing; });
+      return healsWith(pack_, units_[i], added, errors);
+    });
+  }
+
+  /// Files that all samples read, in the order of the first one's text.
+  std::vector<std::string> commonFiles(const Samples& samples) {
+    std::vector<std::string> common = filesOf(index_, failingStage(samples.front()));
+    for (const std::size_t i : samples) {
+      const std::vector<std::string> files = filesOf(index_, failingStage(i));
+      std::erase_if(common, [&](const std::string& file) {
+        return std::ranges::find(files, file) == files.end();
+      });
+    }
+    return common;
+  }
+
+  /// The stage that the first error of a unit is in.
+  const StageText& failingStage(std::size_t i) {
+    const auto& stages = units_[i].stages;
+    for (const Diagnostic& diagnostic : found_[i]) {
+      for (const StageText* stage : stages) {
+        if (diagnostic.severity == Severity::Error && lineOf(*stage, diagnostic.at) > 0)
+          return *stage;
+      }
+    }
+    return *stages.back();
+  }
+
+  std::vector<UnknownName> unknownNames(const Samples& samples) const {
+    std::vector<UnknownName> names;
+    for (const std::size_t i : samples) {
+      for (const Diagnostic& diagnostic : found_[i]) {
+        const std::string name = unknownName(diagnostic.message);
+        if (!name.empty() && diagnostic.id != kMissing)
+          names.push_back({name, diagnostic.at, diagnostic.includedFrom});
+      }
+    }
+    return names;
+  }
+
+  const ShaderPack& pack_;
+  const std::vector<ProgramUnit>& units_;
+  const std::vector<Diagnostics>& found_;
+  DefinitionIndex index_;
+  std::map<std::pair<std::string, int>, Samples> places_;  ///< who was told which
+  int failing_ = 0;                                        ///< units in all that were told any
+};
+
+/// Puts findings with more places in for those that are there already; false: these are new.
+bool replaceEqual(const Diagnostics& better, std::vector<Diagnostics>& found) {
+  bool any = false;
+  for (Diagnostics& diagnostics : found) {
+    for (Diagnostic& d : diagnostics) {
+      const auto same = std::ranges::find_if(better, [&](const Diagnostic& other) {
+        return other.id == d.id && other.at == d.at && other.message == d.message;
+      });
+      if (same == better.end()) continue;
+      d = *same;
+      any = true;
+    }
+  }
+  return any;
+}
+
+}  // namespace
+
+void mergeMissingIncludes(const ShaderPack& pack, const std::vector<ProgramUnit>& units,
+                          std::vector<Diagnostics>& found) {
+  const auto first = std::ranges::find_if(found, missingOf);
+  if (first == found.end()) return;
+  Diagnostics told;
+  const auto work = [&](std::size_t) {
+    return encodeDiagnostics(CommonInclude(pack, units, found).find());
+  };
+  runIsolated({.count = 1, .workers = 1, .work = work}, [&](std::size_t, JobOutcome outcome) {
+    if (outcome.kind == JobOutcome::Kind::Done) told = decodeDiagnostics(outcome.result);
+    return true;
+  });
+  if (told.empty()) return;
+  if (replaceEqual(told, found)) return;
+  for (Diagnostics& diagnostics : found) {
+    // What else a program lacks stays.
+    std::erase_if(diagnostics, [&](const Diagnostic& d) {
+      return d.id == kMissing && d.hint == told.front().hint;
+    });
+  }
+  first->insert(first->end(), told.begin(), told.end());
+}
+
+}  // namespace orris

@@ -1,0 +1,18 @@
+// One #include for many programs: what they all lack most likely belongs into a file that all of them
+// read; and the other places where it would do.
+#pragma once
+
+#include <vector>
+
+#include "check/compile/program_check.h"
+
+namespace orris {
+
+/// Where programs were told to include something at different places, looks for one line that heals
+/// them all; if there is one, only that is told. At each place that is told also the next likely ones
+/// that heal as well, as warnings. `found` are the diagnostics of each unit. Compiles, so it works in
+/// a process of its own; nothing changes when that is lost.
+void mergeMissingIncludes(const ShaderPack& pack, const std::vector<ProgramUnit>& units,
+                          std::vector<Diagnostics>& found);
+
+}  // namespace orris

@@ -1,0 +1,380 @@
+#include "check/hints/compile_hints.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "check/hints/glsl_functions.h"
+#include "check/interface/glsl_types.h"
+#include "check/interface/known_names.h"
+#include "check/pack/pack_texts.h"
+#include "check/compile/stage_files.h"
+#include "check/interface/stage_interface.h"
+#include "check/interface/unused_declarations.h"
+#include "glsl/tokens/outline.h"
+#include "pack/files/text.h"
+
+namespace orris {
+namespace {
+
+// One missing #include leaves many names unknown: a few tell it all.
+constexpr std::size_t kMostExplained = 8;
+constexpr const char* kMain = "main";
+
+bool contains(const std::vector<std::string>& files, const std::string& file) {
+  return std::find(files.begin(), files.end(), file) != files.end();
+}
+
+/// No word of the language.
+bool isOwnName(std::string_view word) {
+  constexpr std::string_view kWords[] = {"void", "struct", "return", "if",    "else",
+                                         "for",  "while",  "true",   "false", "main"};
+  return word.size() > 2 && !isQualifier(word) && !isNumeric(word) &&
+         opaqueType(word).component == 0 &&
+         std::find(std::begin(kWords), std::end(kWords), word) == std::end(kWords);
+}
+
+std::string declarationOf(std::string_view name) {
+  if (const KnownName* uniform = findKnownName(NameKind::Uniform, name);
+      uniform && !uniform->type.empty())
+    return fmt::format("uniform {} {};", uniform->type, name);
+  return "";
+}
+
+bool isOfContract(const std::string& name) {
+  return findKnownName(NameKind::Uniform, name) || findKnownName(NameKind::Sampler, name);
+}
+
+bool isCall(const Diagnostic& error) {
+  return error.message.find("no matching overloaded function") != std::string::npos;
+}
+
+class StageHints {
+ public:
+  StageHints(DefinitionIndex& index, const std::vector<const StageText*>& stages,
+             const StageText& stage, Diagnostics& found)
+      : index_(index),
+        stages_(stages),
+        stage_(stage),
+        found_(found),
+        files_(filesOf(index, stage)) {}
+
+  bool isOf(const Diagnostic& diagnostic) const {
+    if (diagnostic.includedFrom.empty()) return contains(files_, diagnostic.at.file);
+    return !files_.empty() && files_.front() == diagnostic.includedFrom.back().file;
+  }
+
+  void explain(std::size_t index) {
+    const std::string name = unknownName(found_[index].message);
+    if (!name.empty()) {
+      explainName(index, name);
+    } else if (found_[index].message.find("syntax error") != std::string::npos) {
+      explainSyntax(index);
+    } else if (found_[index].message.find("Missing entry point") != std::string::npos) {
+      explainEntry(index);
+    }
+  }
+
+  /// Adds where #include lines seem to be missing that would make known what explain() met.
+  void locateIncludes(const IncludeTrial& trial) {
+    const std::vector<std::string> before = filesOf(index_, stage_, firstUse_);
+    for (const MissingInclude& missing : findMissingIncludes(index_, before, unknown_, trial))
+      addMissing(missing);
+  }
+
+ private:
+  void explainName(std::size_t index, const std::string& name) {
+    const bool call = isCall(found_[index]);
+    if (call ? explainParameters(index, name) : explainVarying(index, name)) return;
+    if (explainMisspelling(index, name)) return;
+    if (const std::string declaration = declarationOf(name); !declaration.empty()) {
+      found_[index].hint = "it must be declared: " + declaration;
+    }
+    explainInclude(index, name);
+    if (found_[index].hint.empty()) call ? suggestFunction(index, name) : suggestKnown(index, name);
+  }
+
+  /// The stage before hands the name over, or the one behind reads it.
+  bool explainVarying(std::size_t index, const std::string& name) {
+    if (!found_[index].hint.empty()) return false;
+    using Storage = StageGlobal::Storage;
+    for (const StageText* other : stages_) {
+      if (other == &stage_) continue;
+      const bool before = other->stage < stage_.stage;
+      for (const StageGlobal& global : readStageInterface(*other).globals) {
+        const bool meets = global.storage == (before ? Storage::Out : Storage::In) &&
+                           !global.block && global.name == name && global.arraySizes.empty();
+        if (!meets) continue;
+        const char* does = before ? "writes" : "reads";
+        found_[index].hint =
+            fmt::format("declare it: {} {} {};", before ? "in" : "out", global.type, name);
+        found_[index].related.push_back(
+            {other->text.locate(global.place.line, global.place.column),
+             fmt::format("the {} stage {} it", stageName(other->stage), does)});
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// The function exists with other parameters.
+  bool explainParameters(std::size_t index, const std::string& name) {
+    if (!functions_) functions_ = definedFunctions(stage_.text);
+    const auto same = functions_->find(name);
+    if (same != functions_->end()) {
+      found_[index].related.push_back({same->second, "defined here with other parameters"});
+      return true;
+    }
+    const std::vector<std::string>& builtIn = builtInFunctions();
+    const bool exists = std::ranges::find(builtIn, name) != builtIn.end();
+    // What a version lacks has been said.
+    if (exists && found_[index].hint.empty()) found_[index].hint = "the function exists, but takes other arguments";
+    return exists;
+  }
+
+  /// "float shade(" at the start of a line: functions that nothing calls are not in the text.
+  void addWrittenFunctions() {
+    for (const std::string& file : files_) {
+      const auto lines = index_.files().find(file);
+      if (lines == index_.files().end()) continue;
+      for (std::size_t i = 0; i < lines->second.size(); ++i) {
+        const std::string_view line = lines->second[i];
+        const std::string_view type = leadingWord(trim(line));
+        const std::string_view rest = trim(trim(line).substr(type.size()));
+        const std::string_view name = leadingWord(rest);
+        if (type.empty() || name.empty() || type == "return" || type == "else" || name == kMain ||
+            !trim(rest.substr(name.size())).starts_with('('))
+          continue;
+        functions_->try_emplace(std::string(name),
+                                SourceLocation{file, int(i) + 1, int(name.data() - line.data()) + 1});
+      }
+    }
+  }
+
+  void suggestFunction(std::size_t index, const std::string& name) {
+    addWrittenFunctions();
+    std::vector<std::string> names = builtInFunctions();
+    for (const auto& [function, place] : *functions_) names.push_back(function);
+    // Two slips in a short name make another one.
+    constexpr std::size_t kShort = 6;
+    const std::string meant = likelyMeant(name, names);
+    if (meant.empty() || (name.size() < kShort && editDistance(name, meant) > 1)) return;
+    found_[index].hint = fmt::format("did you mean {}?", meant);
+    if (const auto place = functions_->find(meant); place != functions_->end())
+      found_[index].related.push_back({place->second, fmt::format("{} is defined here", meant)});
+  }
+
+  // A declaration that nothing uses, a slip away from the name that nothing declares.
+  bool explainMisspelling(std::size_t index, const std::string& name) {
+    std::vector<std::string> unused;
+    for (const auto& [word, place] : unusedDeclarations()) {
+      if (word != name) unused.emplace_back(word);
+    }
+    const std::string meant = likelyMeant(name, unused);
+    if (meant.empty()) return false;
+    const TextPlace place = unusedDeclarations().at(meant);
+    const SourceLocation at = stage_.text.locate(place.line, place.column);
+    if (at.file.empty()) return false;
+    found_[index].hint =
+        fmt::format("did you mean {}, declared at {}:{}?", meant, at.file, at.line);
+    if (usesOf(name) < 2) {
+      found_[index].related.push_back({at, fmt::format("nothing uses '{}'", meant)});
+      return true;
+    }
+    // One name against several: the slip is in the declaration.
+    std::string line = sourceLine(at);
+    const std::size_t column = std::size_t(std::max(at.column - 1, 0));
+    std::optional<LineEdit> repair;
+    if (line.compare(std::min(column, line.size()), meant.size(), meant) == 0)
+      repair = LineEdit{at.file, at.line, line.replace(column, meant.size(), name), true};
+    add({.severity = Severity::Error,
+         .id = "name-misspelt",
+         .at = at,
+         .message =
+             fmt::format("nothing uses '{}', and '{}' is used without being declared", meant, name),
+         .includedFrom = stage_.text.includedFrom(place.line, place.column),
+         .sourceLine = sourceLine(at),
+         .repair = std::move(repair)});
+    return true;
+  }
+
+  /// How often the text has the name: compilers end at the first that is not declared.
+  int usesOf(const std::string& name) const {
+    int uses = 0;
+    forEachWord(stage_.text.text, [&](std::string_view word) { uses += word == name ? 1 : 0; });
+    return uses;
+  }
+
+  /// Names, local ones too, that stand once in the text: in their declarations.
+  const std::map<std::string_view, TextPlace>& unusedDeclarations() {
+    if (!unused_) unused_ = readUnusedDeclarations(stage_.text.text);
+    return *unused_;
+  }
+
+  /// Is the name defined, and only in other files than these?
+  std::optional<SourceLocation> definedElsewhere(const std::string& name,
+                                                 const std::vector<std::string>& files) {
+    const auto& all = index_.definitionsOf(name);
+    const bool here = std::ranges::any_of(
+        all, [&](const SourceLocation& definition) { return contains(files, definition.file); });
+    if (here || all.empty()) return std::nullopt;
+    // Entry files are not included by others.
+    const auto shared = std::find_if(all.begin(), all.end(), [&](const SourceLocation& definition) {
+      return !definition.file.ends_with("sh");
+    });
+    return shared == all.end() ? all.front() : *shared;
+  }
+
+  // Programs declare contract names for themselves; only a file made for many is worth including.
+  bool isShared(const std::string& file) {
+    constexpr std::size_t kMany = 3, kMostFiles = 64;
+    std::set<std::string> users = {file};
+    std::vector<std::string> open = {file};
+    while (!open.empty() && users.size() < kMostFiles) {
+      const auto& includers = index_.includersOf(open.back());
+      open.pop_back();
+      for (const SourceLocation& includer : includers) {
+        if (users.insert(includer.file).second) open.push_back(includer.file);
+      }
+    }
+    return users.size() > kMany;
+  }
+
+  bool isInShared(const std::string& name) {
+    return std::ranges::any_of(
+        index_.definitionsOf(name),
+        [this](const SourceLocation& definition) { return isShared(definition.file); });
+  }
+
+  bool explainInclude(std::size_t index, const std::string& name) {
+    const std::size_t use = lineOf(stage_, found_[index].at);
+    const auto definition = definedElsewhere(name, use > 0 ? filesOf(index_, stage_, use) : files_);
+    if (!definition) return false;
+    const bool uniform = sourceLine(*definition).find("uniform") != std::string::npos;
+    if (uniform && isOfContract(name) && !isInShared(name)) return false;
+    const std::string where = fmt::format("defined at {}:{}, which is not included here",
+                                          definition->file, definition->line);
+    Diagnostic& error = found_[index];
+    error.hint += (error.hint.empty() ? "" : "; ") + where;
+    unknown_.push_back({name, error.at, error.includedFrom});
+    if (use > 0) firstUse_ = firstUse_ > 0 ? std::min(firstUse_, use) : use;
+    return true;
+  }
+
+  void addMissing(const MissingInclude& missing) {
+    const UnknownName& name = unknown_[missing.first];
+    const std::string problem =
+        name.name == kMain
+            ? "the stage has no main()"
+            : fmt::format("'{}' is unknown at {}:{}", name.name, name.at.file, name.at.line);
+    Diagnostic companion{.severity = Severity::Error,
+                         .id = "include-probably-missing",
+                         .at = missing.at,
+                         .message = problem + ": an #include seems to be missing here",
+                         .sourceLine = sourceLine(missing.at),
+                         .hint = fmt::format("#include \"{}\"", missing.target),
+                         .repair = LineEdit{missing.at.file, missing.at.line,
+                                            fmt::format("#include \"{}\"", missing.target)}};
+    if (missing.model.line > 0) {
+      companion.notes.push_back(
+          fmt::format("as {}:{} does", missing.model.file, missing.model.line));
+    }
+    add(std::move(companion));
+  }
+
+  // A type or macro that is not there reads as a syntax error: some word of the line is the cause.
+  void explainSyntax(std::size_t index) {
+    if (!found_[index].hint.empty()) return;
+    const std::string line = found_[index].sourceLine;
+    bool done = false;
+    forEachWord(line, [&](std::string_view word) {
+      if (!done && isOwnName(word)) done = explainInclude(index, std::string(word));
+    });
+  }
+
+  // A stage without main is a stub whose only #include is missing.
+  void explainEntry(std::size_t index) {
+    if (files_.empty()) return;
+    const auto lines = index_.files().find(files_.front());
+    if (lines == index_.files().end() || found_[index].at.line > 0) return;
+    const auto& includes = index_.includesOf(files_.front());
+    const int last = static_cast<int>(lines->second.size());
+    found_[index].at.line = std::max(1, includes.empty() ? last : includes.back().line + 1);
+    found_[index].hint = "write void main() here, or #include the file that does";
+    if (definedElsewhere(kMain, files_))
+      unknown_.push_back({kMain, {files_.front(), last + 1, 0}, {}});
+  }
+
+  void suggestKnown(std::size_t index, const std::string& name) {
+    std::vector<std::string> names;
+    for (const StageGlobal& global : readStageInterface(stage_).globals) {
+      if (!global.name.empty()) names.emplace_back(global.name);
+    }
+    const std::string declared = likelyMeant(name, names);
+    if (!declared.empty()) {
+      found_[index].hint = fmt::format("did you mean {}?", declared);
+      return;
+    }
+    const std::string known = likelyMeant(name, knownNames(NameKind::Uniform));
+    const std::string declaration = known.empty() ? "" : declarationOf(known);
+    if (declaration.empty()) return;
+    found_[index].hint =
+        fmt::format("did you mean {}? It must be declared: {}", known, declaration);
+  }
+
+  std::string sourceLine(const SourceLocation& at) {
+    const auto file = index_.files().find(at.file);
+    const bool exists = file != index_.files().end() && at.line > 0 &&
+                        static_cast<std::size_t>(at.line) <= file->second.size();
+    return exists ? file->second[static_cast<std::size_t>(at.line) - 1] : "";
+  }
+
+  void add(Diagnostic diagnostic) {
+    const bool known = std::any_of(found_.begin(), found_.end(), [&](const Diagnostic& d) {
+      return d.id == diagnostic.id && d.at == diagnostic.at;
+    });
+    if (!known) found_.push_back(std::move(diagnostic));
+  }
+
+  DefinitionIndex& index_;
+  const std::vector<const StageText*>& stages_;  ///< of the program
+  const StageText& stage_;
+  Diagnostics& found_;
+  std::vector<std::string> files_;
+  std::vector<UnknownName> unknown_;
+  std::optional<std::map<std::string_view, TextPlace>> unused_;
+  std::optional<std::map<std::string, SourceLocation>> functions_;  ///< that the text defines
+  std::size_t firstUse_ = 0;  ///< the line of the text that uses the first of these, 0: not known
+};
+
+}  // namespace
+
+std::string unknownName(const std::string& message) {
+  const bool undeclared = message.find("undeclared identifier") != std::string::npos ||
+                          message.find("no matching overloaded function") != std::string::npos;
+  if (!undeclared || message.empty() || message[0] != '\'') return "";
+  const std::size_t end = message.find('\'', 1);
+  return end == std::string::npos ? "" : message.substr(1, end - 1);
+}
+
+void explainUnknownNames(DefinitionIndex& index, const std::vector<const StageText*>& stages,
+                         const IncludeTrial& trial, Diagnostics& found) {
+  const std::size_t count = found.size();
+  for (const StageText* stage : stages) {
+    StageHints hints(index, stages, *stage, found);
+    std::size_t explained = 0;
+    for (std::size_t i = 0; i < count && explained < kMostExplained; ++i) {
+      if (found[i].severity != Severity::Error || !hints.isOf(found[i])) continue;
+      // What another version or profile of GLSL has, no declaration is missing for.
+      if (!found[i].hint.empty() && !unknownName(found[i].message).empty()) continue;
+      hints.explain(i);
+      ++explained;
+    }
+    hints.locateIncludes(trial);
+  }
+}
+
+}  // namespace orris

@@ -1,0 +1,23 @@
+// Trying a line that seems to be missing: the program is made and compiled with it.
+#pragma once
+
+#include <optional>
+
+#include "check/hints/missing_include.h"
+#include "check/compile/program_check.h"
+#include "pack/programs/folder_build.h"
+
+namespace orris {
+
+/// The build that made the program, nullptr when the pack was not made from files.
+const FolderBuild* buildOf(const ShaderPack& pack, const ProgramSource& program);
+
+/// What is told of the unit of `pack` with the line, nullopt when it cannot be made anew.
+std::optional<Diagnostics> diagnosticsWith(const ShaderPack& pack, const ProgramUnit& unit,
+                                           const AddedLine& added);
+
+/// Does the unit, which has `errors`, have fewer with the #include, and none that is new?
+bool healsWith(const ShaderPack& pack, const ProgramUnit& unit, const MissingInclude& added,
+               const Diagnostics& errors);
+
+}  // namespace orris

@@ -1,0 +1,247 @@
+// Varyings: what a stage writes against what the next one reads.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "check/interface/declaration_checks.h"
+#include "check/interface/glsl_types.h"
+#include "pack/files/text.h"
+
+namespace orris {
+namespace {
+
+using Storage = StageGlobal::Storage;
+using Interpolation = StageGlobal::Interpolation;
+using Finding = DeclarationReport::Finding;
+
+const char* interpolationName(Interpolation interpolation) {
+  constexpr const char* kNames[] = {"smooth", "flat", "noperspective"};
+  return kNames[static_cast<std::size_t>(interpolation)];
+}
+
+bool isBuiltin(const StageGlobal& global) {
+  return global.name.starts_with("gl_") || (global.block && global.type.starts_with("gl_"));
+}
+
+/// Stages that see their neighbour's variables as arrays, one element for each vertex.
+bool hasVertexArrays(Stage stage, Storage storage) {
+  if (stage == Stage::TessControl) return true;
+  return storage == Storage::In && (stage == Stage::TessEvaluation || stage == Stage::Geometry);
+}
+
+/// A varying without the dimension that counts vertices.
+std::vector<std::int64_t> sizesOf(const StageInterface& stage, const StageGlobal& global) {
+  std::vector<std::int64_t> sizes = global.arraySizes;
+  if (!sizes.empty() && !global.patch && hasVertexArrays(stage.stage->stage, global.storage)) {
+    sizes.erase(sizes.begin());
+  }
+  return sizes;
+}
+
+bool sizesDiffer(const std::vector<std::int64_t>& a, const std::vector<std::int64_t>& b) {
+  if (a.size() != b.size()) return true;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (a[i] > 0 && b[i] > 0 && a[i] != b[i]) return true;
+  }
+  return false;
+}
+
+std::string typeName(std::string_view type, const std::vector<std::int64_t>& sizes) {
+  std::string name(type);
+  for (const std::int64_t size : sizes) name += size > 0 ? fmt::format("[{}]", size) : "[]";
+  return name;
+}
+
+/// Names a variable for people: blocks have no name of their own.
+std::string_view spoken(const StageGlobal& global) {
+  return global.block ? global.type : global.name;
+}
+
+/// "name =", "name.xyz *=", "name[0] =": not "==".
+bool assigns(std::string_view line, std::string_view name) {
+  for (std::size_t at = line.find(name); at != std::string_view::npos;
+       at = line.find(name, at + 1)) {
+    if (at > 0 && isWordCharacter(line[at - 1])) continue;
+    std::string_view rest = line.substr(at + name.size());
+    if (!rest.empty() && isWordCharacter(rest[0])) continue;
+    const std::size_t sign = rest.find('=');
+    if (sign == std::string_view::npos || rest.substr(sign).starts_with("==")) continue;
+    if (rest.substr(0, sign).find_first_of(";(){}!<>") == std::string_view::npos) return true;
+  }
+  return false;
+}
+
+/// One pair of neighbouring stages.
+class StagePair {
+ public:
+  StagePair(const ProgramInterface& program, const StageInterface& from, const StageInterface& to,
+            DeclarationReport& report)
+      : program_(program), from_(from), to_(to), report_(report) {}
+
+  void check() {
+    for (const StageGlobal& in : to_.globals) {
+      if (in.storage != Storage::In || isBuiltin(in)) continue;
+      const StageGlobal* out = writerOf(in);
+      if (out) {
+        compare(*out, in);
+      } else if (in.used) {
+        reportMissing(in);
+        missing_.push_back(&in);
+      }
+    }
+    for (const StageGlobal& out : from_.globals) reportUnread(out);
+  }
+
+ private:
+  const StageGlobal* writerOf(const StageGlobal& in) const { return find(from_, Storage::Out, in); }
+
+  // Locations on both sides decide; a block is known by its own name, a variable by its name.
+  static const StageGlobal* find(const StageInterface& stage, Storage storage,
+                                 const StageGlobal& other) {
+    const auto matches = [&](const StageGlobal& global) {
+      if (global.storage != storage || global.block != other.block) return false;
+      if (global.block) return global.type == other.type;
+      if (global.layout.location >= 0 && other.layout.location >= 0)
+        return global.layout.location == other.layout.location &&
+               std::max(global.layout.component, 0) == std::max(other.layout.component, 0);
+      return global.name == other.name;
+    };
+    const auto found = std::find_if(stage.globals.begin(), stage.globals.end(), matches);
+    return found == stage.globals.end() ? nullptr : &*found;
+  }
+
+  void compare(const StageGlobal& out, const StageGlobal& in) {
+    if (in.block) {
+      compareMembers(out, in);
+    } else if (out.type != in.type || sizesDiffer(sizesOf(from_, out), sizesOf(to_, in))) {
+      reportType(out, in);
+    } else if (!out.used && in.used) {
+      reportUnwritten(out, in);
+    }
+    if (out.interpolation != in.interpolation && in.used && to_.stage->stage == Stage::Fragment &&
+        !in.block) {
+      reportInterpolation(out, in);
+    }
+  }
+
+  void compareMembers(const StageGlobal& out, const StageGlobal& in) {
+    const bool same = std::equal(out.members.begin(), out.members.end(), in.members.begin(),
+                                 in.members.end(), [](const BlockMember& a, const BlockMember& b) {
+                                   return a.type == b.type && a.name == b.name;
+                                 });
+    if (same) return;
+    reportBoth("varying-type", Severity::Error, out, in,
+               fmt::format("has other members in the {} stage than in the {} stage",
+                           stageName(from_.stage->stage), stageName(to_.stage->stage)),
+               "declare the block once, in a file that both stages include");
+  }
+
+  void reportType(const StageGlobal& out, const StageGlobal& in) {
+    const auto outSizes = sizesOf(from_, out), inSizes = sizesOf(to_, in);
+    const bool repaired = outSizes.empty() && inSizes.empty() && sameShape(out.type, in.type);
+    const std::string hint =
+        repaired ? "Iris converts the value, other hosts refuse the program: use one type"
+                 : "use one type in both stages";
+    reportBoth("varying-type", repaired ? Severity::Warning : Severity::Error, out, in,
+               fmt::format("is {} in the {} stage and {} in the {} stage",
+                           typeName(out.type, outSizes), stageName(from_.stage->stage),
+                           typeName(in.type, inSizes), stageName(to_.stage->stage)),
+               hint);
+  }
+
+  void reportInterpolation(const StageGlobal& out, const StageGlobal& in) {
+    reportBoth("varying-interpolation", Severity::Warning, out, in,
+               fmt::format("is {} in the {} stage and {} in the {} stage",
+                           interpolationName(out.interpolation), stageName(from_.stage->stage),
+                           interpolationName(in.interpolation), stageName(to_.stage->stage)),
+               "drivers refuse this below #version 440: use one qualifier in both stages");
+  }
+
+  void reportBoth(const char* id, Severity severity, const StageGlobal& out, const StageGlobal& in,
+                  const std::string& what, const std::string& hint) {
+    report_.addPair({from_, out.place}, {to_, in.place},
+                    {severity, id, fmt::format("'{}' {}", spoken(in), what), hint, {note()}});
+  }
+
+  void reportMissing(const StageGlobal& in) {
+    const bool repaired = !in.block && isNumeric(in.type);
+    const char* from = stageName(from_.stage->stage);
+    report_.add(
+        to_, in.place,
+        {repaired ? Severity::Warning : Severity::Error,
+         "varying-missing",
+         fmt::format("'{}' is read here, and the {} stage does not write it", spoken(in), from),
+         repaired ? fmt::format("Iris makes it zero, other hosts refuse the program: "
+                                "declare it in the {} stage",
+                                from)
+                  : fmt::format("declare it in the {} stage", from),
+         {note()}});
+  }
+
+  void reportUnwritten(const StageGlobal& out, const StageGlobal& in) {
+    report_.add(
+        from_, out.place,
+        {writtenInSomeBranch(out) ? Severity::Note : Severity::Warning,
+         "varying-unwritten",
+         fmt::format("'{}' is never written, and the {} stage reads it", spoken(out),
+                     stageName(to_.stage->stage)),
+         "Iris makes it zero, elsewhere its value is undefined",
+         {note(), fmt::format("read in the {} stage, declared at {}", stageName(to_.stage->stage),
+                              DeclarationReport::placeName(to_, in.place))}});
+  }
+
+  /// Do the files of the writing stage write it under other options, or in another folder?
+  bool writtenInSomeBranch(const StageGlobal& out) const {
+    const auto& sites = from_.stage->text.sites;
+    const auto& files = report_.folder.pack.files;
+    return std::any_of(sites.begin(), sites.end(), [&](const IncludeSite& site) {
+      const auto file = files.find(site.file);
+      return file != files.end() &&
+             std::any_of(file->second.begin(), file->second.end(),
+                         [&](const std::string& line) { return assigns(line, out.name); });
+    });
+  }
+
+  void reportUnread(const StageGlobal& out) {
+    if (out.storage != Storage::Out || isBuiltin(out) || !out.used) return;
+    const StageGlobal* in = find(to_, Storage::In, out);
+    if (in && in->used) return;
+    const StageGlobal* meant = in ? nullptr : missingLike(out);
+    const char* to = stageName(to_.stage->stage);
+    report_.add(from_, out.place,
+                {meant ? Severity::Warning : Severity::Note,
+                 "varying-unread",
+                 fmt::format("'{}' is written, and the {} stage does not read it", spoken(out), to),
+                 meant ? fmt::format("the {} stage reads '{}', which nothing writes: use one name",
+                                     to, spoken(*meant))
+                       : "",
+                 {note()}});
+  }
+
+  /// What the next stage reads, nobody writes and `out` could be: one of the two has a wrong name.
+  const StageGlobal* missingLike(const StageGlobal& out) const {
+    const auto found = std::find_if(missing_.begin(), missing_.end(), [&](const StageGlobal* in) {
+      return !in->block && !out.block && in->type == out.type &&
+             !sizesDiffer(sizesOf(from_, out), sizesOf(to_, *in));
+    });
+    return found == missing_.end() ? nullptr : *found;
+  }
+
+  std::string note() const { return "in " + program_.name(); }
+
+  const ProgramInterface& program_;
+  const StageInterface& from_;
+  const StageInterface& to_;
+  DeclarationReport& report_;
+  std::vector<const StageGlobal*> missing_;  ///< read by the next stage, written by none
+};
+
+}  // namespace
+
+void checkVaryings(const ProgramInterface& program, DeclarationReport& report) {
+  for (std::size_t i = 1; i < program.stages.size(); ++i) {
+    StagePair(program, program.stages[i - 1], program.stages[i], report).check();
+  }
+}
+
+}  // namespace orris

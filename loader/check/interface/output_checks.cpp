@@ -1,0 +1,244 @@
+// Outputs of a fragment stage against RENDERTARGETS or DRAWBUFFERS.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <string_view>
+
+#include "check/interface/declaration_checks.h"
+#include "check/interface/glsl_types.h"
+#include "check/compile/text_scanner.h"
+#include "pack/files/text.h"
+
+namespace orris {
+namespace {
+
+using Storage = StageGlobal::Storage;
+using Finding = DeclarationReport::Finding;
+
+constexpr int kMostOutputs = 8;
+
+/// Slots that an output takes: [first, first + count).
+struct Slots {
+  int first = 0;
+  int count = 1;
+};
+
+class FragmentOutputs {
+ public:
+  FragmentOutputs(const ProgramInterface& program, const StageInterface& stage,
+                  DeclarationReport& report)
+      : program_(program), stage_(stage), report_(report) {
+    for (const StageGlobal& global : stage.globals) {
+      if (global.storage == Storage::Out && !global.block && !global.name.starts_with("gl_"))
+        outputs_.push_back(&global);
+    }
+  }
+
+  void check() {
+    checkShared();
+    checkAny();
+    if (program_.program->group == ProgramGroup::Final) return;
+    for (const StageGlobal* output : outputs_) checkListed(*output);
+    for (const FragDataUse& use : stage_.fragData) checkListed(use);
+    checkWritten();
+  }
+
+ private:
+  /// nullopt: the driver chooses.
+  std::optional<Slots> slotsOf(const StageGlobal& output) const {
+    const std::int64_t size = output.arraySizes.empty() ? 1 : output.arraySizes.front();
+    const int count = static_cast<int>(std::clamp<std::int64_t>(size, 1, kMostOutputs));
+    if (output.layout.location >= 0) return Slots{output.layout.location, count};
+    if (outputs_.size() == 1) return Slots{0, count};
+    return std::nullopt;
+  }
+
+  void checkShared() {
+    for (std::size_t i = 0; i < outputs_.size(); ++i) {
+      for (std::size_t k = 0; k < i; ++k) {
+        if (overlap(*outputs_[i], *outputs_[k])) reportShared(*outputs_[i], *outputs_[k]);
+      }
+    }
+  }
+
+  bool overlap(const StageGlobal& a, const StageGlobal& b) const {
+    if (a.layout.location < 0 || b.layout.location < 0) return false;
+    if (std::max(a.layout.index, 0) != std::max(b.layout.index, 0)) return false;
+    if (a.layout.component >= 0 || b.layout.component >= 0) return false;
+    const Slots first = *slotsOf(a), second = *slotsOf(b);
+    return first.first < second.first + second.count && second.first < first.first + first.count;
+  }
+
+  void reportShared(const StageGlobal& later, const StageGlobal& earlier) {
+    report_.add(stage_, later.place,
+                {Severity::Error,
+                 "output-overlap",
+                 fmt::format("'{}' has the location {}, which '{}' has too", later.name,
+                             later.layout.location, earlier.name),
+                 "give each output a location of its own",
+                 {fmt::format("'{}' is declared at {}", earlier.name,
+                              DeclarationReport::placeName(stage_, earlier.place))}});
+  }
+
+  const std::vector<int>& buffers() const { return program_.program->drawBuffers; }
+
+  void checkListed(const StageGlobal& output) {
+    const auto slots = slotsOf(output);
+    if (!slots || !output.used) return;
+    const int last = slots->first + slots->count - 1;
+    written_.insert(slots->first);
+    for (int slot = slots->first; slot <= std::min(last, kMostOutputs); ++slot)
+      written_.insert(slot);
+    if (last < static_cast<int>(buffers().size())) return;
+    reportUnlisted(output.place, fmt::format("'{}' at location {}", output.name, last));
+  }
+
+  void checkListed(const FragDataUse& use) {
+    if (use.index < 0) {
+      anyIndex_ = true;
+      return;
+    }
+    written_.insert(use.index);
+    if (use.index < static_cast<int>(buffers().size())) return;
+    reportUnlisted(use.place, fmt::format("gl_FragData[{}]", use.index));
+  }
+
+  void reportUnlisted(const TextPlace& place, const std::string& what) {
+    const SourceLocation& directive = program_.program->directives.drawBuffersAt;
+    const bool listed = program_.program->directives.drawBuffers.has_value();
+    report_.add(
+        stage_, place,
+        {Severity::Warning,
+         "output-unlisted",
+         fmt::format("{} is written to no buffer: the program draws to {}", what, bufferList()),
+         fmt::format("list {} buffers in RENDERTARGETS, or drop the output", needed()),
+         {listed ? fmt::format("they are listed at {}:{}", directive.file, directive.line)
+                 : "without RENDERTARGETS or DRAWBUFFERS these are the buffers"}});
+  }
+
+  std::size_t needed() const {
+    std::size_t most = buffers().size();
+    for (const int slot : written_) most = std::max(most, static_cast<std::size_t>(slot) + 1);
+    return most;
+  }
+
+  std::string bufferList() const {
+    const ProgramGroup group = program_.program->group;
+    const bool shadow = group == ProgramGroup::Shadow || group == ProgramGroup::ShadowComp;
+    std::string list;
+    for (const int buffer : buffers()) {
+      list += fmt::format("{}{}{}", list.empty() ? "" : ", ", shadow ? "shadowcolor" : "colortex",
+                          buffer);
+    }
+    return list.empty() ? "none" : list;
+  }
+
+  // Programs may write nothing: those that discard, that work through images and buffers, that only
+  // leave a depth, and empty ones.
+  void checkAny() {
+    constexpr std::string_view kOtherWorks[] = {"discard", "imageStore", "imageAtomic",
+                                                "atomic",  "buffer",     "gl_FragDepth"};
+    const std::string& text = stage_.stage->text.text;
+    const ProgramGroup group = program_.program->group;
+    const bool writes =
+        !stage_.fragData.empty() ||
+        std::ranges::any_of(outputs_, [](const auto* output) { return output->used; });
+    if (writes || group == ProgramGroup::Shadow || group == ProgramGroup::ShadowVolume) return;
+    if (std::ranges::any_of(kOtherWorks, [&](std::string_view word) {
+          return text.find(word) != std::string::npos;
+        }))
+      return;
+    const std::optional<TextPlace> end = endOfWork(text);
+    if (!end) return;
+    report_.add(stage_, *end,
+                {Severity::Warning,
+                 "output-none",
+                 "main() ends here, and the program has written nothing",
+                 "write an output, or remove the program",
+                 {"in " + program_.name()}});
+  }
+
+  /// The '}' of a main() that assigns something, nullopt for others.
+  static std::optional<TextPlace> endOfWork(std::string_view text) {
+    TextScanner scanner(text);
+    int depth = 0;
+    bool inMain = false, assigns = false;
+    for (TextToken token = scanner.next(); token.kind != TextToken::Kind::End;
+         token = scanner.next()) {
+      if (depth == 0 && token.text == "main") inMain = true;
+      assigns = assigns || (inMain && token.is('='));
+      depth += token.is('{') ? 1 : token.is('}') ? -1 : 0;
+      if (!inMain || depth > 0 || !token.is('}')) continue;
+      return assigns ? std::optional(TextPlace{token.line, token.column}) : std::nullopt;
+    }
+    return std::nullopt;
+  }
+
+  // A program that writes nothing at all is left to checkAny().
+  void checkWritten() {
+    const ProgramDirectives& directives = program_.program->directives;
+    if (!directives.drawBuffers || written_.empty() || anyIndex_ || chosenByDriver()) return;
+    std::string unwritten;
+    Severity severity = Severity::Note;
+    for (std::size_t slot = 0; slot < buffers().size(); ++slot) {
+      if (written_.contains(static_cast<int>(slot))) continue;
+      if (!writtenInSomeBranch(slot)) severity = Severity::Warning;
+      unwritten += fmt::format("{}{}", unwritten.empty() ? "" : ", ", buffers()[slot]);
+    }
+    if (unwritten.empty()) return;
+    report_.add(
+        directives.drawBuffersAt,
+        {severity,
+         "output-unwritten",
+         fmt::format("buffer {} is listed, and the program writes nothing to it", unwritten),
+         "its contents become undefined: drop it from the list, or write it",
+         {"in " + program_.name()}});
+  }
+
+  /// Do the files of the stage name the output under other options, or in another folder?
+  bool writtenInSomeBranch(std::size_t slot) const {
+    const std::string index = std::to_string(slot);
+    const std::string forms[] = {"gl_FragData[" + index + "]", "location=" + index,
+                                 "outColor" + index};
+    const auto names = [&](std::string line) {
+      std::erase_if(line, [](char c) { return c == ' ' || c == '\t'; });
+      return std::any_of(std::begin(forms), std::end(forms), [&](const std::string& form) {
+        const std::size_t at = line.find(form);
+        if (at == std::string::npos) return false;
+        const std::size_t end = at + form.size();
+        return end >= line.size() || !isWordCharacter(line[end]);
+      });
+    };
+    const auto& files = report_.folder.pack.files;
+    const auto& sites = stage_.stage->text.sites;
+    return std::any_of(sites.begin(), sites.end(), [&](const IncludeSite& site) {
+      const auto file = files.find(site.file);
+      return file != files.end() && std::any_of(file->second.begin(), file->second.end(), names);
+    });
+  }
+
+  bool chosenByDriver() const {
+    return std::any_of(outputs_.begin(), outputs_.end(), [&](const StageGlobal* output) {
+      return output->used && !slotsOf(*output);
+    });
+  }
+
+  const ProgramInterface& program_;
+  const StageInterface& stage_;
+  DeclarationReport& report_;
+  std::vector<const StageGlobal*> outputs_;
+  std::set<int> written_;
+  bool anyIndex_ = false;
+};
+
+}  // namespace
+
+void checkOutputs(const ProgramInterface& program, DeclarationReport& report) {
+  for (const StageInterface& stage : program.stages) {
+    if (stage.stage->stage == Stage::Fragment) FragmentOutputs(program, stage, report).check();
+  }
+}
+
+}  // namespace orris

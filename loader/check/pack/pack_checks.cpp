@@ -1,0 +1,68 @@
+#include "check/pack/pack_checks.h"
+
+#include "check/pack/condition_names.h"
+#include "check/interface/declaration_checks.h"
+#include "check/pack/directive_checks.h"
+#include "check/pack/expression_checks.h"
+#include "check/pack/file_name_checks.h"
+#include "check/frame/frame_checks.h"
+#include "check/ids/id_checks.h"
+#include "check/pack/include_checks.h"
+#include "check/options/language_checks.h"
+#include "check/pack/open_comments.h"
+#include "check/options/option_checks.h"
+#include "check/pack/property_checks.h"
+#include "check/options/screen_checks.h"
+#include "check/pack/slip_checks.h"
+#include "check/frame/texture_checks.h"
+#include "check/compile/unused_functions.h"
+#include "check/pack/version_checks.h"
+
+namespace orris {
+namespace {
+
+using FolderCheck = void (*)(const FolderInput&, Diagnostics&);
+using WholePackCheck = void (*)(std::span<const ShaderPack>, Diagnostics&);
+
+// In the order of the report.
+constexpr FolderCheck kFolderChecks[] = {checkDeclarations, checkCustomUniforms, checkNewProperties,
+                                         checkFrame};
+constexpr WholePackCheck kWholePackChecks[] = {
+    checkOptionLists,      //
+    checkOptionUse,        //
+    checkHiddenOptions,    //
+    checkScreenLinks,      //
+    checkSliders,          //
+    checkProfiles,         //
+    checkLanguageKeys,     //
+    checkLanguageCover,    //
+    checkUnusedIncludes,   //
+    checkNestedComments,   //
+    checkConditionNames,   //
+    checkFileNames,        //
+    checkIdMaps,           //
+    checkDirectiveNames,   //
+    checkPropertiesTwice,  //
+    checkStrayLines,       //
+    checkDecimals,         //
+    checkPropertyNames,    //
+    checkMacroNames,       //
+    checkTexturesUsed,     //
+    checkUnusedFunctions,
+};
+
+}  // namespace
+
+Diagnostics checkFolder(const FolderInput& input) {
+  Diagnostics diagnostics;
+  for (const FolderCheck check : kFolderChecks) check(input, diagnostics);
+  return diagnostics;
+}
+
+Diagnostics checkWholePack(std::span<const ShaderPack> folders) {
+  Diagnostics diagnostics;
+  for (const WholePackCheck check : kWholePackChecks) check(folders, diagnostics);
+  return diagnostics;
+}
+
+}  // namespace orris

@@ -1,0 +1,94 @@
+#include "check/pack/slip_checks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "check/pack/pack_texts.h"
+#include "glsl/tokens/token.h"
+#include "pack/files/text.h"
+
+namespace orris {
+namespace {
+
+Diagnostic slip(std::string id, SourceLocation at, std::string_view line, std::string message,
+                const std::string& meant) {
+  Diagnostic d;
+  d.severity = Severity::Warning;
+  d.id = std::move(id);
+  d.at = std::move(at);
+  d.sourceLine = line;
+  d.message = std::move(message);
+  d.hint = fmt::format("did you mean {}?", meant);
+  return d;
+}
+
+void checkConditionNames(const PropertyEntry& entry, const std::vector<std::string>& options,
+                         Diagnostics& diagnostics) {
+  forEachWord(entry.value, [&](std::string_view word) {
+    if (std::ranges::find(options, word) != options.end()) return;
+    const std::string meant = likelyMeant(word, options);
+    if (meant.empty()) return;
+    diagnostics.push_back(slip("program-condition", entry.at, entry.lines.front(),
+                               fmt::format("the pack has no option {}", word), meant));
+  });
+}
+
+}  // namespace
+
+void checkMacroNames(std::span<const ShaderPack> folders, Diagnostics& diagnostics) {
+  constexpr std::string_view kMesa = "MC_GL_VENDOR_MESA";
+  for (const auto& [file, lines] : folders.front().files) {
+    for (size_t i = 0; i < lines.size(); ++i) {
+      const size_t at = lines[i].find(kMesa);
+      if (at == std::string::npos || !trim(lines[i]).starts_with("#")) continue;
+      diagnostics.push_back(
+          {.severity = Severity::Warning,
+           .id = "macro-never",
+           .at = {file, static_cast<int>(i) + 1, static_cast<int>(at) + 1},
+           .message =
+               fmt::format("Iris never defines {}: with Mesa it defines MC_GL_VENDOR_OTHER", kMesa),
+           .sourceLine = lines[i],
+           .hint = "ask for MC_GL_RENDERER_MESA, MC_GL_RENDERER_GALLIUM or MC_GL_VENDOR_OTHER"});
+      return;
+    }
+  }
+}
+
+void checkDecimals(std::span<const ShaderPack> folders, Diagnostics& diagnostics) {
+  for (const auto& [file, lines] : folders.front().files) {
+    for (size_t i = 0; i < lines.size(); ++i) {
+      const std::string_view line = trim(lines[i]);
+      if (!line.starts_with("#if ") && !line.starts_with("#elif ")) continue;
+      for (const Token& token : tokenize(lines[i])) {
+        if (token.kind == TokenKind::Comment) break;
+        if (token.kind != TokenKind::Number || token.text.find('.') == std::string::npos) continue;
+        const std::string whole = token.text.substr(0, token.text.find('.'));
+        diagnostics.push_back(
+            {.severity = Severity::Warning,
+             .id = "condition-decimal",
+             .at = {file, static_cast<int>(i) + 1, token.origin.column},
+             .message = fmt::format("conditions count in whole numbers: Iris takes {} for {}",
+                                    token.text, whole.empty() ? "0" : whole),
+             .sourceLine = lines[i],
+             .hint = "compare an option of whole numbers, or compute with it in the code"});
+      }
+    }
+  }
+}
+
+void checkPropertyNames(std::span<const ShaderPack> folders, Diagnostics& diagnostics) {
+  const ShaderPack& pack = folders.front();
+  std::vector<std::string> options;
+  for (const auto& option : pack.options.all()) options.push_back(option.first);
+  constexpr std::string_view kProgram = "program.", kEnabled = ".enabled";
+  for (const PropertyEntry& entry : originalProperties(pack)) {
+    if (entry.lines.empty()) continue;
+    const std::string_view key = entry.key;
+    if (!key.starts_with(kProgram) || !key.ends_with(kEnabled)) continue;
+    if (key.size() <= kProgram.size() + kEnabled.size()) continue;
+    checkConditionNames(entry, options, diagnostics);
+  }
+}
+
+}  // namespace orris

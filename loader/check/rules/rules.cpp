@@ -1,0 +1,35 @@
+#include "check/rules/rules.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "check/rules/rule_tables.h"
+
+namespace orris {
+namespace {
+
+std::vector<Rule> sortedRules() {
+  std::vector<Rule> rules;
+  for (const std::span<const Rule> table :
+       {chartRules(), frameRules(), glslRules(), hostRules(), idRules(), interfaceRules(),
+        matrixRules(), optionRules(), propertyRules(), reportRules(), targetRules(), textRules()}) {
+    rules.insert(rules.end(), table.begin(), table.end());
+  }
+  std::ranges::sort(rules, {}, &Rule::id);
+  return rules;
+}
+
+}  // namespace
+
+std::span<const Rule> ruleTable() {
+  static const std::vector<Rule> kRules = sortedRules();
+  return kRules;
+}
+
+const Rule* findRule(std::string_view id) {
+  const auto rules = ruleTable();
+  const auto found = std::ranges::lower_bound(rules, id, {}, &Rule::id);
+  return found == rules.end() || found->id != id ? nullptr : &*found;
+}
+
+}  // namespace orris

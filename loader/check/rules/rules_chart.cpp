@@ -1,0 +1,33 @@
+// Charts and tuning.
+#include <vector>
+
+#include "check/rules/rule_tables.h"
+
+namespace orris {
+
+std::span<const Rule> chartRules() {
+  static const std::vector<Rule> kRules = {
+      {"axis-empty", Severity::Error, "an axis of a chart has no values"},
+      {"axis-repeated", Severity::Error, "an axis of a chart is given twice"},
+      {"axis-too-many", Severity::Error, "the axes of a chart make too many settings"},
+      {"axis-unknown", Severity::Error, "an axis names no option, profile or size"},
+      {"axis-value", Severity::Error, "an axis has a value that its option cannot take"},
+      {"baseline-unknown", Severity::Error, "--baseline names no setting of the chart"},
+      {"budget-short", Severity::Error, "the budget ended before the reference was drawn"},
+      {"gnuplot-failed", Severity::Warning, "gnuplot did not draw a plot"},
+      {"gnuplot-missing", Severity::Warning, "gnuplot is not installed"},
+      {"mark-syntax", Severity::Error, "--mark has no cost ratio behind its colon"},
+      {"reference-camera", Severity::Error, "a reference names none of several cameras"},
+      {"reference-missing", Severity::Error, "there is nothing to measure errors against"},
+      {"reference-not-finite", Severity::Error,
+       "a reference picture holds a value that is no number"},
+      {"reference-size", Severity::Error, "no reference picture has the size of the frames"},
+      {"setting-syntax", Severity::Error, "a setting is not written as NAME=VALUE"},
+      {"study-file", Severity::Error, "a file of a chart cannot be read or written"},
+      {"study-unfinished", Severity::Warning, "some settings are not measured yet"},
+      {"tune-out-of-reach", Severity::Error, "no setting tried is good or fast enough"},
+  };
+  return kRules;
+}
+
+}  // namespace orris

@@ -1,0 +1,253 @@
+#include "check/workers/isolated_jobs.h"
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <csignal>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <iostream>
+#include <vector>
+
+namespace orris {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int kOutOfMemory = 86;  // exit status of a worker whose job threw
+constexpr int kWallFactor = 10;
+
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool kLimitMemory = false;  // the sanitizer reserves terabytes of addresses
+#elif defined(__has_feature)
+constexpr bool kLimitMemory = !__has_feature(address_sanitizer);
+#else
+constexpr bool kLimitMemory = true;
+#endif
+
+bool sendAll(int socket, const void* data, std::size_t size) {
+  const char* at = static_cast<const char*>(data);
+  while (size > 0) {
+    const ssize_t sent = send(socket, at, size, MSG_NOSIGNAL);
+    if (sent < 0 && errno == EINTR) continue;
+    if (sent <= 0) return false;
+    at += sent;
+    size -= static_cast<std::size_t>(sent);
+  }
+  return true;
+}
+
+bool receiveAll(int socket, void* data, std::size_t size) {
+  char* at = static_cast<char*>(data);
+  while (size > 0) {
+    const ssize_t got = recv(socket, at, size, 0);
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return false;
+    at += got;
+    size -= static_cast<std::size_t>(got);
+  }
+  return true;
+}
+
+void limitProcessorTime(std::chrono::seconds time) {
+  rusage used{};
+  getrusage(RUSAGE_SELF, &used);
+  const auto until = static_cast<rlim_t>(used.ru_utime.tv_sec + used.ru_stime.tv_sec +
+                                         std::max<long long>(1, time.count()) + 1);
+  const rlimit limit{until, RLIM_INFINITY};
+  setrlimit(RLIMIT_CPU, &limit);
+}
+
+void limitProcess(const IsolatedJobs& jobs) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  const rlimit none{0, 0};
+  setrlimit(RLIMIT_CORE, &none);
+  if (!kLimitMemory || jobs.memoryBytes == 0) return;
+  const rlimit memory{jobs.memoryBytes, jobs.memoryBytes};
+  setrlimit(RLIMIT_AS, &memory);
+}
+
+/// The life of a worker: index in, result out, until the socket closes.
+[[noreturn]] void serve(int socket, const IsolatedJobs& jobs) {
+  limitProcess(jobs);
+  std::uint64_t index = 0;
+  while (receiveAll(socket, &index, sizeof index)) {
+    limitProcessorTime(jobs.time);
+    std::string result;
+    try {
+      result = jobs.work(index);
+    } catch (...) {
+      _exit(kOutOfMemory);
+    }
+    const std::uint64_t size = result.size();
+    if (!sendAll(socket, &size, sizeof size) || !sendAll(socket, result.data(), size)) break;
+  }
+  // No destructors: what they would clean up belongs to the parent.
+  _exit(0);
+}
+
+struct Worker {
+  pid_t process = -1;
+  int socket = -1;
+  bool busy = false;
+  std::size_t job = 0;
+  Clock::time_point deadline;
+};
+
+class Pool {
+ public:
+  Pool(const IsolatedJobs& jobs, const std::function<bool(std::size_t, JobOutcome)>& take)
+      : jobs_(jobs), take_(take) {}
+  ~Pool() {
+    for (Worker& worker : workers_) end(worker, false);
+  }
+
+  void run() {
+    const auto wanted =
+        std::min<std::size_t>(static_cast<std::size_t>(std::max(1, jobs_.workers)), jobs_.count);
+    for (std::size_t i = 0; i < wanted; ++i) workers_.emplace_back();
+    for (Worker& worker : workers_) give(worker);
+    while (std::any_of(workers_.begin(), workers_.end(), [](auto& w) { return w.busy; })) {
+      if (jobs_.until && Clock::now() >= *jobs_.until) return abandon();
+      wait();
+    }
+  }
+
+ private:
+  void abandon() {
+    for (Worker& worker : workers_) {
+      worker.busy = false;
+      end(worker, true);
+    }
+  }
+
+  bool start(Worker& worker) {
+    std::array<int, 2> sockets{};
+    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, sockets.data()) != 0) return false;
+    // What is buffered now must not be written by the child as well.
+    std::cout.flush();
+    std::fflush(nullptr);
+    const pid_t process = fork();
+    if (process == 0) {
+      close(sockets[0]);
+      for (const Worker& other : workers_) {
+        if (other.socket >= 0) close(other.socket);
+      }
+      serve(sockets[1], jobs_);
+    }
+    close(sockets[1]);
+    if (process < 0) {
+      close(sockets[0]);
+      return false;
+    }
+    worker.process = process;
+    worker.socket = sockets[0];
+    return true;
+  }
+
+  /// The next job for an idle worker; without a process to be had, the job fails.
+  void give(Worker& worker) {
+    while (!stopped_ && next_ < jobs_.count) {
+      const std::uint64_t index = next_++;
+      if ((worker.process >= 0 || start(worker)) && sendAll(worker.socket, &index, sizeof index)) {
+        worker.busy = true;
+        worker.job = index;
+        worker.deadline = Clock::now() + jobs_.time * kWallFactor;
+        return;
+      }
+      end(worker, true);
+      finish(index, {JobOutcome::Kind::Crashed, "", "no process could be started"});
+    }
+  }
+
+  void wait() {
+    std::vector<pollfd> polled;
+    for (const Worker& worker : workers_) {
+      polled.push_back({worker.busy ? worker.socket : -1, POLLIN, 0});
+    }
+    constexpr int kTickMilliseconds = 100;
+    poll(polled.data(), polled.size(), kTickMilliseconds);
+    for (std::size_t i = 0; i < workers_.size(); ++i) {
+      Worker& worker = workers_[i];
+      if (!worker.busy) continue;
+      if (polled[i].revents != 0) {
+        receive(worker);
+      } else if (Clock::now() > worker.deadline) {
+        end(worker, true);
+        giveUp(worker, {JobOutcome::Kind::TimedOut, "", ""});
+      }
+    }
+  }
+
+  void receive(Worker& worker) {
+    std::uint64_t size = 0;
+    JobOutcome outcome;
+    bool good = receiveAll(worker.socket, &size, sizeof size);
+    if (good) {
+      outcome.result.resize(size);
+      good = receiveAll(worker.socket, outcome.result.data(), size);
+    }
+    if (!good) return giveUp(worker, causeOf(end(worker, false)));
+    worker.busy = false;
+    finish(worker.job, std::move(outcome));
+    give(worker);
+  }
+
+  void giveUp(Worker& worker, JobOutcome outcome) {
+    worker.busy = false;
+    finish(worker.job, std::move(outcome));
+    give(worker);
+  }
+
+  static JobOutcome causeOf(int status) {
+    if (WIFSIGNALED(status)) {
+      const int signal = WTERMSIG(status);
+      if (signal == SIGXCPU) return {JobOutcome::Kind::TimedOut, "", ""};
+      return {JobOutcome::Kind::Crashed, "",
+              fmt::format("signal {} ({})", signal, strsignal(signal))};
+    }
+    if (WIFEXITED(status) && WEXITSTATUS(status) == kOutOfMemory) {
+      return {JobOutcome::Kind::Crashed, "", "an exception, such as out of memory"};
+    }
+    return {JobOutcome::Kind::Crashed, "", fmt::format("exit status {}", WEXITSTATUS(status))};
+  }
+
+  /// The wait status of the process, which a closed socket ends.
+  static int end(Worker& worker, bool byForce) {
+    if (worker.process < 0) return 0;
+    if (byForce || worker.busy == false) kill(worker.process, SIGKILL);
+    close(worker.socket);
+    int status = 0;
+    while (waitpid(worker.process, &status, 0) < 0 && errno == EINTR) {
+    }
+    worker.process = worker.socket = -1;
+    return status;
+  }
+
+  void finish(std::size_t index, JobOutcome outcome) {
+    if (!take_(index, std::move(outcome))) stopped_ = true;
+  }
+
+  const IsolatedJobs& jobs_;
+  const std::function<bool(std::size_t, JobOutcome)>& take_;
+  std::vector<Worker> workers_;
+  std::size_t next_ = 0;
+  bool stopped_ = false;
+};
+
+}  // namespace
+
+void runIsolated(const IsolatedJobs& jobs,
+                 const std::function<bool(std::size_t, JobOutcome)>& take) {
+  Pool(jobs, take).run();
+}
+
+}  // namespace orris

@@ -1,0 +1,196 @@
+#include "glsl/compile/validate.h"
+
+#include <fmt/format.h>
+#include <glslang/Public/ResourceLimits.h>
+#include <glslang/Public/ShaderLang.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <set>
+#include <string_view>
+
+#include "glsl/syntax/brace_check.h"
+#include "glsl/compile/compiler_log.h"
+#include "glsl/rewrite/interface_repair.h"
+#include "glsl/tokens/text_tokens.h"
+
+namespace orris {
+namespace {
+
+struct GlslangProcess {
+  GlslangProcess() { glslang::InitializeProcess(); }
+  ~GlslangProcess() { glslang::FinalizeProcess(); }
+};
+
+EShLanguage languageOf(Stage stage) {
+  constexpr std::array<EShLanguage, 6> kLanguages = {EShLangVertex,         EShLangTessControl,
+                                                     EShLangTessEvaluation, EShLangGeometry,
+                                                     EShLangFragment,       EShLangCompute};
+  return kLanguages[static_cast<std::size_t>(stage)];
+}
+
+// glslang's own numbers are the minima of the specification in places; a desktop driver of GL 4.5
+// (Mesa llvmpipe measured) allows more.
+TBuiltInResource desktopLimits() {
+  TBuiltInResource limits = *GetDefaultResources();
+  for (int TBuiltInResource::*images :
+       {&TBuiltInResource::maxImageUnits, &TBuiltInResource::maxVertexImageUniforms,
+        &TBuiltInResource::maxTessControlImageUniforms,
+        &TBuiltInResource::maxTessEvaluationImageUniforms,
+        &TBuiltInResource::maxGeometryImageUniforms, &TBuiltInResource::maxFragmentImageUniforms,
+        &TBuiltInResource::maxComputeImageUniforms, &TBuiltInResource::maxCombinedImageUniforms}) {
+    limits.*images = std::max(limits.*images, 32);
+  }
+  for (int TBuiltInResource::*textures :
+       {&TBuiltInResource::maxTextureImageUnits, &TBuiltInResource::maxVertexTextureImageUnits,
+        &TBuiltInResource::maxGeometryTextureImageUnits,
+        &TBuiltInResource::maxComputeTextureImageUnits}) {
+    limits.*textures = std::max(limits.*textures, 32);
+  }
+  limits.maxCombinedTextureImageUnits = std::max(limits.maxCombinedTextureImageUnits, 192);
+  limits.maxCombinedShaderOutputResources = std::max(limits.maxCombinedShaderOutputResources, 64);
+  limits.maxVaryingFloats = std::max(limits.maxVaryingFloats, 128);
+  limits.maxVaryingComponents = std::max(limits.maxVaryingComponents, 128);
+  limits.maxComputeUniformComponents = std::max(limits.maxComputeUniformComponents, 4096);
+  limits.maxGeometryOutputVertices = std::max(limits.maxGeometryOutputVertices, 1024);
+  limits.maxGeometryTotalOutputComponents = std::max(limits.maxGeometryTotalOutputComponents, 4096);
+  return limits;
+}
+
+const TBuiltInResource& limits() {
+  static const TBuiltInResource kLimits = desktopLimits();
+  return kLimits;
+}
+
+// glslang knows fewer extensions than drivers do, and only the driver's word counts.
+bool isUnknownExtension(const LogEntry& entry) {
+  return entry.message.find("extension not supported") != std::string::npos;
+}
+
+// `varying` in core GLSL below 4.20, which every driver takes.
+bool isDeprecation(const LogEntry& entry) {
+  return entry.severity == Severity::Warning &&
+         entry.message.find("deprecated in version") != std::string::npos;
+}
+
+// Its linker takes redeclared built-in varyings (gl_FogFragCoord, gl_TexCoord) for a clash of names.
+// And stages of different versions, which GL links, know other members of the built-in block.
+bool isFalseLinkAlarm(const LogEntry& entry) {
+  const auto isBuiltInBlock = [](const std::string& note) {
+    return note.find("Block: gl_PerVertex") != std::string::npos;
+  };
+  return entry.message.find("Anonymous member name used for global variable") !=
+             std::string::npos ||
+         std::any_of(entry.notes.begin(), entry.notes.end(), isBuiltInBlock);
+}
+
+LineEdit editOf(const SourceLocation& at, const SourceLines& lines, char brace, bool removes) {
+  std::string line = lines(at.file, at.line);
+  const auto column = std::min(line.size(), std::size_t(std::max(at.column - 1, 0)));
+  if (removes)
+    line.replace(column, 1, " ");
+  else
+    line.insert(column, 1, brace);
+  return {at.file, at.line, line, true};
+}
+
+/// Where the brace is missing, or the one that is too many.
+void describeBrace(const MissingBrace& missing, const StageText& stage, const SourceLines& lines,
+                   Diagnostic& d) {
+  const SourceLocation partner =
+      stage.text.locate(missing.partner.origin.line, missing.partner.origin.column);
+  const Origin& place = missing.surplus ? missing.partner.origin : missing.after.origin;
+  d.includedFrom = stage.text.includedFrom(place.line, place.column);
+  if (missing.surplus) {
+    d.at = partner;
+    d.message = "'}' without '{': nothing opens what it would close";
+    return;
+  }
+  d.at = placeOfBrace(stage.text, missing, lines);
+  d.message = fmt::format("expected '{}' after '{}': nothing {} the '{}' at {}:{}", missing.brace,
+                          missing.after.text, missing.brace == '}' ? "closes" : "opens",
+                          missing.partner.text, partner.file, partner.line);
+  // When it goes behind an #include.
+  const auto own = std::ranges::find(d.includedFrom, d.at.file, &SourceLocation::file);
+  if (own != d.includedFrom.end()) d.includedFrom.erase(d.includedFrom.begin(), own + 1);
+}
+
+// Compilers name the place where a brace made no sense any more; what they say of the lines behind
+// the missing one follows from it.
+bool reportMissingBrace(const std::vector<LogEntry>& entries, const StageText& stage,
+                        const SourceLines& lines, Diagnostics& diagnostics) {
+  if (entries.empty()) return false;
+  const auto missing = findMissingBrace(stage.text, lines);
+  if (!missing) return false;
+  Diagnostic d;
+  d.id = "brace-unbalanced";
+  describeBrace(*missing, stage, lines, d);
+  if (lines) {
+    d.sourceLine = lines(d.at.file, d.at.line);
+    d.repair = editOf(d.at, lines, missing->brace, missing->surplus);
+  }
+  diagnostics.push_back(std::move(d));
+  return true;
+}
+
+bool compile(glslang::TShader& shader, const StageText& stage, const SourceLines& lines,
+             Diagnostics& diagnostics) {
+  const char* text = stage.text.text.c_str();
+  const int length = static_cast<int>(stage.text.text.size());
+  shader.setStringsWithLengths(&text, &length, 1);
+  constexpr int kDefaultVersion = 110;
+  bool ok = shader.parse(&limits(), kDefaultVersion, false, EShMsgDefault);
+  std::vector<LogEntry> entries = parseCompilerLog(shader.getInfoLog(), Severity::Error);
+  if (!ok && reportMissingBrace(entries, stage, lines, diagnostics)) return false;
+  std::set<int> linesInError;
+  for (LogEntry& entry : entries) {
+    if (isDeprecation(entry)) continue;
+    if (isUnknownExtension(entry)) entry.severity = Severity::Warning;
+    // What is found on the line after an error follows from it.
+    const bool error = entry.severity == Severity::Error && entry.line > 0;
+    if (error && !linesInError.insert(entry.line).second) continue;
+    diagnostics.push_back(locateLogEntry(entry, "glsl-compile", stage, lines));
+  }
+  return ok;
+}
+
+// Messages of the linker have no place: "Linking fragment stage: ...".
+void reportLink(const glslang::TProgram& program, const std::vector<const StageText*>& stages,
+                const SourceLines& lines, Diagnostics& diagnostics) {
+  for (LogEntry& entry :
+       parseCompilerLog(const_cast<glslang::TProgram&>(program).getInfoLog(), Severity::Error)) {
+    if (isFalseLinkAlarm(entry)) continue;
+    const auto named = std::find_if(stages.begin(), stages.end(), [&entry](const StageText* stage) {
+      return entry.message.find(fmt::format("{} stage", stageName(stage->stage))) !=
+             std::string::npos;
+    });
+    diagnostics.push_back(locateLogEntry(entry, "glsl-link",
+                                         named == stages.end() ? *stages.front() : **named, lines));
+  }
+}
+
+}  // namespace
+
+void validateWithGlslang(const std::vector<const StageText*>& written, const SourceLines& lines,
+                         Diagnostics& diagnostics) {
+  static const GlslangProcess kProcess;
+  if (written.empty()) return;
+  const auto repaired = repairInterface(written);
+  std::vector<const StageText*> stages = written;
+  for (std::size_t i = 0; repaired && i < stages.size(); ++i) stages[i] = &repaired->stages[i];
+  // The program refers to the shaders, so it is declared after and dies before them.
+  std::vector<std::unique_ptr<glslang::TShader>> shaders;
+  glslang::TProgram program;
+  bool compiled = true;
+  for (const StageText* stage : stages) {
+    shaders.push_back(std::make_unique<glslang::TShader>(languageOf(stage->stage)));
+    compiled = compile(*shaders.back(), *stage, lines, diagnostics) && compiled;
+    program.addShader(shaders.back().get());
+  }
+  if (!compiled) return;
+  program.link(EShMsgDefault);
+  reportLink(program, stages, lines, diagnostics);
+}
+
+}  // namespace orris

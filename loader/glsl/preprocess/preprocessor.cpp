@@ -1,0 +1,33 @@
+#include "glsl/preprocess/preprocessor.h"
+
+#include <utility>
+
+#include "glsl/preprocess/directive_runner.h"
+
+namespace orris {
+
+TokenStream preprocess(const FlatSource& source, const MacroDefinitions& environment,
+                       Diagnostics& diagnostics, NameWatch* watch) {
+  TokenStream stream;
+  stream.sites = source.sites;
+  DirectiveRunner runner(source, environment, stream, diagnostics, watch);
+  {
+    MacroExpander expander(runner, runner.expansion());
+    Token token;
+    while (expander.next(token)) stream.tokens.push_back(std::move(token));
+  }
+  runner.finish();
+  return stream;
+}
+
+void requireVersion(const TokenStream& stream, Diagnostics& diagnostics) {
+  if (stream.version > 0) return;
+  Diagnostic d;
+  d.id = "version-missing";
+  if (!stream.sites.empty()) d.at = {stream.sites.front().file, 1, 0};
+  d.message = "no active #version; exactly one is required";
+  d.hint = "begin the file with '#version 330 compatibility'";
+  diagnostics.push_back(std::move(d));
+}
+
+}  // namespace orris

@@ -1,0 +1,87 @@
+#include "pack/properties/pack_properties.h"
+
+#include <algorithm>
+
+#include "core/text_file.h"
+#include "glsl/preprocess/name_watch.h"
+#include "pack/options/auto_properties.h"
+#include "pack/properties/counter_warning.h"
+#include "pack/versions/features.h"
+#include "pack/ids/legacy_ids.h"
+#include "pack/properties/resource_check.h"
+#include "pack/files/text.h"
+
+namespace orris {
+namespace {
+
+/// Environment, features and options as *.properties files see them: no macro is empty there.
+MacroDefinitions propertyMacros(const PackFiles& files, const OptionValues& values,
+                                const MacroDefinitions& environment) {
+  MacroDefinitions macros;
+  for (const auto& [name, option] : files.options.all()) {
+    const std::string value = files.options.value(values, name);
+    if (!option.isBoolean || value == "true")
+      macros.emplace_back(name, option.isBoolean ? "1" : value);
+  }
+  // Feature flags are Iris's.
+  const auto iris = irisVersionOf(environment);
+  const MacroDefinitions features = iris ? propertyFeatureMacros(*iris) : MacroDefinitions();
+  for (const MacroDefinitions* more : {&environment, &features}) {
+    for (const auto& [name, body] : *more) macros.emplace_back(name, body.empty() ? "1" : body);
+  }
+  return macros;
+}
+
+void readIds(const PackFiles& files, const MacroDefinitions& macros, NameWatch& watch,
+             PackProperties& out) {
+  const auto read = [&](const std::string& file, auto parse) {
+    const auto text = readText(*files.source, file, out.diagnostics);
+    if (text)
+      parse(file, preprocessProperties(file, *text, macros, out.diagnostics, &watch), *text);
+  };
+  const auto version =
+      std::ranges::find(macros, "MC_VERSION", &MacroDefinitions::value_type::first);
+  out.blockIds = legacyBlockIds(
+      version == macros.end() ? kShortGrassVersion : parseInteger(version->second).value_or(0));
+  read("/block.properties", [&](auto& file, const auto& text, auto& original) {
+    out.blockIds = parseBlockProperties(file, text, original, out.diagnostics);
+  });
+  read("/item.properties", [&](auto& file, const auto& text, auto& original) {
+    out.hasItemFile = true;
+    out.itemIds = parseIdProperties(file, text, original, "item.", out.diagnostics);
+  });
+  read("/entity.properties", [&](auto& file, const auto& text, auto& original) {
+    out.entityIds = parseIdProperties(file, text, original, "entity.", out.diagnostics);
+  });
+}
+
+}  // namespace
+
+PackProperties readPackProperties(const PackFiles& files, const OptionValues& values,
+                                  const MacroDefinitions& environment) {
+  PackProperties out;
+  NameWatch watch(files.optionNames);
+  const MacroDefinitions macros = propertyMacros(files, values, environment);
+  if (files.properties) {
+    out.shader = parseShaderProperties(kPropertiesFile, *files.properties, macros, files.options,
+                                       out.diagnostics, &watch);
+    // Read again by whoever chooses or warns; here for what is wrong with them.
+    if (asksForAuto(out.shader))
+      parseAutoOptions(kPropertiesFile, *files.properties, macros, files.options, out.diagnostics);
+    parseCounterWarnings(kPropertiesFile, *files.properties, macros, out.shader, out.diagnostics);
+    checkDeclared(out.shader, out.diagnostics);
+    checkResources(out.shader, *files.source, out.diagnostics);
+  }
+  out.refused = hasErrors(out.diagnostics);
+  out.shaderMacros = environment;
+  if (const auto iris = irisVersionOf(environment)) {
+    for (auto& macro : shaderFeatureMacros(out.shader, *iris))
+      out.shaderMacros.push_back(std::move(macro));
+  }
+  readIds(files, macros, watch, out);
+  out.options = watch.used();
+  out.macros = macros;
+  return out;
+}
+
+}  // namespace orris

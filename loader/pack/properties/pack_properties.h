@@ -1,0 +1,28 @@
+// shaders.properties and the id maps under certain option values.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "pack/ids/id_map.h"
+#include "pack/files/pack_files.h"
+
+namespace orris {
+
+struct PackProperties {
+  ShaderProperties shader;
+  BlockIdMap blockIds;
+  std::map<std::string, int> itemIds, entityIds;
+  MacroDefinitions macros;           ///< what the *.properties files are preprocessed with
+  bool hasItemFile = false;          ///< item.properties exists
+  MacroDefinitions shaderMacros;     ///< what every shader sees: environment and feature flags
+  std::vector<std::string> options;  ///< those that the files ask for; no other changes anything
+  Diagnostics diagnostics;
+  bool refused = false;  ///< shaders.properties has errors, for which Iris refuses the pack
+};
+
+PackProperties readPackProperties(const PackFiles& files, const OptionValues& values,
+                                  const MacroDefinitions& environment);
+
+}  // namespace orris

@@ -1,0 +1,290 @@
+// Screens, sliders, feature flags and profiles. Contract: properties.csv, options.csv profile.*.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "core/limits.h"
+#include "pack/versions/features.h"
+#include "pack/properties/property_keys.h"
+#include "pack/files/text.h"
+
+namespace orris {
+namespace {
+
+Screen& screenNamed(ShaderProperties& out, std::string_view name, const SourceLocation& at) {
+  auto& screens = out.screens;
+  const auto found =
+      std::find_if(screens.begin(), screens.end(), [&](auto& s) { return s.name == name; });
+  if (found != screens.end()) return *found;
+  return screens.emplace_back(Screen{.name = std::string(name), .at = at});
+}
+
+void readColumns(const PropertyContext& context, std::string_view name) {
+  const auto columns = parseInteger(trim(context.entry.value));
+  if (columns && *columns > 0 && *columns <= 32) {
+    screenNamed(context.out, name, context.entry.at).columns = static_cast<int>(*columns);
+  } else {
+    context.warn("property-value", fmt::format("{} is \"{}\", expected a number from 1 to 32",
+                                               context.entry.key, context.entry.value));
+  }
+}
+
+void readScreen(const PropertyContext& context, std::string_view name) {
+  Screen& screen = screenNamed(context.out, name, context.entry.at);
+  screen.at = context.entry.at;
+  screen.entries = splitBlanks(context.entry.value);
+}
+
+/// Reads the key if it is one of a screen; the name is "" for the main screen.
+bool readScreenKey(const PropertyContext& context) {
+  constexpr std::string_view kColumns = ".columns";
+  const std::string_view key = context.entry.key;
+  if (key == "screen.columns") return readColumns(context, ""), true;
+  if (key == "screen") return readScreen(context, ""), true;
+  if (!key.starts_with("screen.")) return false;
+  const std::string_view name = key.substr(7);
+  if (name.ends_with(kColumns)) {
+    readColumns(context, name.substr(0, name.size() - kColumns.size()));
+  } else {
+    readScreen(context, name);
+  }
+  return true;
+}
+
+void readFeatures(const PropertyContext& context) {
+  const std::string& key = context.entry.key;
+  const auto flags = [&] { return splitBlanks(upperCase(context.entry.value)); };
+  if (key == "iris.features.optional") {
+    context.out.optionalFeatures = flags();
+    context.out.optionalAsWritten = splitBlanks(context.entry.value);
+    warnOfFlagCase(context);
+  }
+  if (key == "orris.features.optional") context.out.orrisOptionalFeatures = flags();
+  if (key == "iris.features.required") {
+    context.out.requiredFeatures = flags();
+    requireFeatures(context, supportedFeatures(context.iris));
+  }
+  if (key == "orris.features.required") {
+    context.out.orrisRequiredFeatures = flags();
+    requireFeatures(context, supportedOrrisFeatures());
+  }
+}
+
+/// Profiles by name, so that parents are found in any order.
+class ProfileReader {
+ public:
+  ProfileReader(const std::vector<PropertyEntry>& entries, ShaderProperties& out,
+                const OptionSet& options, Diagnostics& diagnostics)
+      : out_(out), options_(options), diagnostics_(diagnostics) {
+    for (const PropertyEntry& entry : entries) {
+      if (!entry.key.starts_with(kPrefix)) continue;
+      entries_.emplace(entry.key.substr(kPrefix.size()), &entry);
+      order_.push_back(entry.key.substr(kPrefix.size()));
+    }
+  }
+
+  void readAll() {
+    for (const std::string& name : order_) {
+      const PropertyEntry& entry = *entries_.at(name);
+      Profile profile{.name = name, .at = entry.at};
+      open_ = {name};
+      words_ = 0;
+      taken_.clear();
+      repeated_.clear();
+      apply(entry, profile);
+      out_.profiles.push_back(std::move(profile));
+    }
+  }
+
+ private:
+  static constexpr std::string_view kPrefix = "profile.";
+  static constexpr std::string_view kProgram = "!program.";
+
+  // Parents may be named often, so the work can grow exponentially with their number.
+  void apply(const PropertyEntry& entry, Profile& profile) {
+    for (const PropertyWord& word : wordsOf(entry)) {
+      if (++words_ == limits::kProfileWords + 1) {
+        report(Severity::Error, "property-limit", word,
+               fmt::format("with its parents, profile {} has more than {} words; the rest is left "
+                           "out",
+                           profile.name, limits::kProfileWords),
+               "");
+      }
+      if (words_ > limits::kProfileWords) return;
+      applyWord(word, profile);
+    }
+  }
+
+  /// Parents may be named often: their words are placed once.
+  const std::vector<PropertyWord>& wordsOf(const PropertyEntry& entry) {
+    const auto [found, isNew] = placed_.try_emplace(&entry);
+    if (isNew) found->second = locatedWords(entry);
+    return found->second;
+  }
+
+  void applyWord(const PropertyWord& at, Profile& profile) {
+    const std::string& word = at.text;
+    const size_t split = std::min(
+        word.find('='), word.find('=') == std::string::npos ? word.find(':') : word.size());
+    if (word.starts_with(kProgram)) {
+      profile.disabledPrograms.push_back(word.substr(kProgram.size()));
+    } else if (word.starts_with(kPrefix)) {
+      applyParent(at, word.substr(kPrefix.size()), profile);
+    } else if (word.starts_with('!')) {
+      setOption(at, word.substr(1), "false", profile);
+    } else if (split != std::string::npos) {
+      setOption(at, word.substr(0, split), word.substr(split + 1), profile);
+    } else if (const Option* option = options_.find(word); option && option->isBoolean) {
+      setOption(at, word, "true", profile);
+    } else {
+      report(Severity::Warning, "profile-option", at,
+             option ? fmt::format("{} has values, so it needs one here", word)
+                    : fmt::format("the pack has no option {}", word),
+             option ? fmt::format("write {}={}", word, option->defaultValue) : optionHint(word));
+    }
+  }
+
+  void applyParent(const PropertyWord& at, const std::string& parent, Profile& profile) {
+    const auto found = entries_.find(parent);
+    if (found == entries_.end()) {
+      report(Severity::Error, "profile-unknown", at, fmt::format("there is no profile {}", parent),
+             hints_++ < limits::kSuggestions ? suggest(parent, order_) : "");
+    } else if (std::find(open_.begin(), open_.end(), parent) != open_.end()) {
+      reportRecursion(at, parent);
+    } else if (open_.size() > limits::kProfileDepth) {
+      report(Severity::Error, "property-limit", at,
+             fmt::format("profiles are nested deeper than {} parents here", limits::kProfileDepth),
+             "");
+    } else {
+      if (!taken_.insert(parent).second && repeated_.insert(parent).second)
+        reportRepeated(at, parent);
+      open_.push_back(parent);
+      apply(*found->second, profile);
+      open_.pop_back();
+    }
+  }
+
+  void reportRepeated(const PropertyWord& at, const std::string& parent) {
+    report(Severity::Warning, "profile-repeated", at,
+           fmt::format("{} reaches profile {} a second time", open_.front(), parent),
+           "Iris takes that for a circle and refuses the pack");  // Iris: ProfileSet.parse
+  }
+
+  /// Each circle once, whichever of its profiles is read first.
+  void reportRecursion(const PropertyWord& at, const std::string& parent) {
+    std::vector<std::string> circle(std::find(open_.begin(), open_.end(), parent), open_.end());
+    const std::string path = fmt::format("{} -> {}", fmt::join(circle, " -> "), parent);
+    std::sort(circle.begin(), circle.end());
+    if (!circles_.insert(circle).second) return;
+    report(Severity::Error, "profile-recursion", at, "profiles include each other: " + path, "");
+  }
+
+  void setOption(const PropertyWord& at, const std::string& name, const std::string& value,
+                 Profile& profile) {
+    const Option* option = options_.find(name);
+    if (option) {
+      profile.values[name] = value;
+    } else {
+      profile.unknownNames.insert(name);
+      report(Severity::Warning, "profile-option", at,
+             fmt::format("the pack has no option {}", name), optionHint(name));
+    }
+    if (option &&
+        std::find(option->values.begin(), option->values.end(), value) == option->values.end()) {
+      const std::string hint =
+          hints_++ < limits::kSuggestions ? suggest(value, option->values) : "";
+      report(Severity::Warning, "profile-value", at,
+             fmt::format("{} is not in the list of {}", value, name),
+             hint.empty() ? "its values are " + joinNames(option->values) : hint);
+    }
+  }
+
+  std::string optionHint(const std::string& name) {
+    return hints_++ < limits::kSuggestions ? missingOptionHint(options_, name) : "";
+  }
+
+  /// A word of a parent is reported once, however many profiles reach it.
+  void report(Severity severity, std::string id, const PropertyWord& at, std::string message,
+              std::string hint) {
+    if (!reported_.emplace(id, at.at.line, at.at.column, message).second) return;
+    diagnostics_.push_back(
+        wordDiagnostic(severity, std::move(id), at, std::move(message), std::move(hint)));
+  }
+
+  ShaderProperties& out_;
+  const OptionSet& options_;
+  Diagnostics& diagnostics_;
+  std::map<std::string, const PropertyEntry*> entries_;
+  std::vector<std::string> order_;
+  std::vector<std::string> open_;
+  std::set<std::string> taken_;     ///< parents of the profile that is being read
+  std::set<std::string> repeated_;  ///< those of them that were named again
+  std::set<std::tuple<std::string, int, int, std::string>> reported_;
+  size_t hints_ = 0;
+  std::set<std::vector<std::string>> circles_;
+  std::map<const PropertyEntry*, std::vector<PropertyWord>> placed_;
+  size_t words_ = 0;
+};
+
+/// In the order of the file, and to look up.
+struct ScreenNames {
+  std::vector<std::string> list;
+  std::set<std::string> set;
+};
+
+/// A word on a screen that is no option, keyword or link to a screen.
+void checkScreenWord(const PropertyWord& word, const ScreenNames& screens, const OptionSet& options,
+                     size_t& hints, Diagnostics& diagnostics) {
+  const std::string& text = word.text;
+  static const std::vector<std::string> kKeywords{"*", "<profile>", "<empty>"};
+  if (options.find(text) || std::find(kKeywords.begin(), kKeywords.end(), text) != kKeywords.end())
+    return;
+  const bool link = text.size() > 2 && text.front() == '[' && text.back() == ']';
+  const std::string name = link ? text.substr(1, text.size() - 2) : text;
+  if (link && screens.set.contains(name)) return;
+  const std::string hint = hints++ >= limits::kSuggestions ? ""
+                           : link                          ? suggest(name, screens.list)
+                           : text.starts_with('<')         ? suggest(text, kKeywords)
+                                                           : missingOptionHint(options, text);
+  diagnostics.push_back(
+      wordDiagnostic(Severity::Warning, "screen-option", word,
+                     (link ? "there is no screen " : "the pack has no option ") + text, hint));
+}
+
+void checkScreens(const std::vector<PropertyEntry>& entries, const ShaderProperties& out,
+                  const OptionSet& options, Diagnostics& diagnostics) {
+  ScreenNames screens;
+  size_t hints = 0;
+  for (const Screen& screen : out.screens) screens.list.push_back(screen.name);
+  screens.set.insert(screens.list.begin(), screens.list.end());
+  for (const PropertyEntry& entry : entries) {
+    const bool screen = entry.key == "screen" ||
+                        (entry.key.starts_with("screen.") && !entry.key.ends_with(".columns"));
+    if (!screen) continue;
+    for (const PropertyWord& word : locatedWords(entry)) {
+      checkScreenWord(word, screens, options, hints, diagnostics);
+    }
+  }
+}
+
+}  // namespace
+
+void readScreens(const std::vector<PropertyEntry>& entries, ShaderProperties& out,
+                 const OptionSet& options, const Version& iris, Diagnostics& diagnostics) {
+  for (const PropertyEntry& entry : entries) {
+    if (readScreenKey({out, entry, options, diagnostics})) continue;
+    if (entry.key == "sliders") out.sliders = splitBlanks(entry.value);
+    readFeatures({out, entry, options, diagnostics, iris});
+  }
+  checkScreens(entries, out, options, diagnostics);
+}
+
+void readProfiles(const std::vector<PropertyEntry>& entries, ShaderProperties& out,
+                  const OptionSet& options, Diagnostics& diagnostics) {
+  ProfileReader(entries, out, options, diagnostics).readAll();
+}
+
+}  // namespace orris

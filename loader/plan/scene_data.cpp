@@ -1,0 +1,76 @@
+#include <algorithm>
+#include <set>
+
+#include "render/gpu_scene.h"
+
+namespace orris {
+namespace {
+
+RenderLayer layerNamed(std::string_view name) {
+  return name == "translucent" ? RenderLayer::Translucent
+         : name == "cutout"    ? RenderLayer::Cutout
+                               : RenderLayer::Solid;
+}
+
+}  // namespace
+
+SceneContents SceneData::contents() const {
+  const auto has = [&](RenderLayer layer) {
+    return std::any_of(mesh.sections.begin(), mesh.sections.end(),
+                       [&](const MeshSection& s) { return s.layer == layer && s.count > 0; });
+  };
+  SceneContents contents;
+  contents.solid = has(RenderLayer::Solid);
+  contents.cutout = has(RenderLayer::Cutout);
+  contents.blockEntities = has(RenderLayer::BlockEntity);
+  contents.translucent = has(RenderLayer::Translucent);
+  contents.cloudPlane = world.environment.dimension == "minecraft:overworld";
+  contents.clouds = world.environment.clouds;
+  contents.sky = world.environment.dimension != "minecraft:the_nether";
+  return contents;
+}
+
+EyeSurroundings SceneData::surroundings(const glm::dvec3& position) const {
+  const glm::ivec3 cell(glm::floor(position));
+  EyeSurroundings eye;
+  eye.brightness = {light->block(cell) * 16, light->sky(cell) * 16};
+  const std::uint32_t index = world.blocks.indexAt(cell);
+  if (facts[index].fluid)
+    eye.fluid = world.blocks.palette()[index].name == "minecraft:lava" ? 2 : 1;
+  constexpr double kEyeHeight = 1.62;  // of a standing player, blocks
+  const glm::ivec3 feet(glm::floor(position - glm::dvec3(0, kEyeHeight, 0)));
+  const std::uint32_t below = world.blocks.indexAt(feet);
+  eye.feetInWater = facts[below].fluid && world.blocks.palette()[below].name != "minecraft:lava";
+  return eye;
+}
+
+MeshStyle meshStyleOf(const ShaderPack& pack) {
+  return {pack.directives.ambientOcclusionLevel, pack.blockIds.renderLayers};
+}
+
+void rebuildMesh(SceneData& scene, const MeshStyle& style) {
+  scene.light = std::make_unique<LightLevels>(scene.world.blocks, scene.facts);
+  std::vector<BlockFacts> facts = scene.facts;
+  for (size_t i = 0; i < facts.size(); ++i) {
+    const auto layer = style.renderLayers.find(scene.world.blocks.palette()[i].name);
+    if (layer != style.renderLayers.end()) facts[i].layer = layerNamed(layer->second);
+  }
+  scene.mesh = buildMesh(
+      {scene.world.blocks, facts, *scene.light, scene.atlas, style.ambientOcclusionLevel});
+}
+
+SceneData buildScene(World world, const MeshStyle& style, Diagnostics& diagnostics) {
+  SceneData scene;
+  scene.world = std::move(world);
+  // States that events will place later join the palette now, so the atlas holds their textures.
+  for (const Event& event : scene.world.events)
+    if (const auto* set = std::get_if<SetBlock>(&event.action))
+      scene.world.blocks.paletteIndex(set->state);
+  const BlockTable table;
+  scene.facts = factsOfPalette(table, scene.world.blocks, diagnostics);
+  scene.atlas = buildAtlas(texturesOf(scene.facts));
+  rebuildMesh(scene, style);
+  return scene;
+}
+
+}  // namespace orris

@@ -1,0 +1,349 @@
+#include "plan/schedule.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <span>
+
+#include "plan/program_uses.h"
+#include "plan/schedule_targets.h"
+#include "pack/versions/features.h"
+
+namespace orris {
+namespace {
+
+using Kind = Step::Kind;
+
+struct GeometryPass {
+  std::string_view program;
+  Geometry geometry;
+  bool SceneContents::*needed;
+};
+constexpr GeometryPass kSky[] = {{"gbuffers_skybasic", Geometry::Sky, &SceneContents::sky},
+                                 {"gbuffers_skybasic", Geometry::Stars, &SceneContents::sky},
+                                 {"gbuffers_skytextured", Geometry::SunMoon, &SceneContents::sky}};
+constexpr GeometryPass kOpaque[] = {
+    {"gbuffers_terrain_solid", Geometry::Solid, &SceneContents::solid},
+    {"gbuffers_terrain_cutout", Geometry::Cutout, &SceneContents::cutout},
+    {"gbuffers_block", Geometry::BlockEntity, &SceneContents::blockEntities}};
+constexpr GeometryPass kTranslucent[] = {
+    {"gbuffers_water", Geometry::Translucent, &SceneContents::translucent},
+    {"gbuffers_clouds", Geometry::CloudsFast, &SceneContents::cloudPlane},
+    {"gbuffers_clouds", Geometry::CloudsFancy, &SceneContents::cloudPlane}};
+constexpr GeometryPass kShadowOpaque[] = {
+    {"shadow_solid", Geometry::Solid, &SceneContents::solid},
+    {"shadow_cutout", Geometry::Cutout, &SceneContents::cutout},
+    {"shadow_block", Geometry::BlockEntity, &SceneContents::blockEntities}};
+constexpr GeometryPass kShadowTranslucent[] = {
+    {"shadow_water", Geometry::Translucent, &SceneContents::translucent}};
+
+/// Builds the steps in frame order while keeping the flip bits; then finds what they touch.
+class Builder {
+ public:
+  Builder(const ShaderPack& pack, int width, int height, const SceneContents& scene,
+          Diagnostics& diagnostics)
+      : pack_(pack), scene_(scene), diagnostics_(diagnostics) {
+    schedule_.width = width;
+    schedule_.height = height;
+    for (const ProgramSource& program : pack.programs) uses_.push_back(usesOf(program));
+  }
+
+  Schedule build() {
+    const bool shadow = shadowWanted();
+    addGroup(ProgramGroup::Setup, schedule_.setup);
+    add(Kind::ClearImages, "clear_images");
+    if (shadow) addComputes("shadow", ProgramGroup::Shadow);
+    add(Kind::ClearColor, "clear_color");
+    addGroup(ProgramGroup::Begin, schedule_.frame);
+    if (shadow) addShadow();
+    addGroup(ProgramGroup::Prepare, schedule_.frame);
+    addGeometry(kSky, Kind::Draw);
+    addGeometry(kOpaque, Kind::Draw);
+    const size_t afterOpaque = schedule_.frame.size();
+    addShadowVolumes();
+    addGroup(ProgramGroup::Deferred, schedule_.frame);
+    addGeometry(kTranslucent, Kind::Draw);
+    addGroup(ProgramGroup::Composite, schedule_.frame);
+    addFinal();
+    schedule_.finalFlipped = flipped_;
+    schedule_.finalShadowFlipped = shadowFlipped_;
+    planTargets(pack_, uses_, shadow, {everFlipped_, everShadowFlipped_}, schedule_, diagnostics_);
+    addDepthCopies(afterOpaque);
+    return std::move(schedule_);
+  }
+
+ private:
+  Step& add(Kind kind, std::string name) { return addTo(schedule_.frame, kind, std::move(name)); }
+
+  Step& addTo(std::vector<Step>& steps, Kind kind, std::string name) {
+    Step step;
+    step.kind = kind;
+    step.name = std::move(name);
+    step.flipped = flipped_;
+    step.shadowFlipped = shadowFlipped_;
+    step.flippedInGroup = groupFlips_;
+    steps.push_back(std::move(step));
+    return steps.back();
+  }
+
+  int indexOf(const ProgramSource* program) const {
+    return program == nullptr ? -1 : pack_.programs.indexOf(program);
+  }
+
+  // Contract properties.csv "shadow.enabled": the pass exists when something outside it looks at
+  // shadow buffers, or the pack forces it.
+  bool shadowWanted() const {
+    const auto& settings = pack_.properties.settings;
+    if (const auto it = settings.find("shadow.enabled"); it != settings.end())
+      return pack_.properties.flag("shadow.enabled", true);
+    for (size_t i = 0; i < pack_.programs.size(); ++i) {
+      const ProgramGroup group = pack_.programs[i].group;
+      if (isShadowGroup(group)) continue;
+      if (group == ProgramGroup::Gbuffers && !gbuffersDrawn(pack_.programs[i])) continue;
+      if (usesShadow(uses_[i])) return true;
+    }
+    return false;
+  }
+
+  bool gbuffersDrawn(const ProgramSource& program) const {
+    for (const std::span<const GeometryPass> passes :
+         {std::span<const GeometryPass>(kSky), std::span<const GeometryPass>(kOpaque),
+          std::span<const GeometryPass>(kTranslucent)})
+      for (const GeometryPass& pass : passes)
+        if (scene_.*pass.needed && wanted(pass) && pack_.resolve(pass.program) == &program)
+          return true;
+    return false;
+  }
+
+  static bool usesShadow(const ProgramUses& uses) {
+    for (const std::string& name : uses)
+      if (const auto buffer = parseBufferName(name, false);
+          buffer && (buffer->kind == BufferName::Kind::ShadowDepth ||
+                     buffer->kind == BufferName::Kind::ShadowColor))
+        return true;
+    return false;
+  }
+
+  void preFlip(const std::string& group) {
+    const auto it = pack_.properties.flip.find(group + "_pre");
+    if (it == pack_.properties.flip.end()) return;
+    for (const auto& [buffer, flip] : it->second)
+      if (const auto name = parseBufferName(buffer, false); flip && name)
+        (name->kind == BufferName::Kind::ShadowColor ? shadowFlipped_ : flipped_) ^= 1u
+                                                                                     << name->index;
+  }
+
+  void addGroup(ProgramGroup group, std::vector<Step>& steps) {
+    static const std::map<ProgramGroup, std::string> kPrefix = {
+        {ProgramGroup::Begin, "begin"},
+        {ProgramGroup::ShadowComp, "shadowcomp"},
+        {ProgramGroup::Prepare, "prepare"},
+        {ProgramGroup::Deferred, "deferred"},
+        {ProgramGroup::Composite, "composite"}};
+    if (const auto it = kPrefix.find(group); it != kPrefix.end()) preFlip(it->second);
+    groupFlips_ = 0;
+    std::vector<const ProgramSource*> programs;
+    for (const ProgramSource& program : pack_.programs)
+      if (program.group == group) programs.push_back(&program);
+    std::sort(programs.begin(), programs.end(),
+              [](const auto* a, const auto* b) { return a->index < b->index; });
+    for (const ProgramSource* program : programs) addFullscreen(*program, steps);
+  }
+
+  void addFullscreen(const ProgramSource& program, std::vector<Step>& steps) {
+    if (!program.computes.empty()) addCompute(program, steps);
+    if (program.stages.empty()) return;
+    const bool shadow = program.group == ProgramGroup::ShadowComp;
+    Step& step = addTo(steps, Kind::Fullscreen, program.name);
+    step.program = indexOf(&program);
+    step.group = program.group;
+    step.writes = program.drawBuffers;
+    step.mipmaps.assign(program.directives.mipmaps.begin(), program.directives.mipmaps.end());
+    std::uint32_t flips = 0;
+    for (int buffer : program.drawBuffers) flips |= 1u << buffer;
+    for (const auto& [name, flip] : program.flips) {
+      const auto buffer = parseBufferName(name, false);
+      if (!buffer) continue;
+      flips = flip ? flips | 1u << buffer->index : flips & ~(1u << buffer->index);
+    }
+    (shadow ? shadowFlipped_ : flipped_) ^= flips;
+    (shadow ? everShadowFlipped_ : everFlipped_) |= flips;
+    if (!shadow) groupFlips_ |= flips;
+  }
+
+  void addCompute(const ProgramSource& program, std::vector<Step>& steps) {
+    Step& step = addTo(steps, Kind::Compute, program.name);
+    step.program = indexOf(&program);
+    step.group = program.group;
+  }
+
+  void addComputes(std::string_view name, ProgramGroup group) {
+    const ProgramSource* program = pack_.find(name);
+    if (program == nullptr || program->group != group || program->computes.empty()) return;
+    addCompute(*program, schedule_.frame);
+  }
+
+  void addGeometry(std::span<const GeometryPass> passes, Kind kind) {
+    if (kind == Kind::Draw && pack_.properties.flag("skipAllRendering", false)) return;
+    for (const GeometryPass& pass : passes) {
+      if (!(scene_.*pass.needed) || !wanted(pass)) continue;
+      const ProgramSource* program = pack_.resolve(pass.program);
+      if (program != nullptr && program->stages.empty()) program = nullptr;
+      Step& step = add(kind, std::string(pass.program));
+      step.program = indexOf(program);
+      step.group = kind == Kind::DrawShadow ? ProgramGroup::Shadow : ProgramGroup::Gbuffers;
+      step.geometry = pass.geometry;
+      step.writes = program != nullptr ? program->drawBuffers : std::vector<int>{0};
+    }
+  }
+
+  bool wanted(const GeometryPass& pass) const {
+    const auto& p = pack_.properties;
+    switch (pass.geometry) {
+      case Geometry::Sky:
+        return p.flag("sky", true);
+      case Geometry::Stars:
+        return p.flag("stars", true);
+      case Geometry::SunMoon:
+        return p.flag("sun", true) || p.flag("moon", true);
+      case Geometry::Solid:
+      case Geometry::Cutout:
+        return !pass.program.starts_with("shadow") || p.flag("shadowTerrain", true);
+      case Geometry::BlockEntity:
+        return !pass.program.starts_with("shadow") || p.flag("shadowBlockEntities", true);
+      case Geometry::Translucent:
+        return !pass.program.starts_with("shadow") || p.flag("shadowTranslucent", true);
+      case Geometry::CloudsFast:
+        return clouds() == Clouds::Fast;
+      case Geometry::CloudsFancy:
+        return clouds() == Clouds::Fancy;
+    }
+    return true;
+  }
+
+  Clouds clouds() const {
+    const auto it = pack_.properties.settings.find("clouds");
+    if (it == pack_.properties.settings.end()) return scene_.clouds;
+    return it->second == "fancy"  ? Clouds::Fancy
+           : it->second == "fast" ? Clouds::Fast
+                                  : Clouds::Off;
+  }
+
+  void addShadow() {
+    add(Kind::ClearShadow, "clear_shadow");
+    if (pack_.properties.flag("shadow.enabled", true)) {
+      addGeometry(kShadowOpaque, Kind::DrawShadow);
+      add(Kind::CopyShadowDepth, "copy_shadowtex1");
+      addGeometry(kShadowTranslucent, Kind::DrawShadow);
+      add(Kind::ShadowMipmaps, "shadow_mipmaps");
+    }
+    addGroup(ProgramGroup::ShadowComp, schedule_.frame);
+  }
+
+  // Our extension: only where a program looks at the result.
+  void addShadowVolumes() {
+    const ProgramSource* program = pack_.find("shadowvolume");
+    if (program == nullptr || program->stages.empty() || !declaresShadowVolumes()) return;
+    for (size_t i = 0; i < pack_.programs.size(); ++i) {
+      if (!isFullscreen(pack_.programs[i].group)) continue;
+      schedule_.sunVolumes |= uses_[i].contains("stenciltex0");
+      schedule_.lampShadows |= uses_[i].contains("stenciltex1");
+    }
+    schedule_.stencil = schedule_.sunVolumes || schedule_.lampShadows;
+    if (!schedule_.stencil) return;
+    Step& step = add(Kind::ShadowVolumes, program->name);
+    step.program = indexOf(program);
+    step.group = ProgramGroup::ShadowVolume;
+  }
+
+  bool declaresShadowVolumes() const {
+    const auto& p = pack_.properties;
+    return std::count(p.orrisOptionalFeatures.begin(), p.orrisOptionalFeatures.end(),
+                      kShadowVolumes) != 0 ||
+           std::count(p.orrisRequiredFeatures.begin(), p.orrisRequiredFeatures.end(),
+                      kShadowVolumes) != 0;
+  }
+
+  void addFinal() {
+    const ProgramSource* program = pack_.find("final");
+    if (program != nullptr && !program->computes.empty()) addCompute(*program, schedule_.frame);
+    Step& step = add(Kind::Present, "final");
+    step.group = ProgramGroup::Final;
+    if (program == nullptr || program->stages.empty()) return;
+    step.program = indexOf(program);
+    step.mipmaps.assign(program->directives.mipmaps.begin(), program->directives.mipmaps.end());
+  }
+
+  // Copies only what some program reads; depthtex2 lies before the hand, depthtex1 after it.
+  void addDepthCopies(size_t afterOpaque) {
+    std::vector<Step> copies;
+    const std::uint32_t bits =
+        afterOpaque < schedule_.frame.size() ? schedule_.frame[afterOpaque].flipped : flipped_;
+    const auto push = [&](Kind kind, std::string name, int index) {
+      Step step;
+      step.kind = kind;
+      step.name = std::move(name);
+      step.index = index;
+      step.flipped = bits;
+      copies.push_back(step);
+    };
+    if (schedule_.centerDepth) push(Kind::SampleCenterDepth, "sample_center_depth", 0);
+    if (schedule_.depthtex2) push(Kind::CopyDepth, "copy_depthtex2", 2);
+    if (schedule_.depthtex1) push(Kind::CopyDepth, "copy_depthtex1", 1);
+    schedule_.frame.insert(schedule_.frame.begin() + static_cast<std::ptrdiff_t>(afterOpaque),
+                           copies.begin(), copies.end());
+    std::erase_if(schedule_.frame, [&](const Step& step) {
+      return step.kind == Kind::CopyShadowDepth && !schedule_.shadowtex1;
+    });
+  }
+
+  const ShaderPack& pack_;
+  const SceneContents& scene_;
+  Diagnostics& diagnostics_;
+  std::vector<ProgramUses> uses_;
+  Schedule schedule_;
+  std::uint32_t flipped_ = 0, shadowFlipped_ = 0, everFlipped_ = 0, everShadowFlipped_ = 0;
+  std::uint32_t groupFlips_ = 0;
+};
+
+}  // namespace
+
+bool isSky(Geometry geometry) {
+  return geometry == Geometry::Sky || geometry == Geometry::Stars || geometry == Geometry::SunMoon;
+}
+
+bool isClouds(Geometry geometry) {
+  return geometry == Geometry::CloudsFast || geometry == Geometry::CloudsFancy;
+}
+
+bool Step::writesAlt(int buffer) const {
+  const bool shadow = group == ProgramGroup::ShadowComp || group == ProgramGroup::Shadow;
+  const bool bit = ((shadow ? shadowFlipped : flipped) >> buffer & 1u) != 0;
+  // Fullscreen programs write the side they do not read; geometry writes the side it reads, and the
+  // shadow pass always main.
+  if (kind == Kind::Fullscreen) return !bit;
+  return kind == Kind::DrawShadow ? false : bit;
+}
+
+const TargetPlan* Schedule::target(bool shadow, int index) const {
+  for (const TargetPlan& plan : shadow ? shadowcolor : colortex)
+    if (plan.index == index) return &plan;
+  return nullptr;
+}
+
+bool Schedule::sameTargets(const Schedule& other) const {
+  return width == other.width && height == other.height &&
+         shadowResolution == other.shadowResolution && colortex == other.colortex &&
+         shadowcolor == other.shadowcolor && shadowtex1 == other.shadowtex1 &&
+         depthtex1 == other.depthtex1 && depthtex2 == other.depthtex2 && stencil == other.stencil &&
+         lampShadows == other.lampShadows;
+}
+
+Schedule buildSchedule(const ShaderPack& pack, int width, int height, const SceneContents& scene,
+                       Diagnostics& diagnostics) {
+  return Builder(pack, width, height, scene, diagnostics).build();
+}
+
+}  // namespace orris

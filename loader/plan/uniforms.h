@@ -1,0 +1,56 @@
+// Standard uniforms: one table from Iris name to value. Contract: uniforms.csv.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "plan/frame_state.h"
+#include "pack/expressions/expression.h"
+
+namespace orris {
+
+/// What changes from draw to draw.
+struct DrawState {
+  glm::mat4 modelView{1}, projection{1}, textureMatrix{1};
+  glm::vec3 chunkOffset{0};
+  glm::ivec2 atlasSize{0}, gtextureSize{0};
+  int gtextureId = 0;  ///< GL name of the texture of unit 0, 0 for none
+  glm::ivec4 blendFunc{0};
+  int renderStage = 0;  ///< MC_RENDER_STAGE_*
+  float alphaTestRef = 0.1f;
+  bool fullscreen = false;
+  int blockEntityId = -1;
+};
+
+/// The game's fog is linear, but exponential in water.
+float fogDensityOf(const FrameState& state);
+
+struct UniformRow {
+  std::string_view name;
+  ValueType type;
+  bool perDraw;  ///< depends on DrawState; not an input of custom uniforms
+  Value (*value)(const FrameState&, const DrawState&);
+};
+
+/// Sorted by name.
+std::span<const UniformRow> uniformTable();
+const UniformRow* findUniform(std::string_view name);
+/// Type of a uniform that custom uniforms may use; nullopt when there is none of that name.
+std::optional<ValueType> expressionInput(const std::string& name);
+
+/// GLSL type of every uniform that the host or one of the mods gives, by name.
+std::map<std::string, std::string> uniformTypes();
+
+Value valueOf(float v);
+Value valueOf(const glm::vec2& v);
+Value valueOf(const glm::vec3& v);
+Value valueOf(const glm::vec4& v);
+Value valueOf(const glm::ivec2& v);
+Value valueOf(const glm::ivec3& v);
+Value valueOf(const glm::mat3& m);
+Value valueOf(const glm::mat4& m);
+
+}  // namespace orris

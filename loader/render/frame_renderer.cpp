@@ -1,0 +1,350 @@
+#include "render/frame_renderer.h"
+
+#include <fmt/format.h>
+#include <time.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "plan/builtin_program.h"
+#include "plan/frustum.h"
+#include "render/loaded_pack.h"
+#include "render/pass_state.h"
+#include "gl/functions.h"
+
+namespace orris {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Of all threads.
+double processorSeconds() {
+  timespec time{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
+}
+
+RenderLayer layerOf(Geometry geometry) {
+  return geometry == Geometry::Cutout        ? RenderLayer::Cutout
+         : geometry == Geometry::BlockEntity ? RenderLayer::BlockEntity
+         : geometry == Geometry::Translucent ? RenderLayer::Translucent
+                                             : RenderLayer::Solid;
+}
+
+}  // namespace
+
+FrameRenderer::FrameRenderer(gl::Context& context, const RendererOptions& options)
+    : context_(context), options_(options) {}
+FrameRenderer::~FrameRenderer() = default;
+
+bool FrameRenderer::setPack(std::shared_ptr<const ShaderPack> pack, const SceneData& scene,
+                            LoadReport& report, Diagnostics& diagnostics) {
+  Diagnostics problems;
+  Schedule schedule =
+      buildSchedule(*pack, options_.width, options_.height, scene.contents(), problems);
+  auto loaded = std::make_unique<Loaded>(*pack, schedule, scene, options_.floatScreen,
+                                         loaded_.get(), report, problems);
+  const bool failed = hasErrors(problems);
+  diagnostics.insert(diagnostics.end(), problems.begin(), problems.end());
+  if (failed) return false;
+  firstFrame_ |= loaded->freshTargets;
+  pack_ = std::move(pack);
+  schedule_ = std::move(schedule);
+  loaded_ = std::move(loaded);
+  loaded_->makeBinder(pack_->directives);
+  return true;
+}
+
+void FrameRenderer::updateScene(const SceneData& scene) {
+  loaded_->scene->uploadMesh(scene, blockIdsOf(*pack_, scene.world.blocks), vertexStyleOf(*pack_));
+  if (loaded_->volumes) loaded_->volumes->setCasters(castersOf(scene.mesh, scene.atlas));
+  if (loaded_->lampVolumes) loaded_->lampVolumes->setScene(scene);
+}
+
+bool FrameRenderer::resize(int width, int height, Diagnostics& diagnostics) {
+  if (width == options_.width && height == options_.height) return true;
+  options_.width = width;
+  options_.height = height;
+  schedule_ = buildSchedule(*pack_, width, height, loaded_->contents, diagnostics);
+  loaded_->resize(*pack_, schedule_, options_.floatScreen, diagnostics);
+  loaded_->makeBinder(pack_->directives);
+  firstFrame_ = true;
+  return !hasErrors(diagnostics);
+}
+
+void FrameRenderer::render(const FrameState& given) {
+  FrameState state = given;
+  if (loaded_->lampVolumes) state.volumeLights = loaded_->lampVolumes->choose(state.cameraPosition);
+  gl::PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  gl::PixelStorei(GL_PACK_ALIGNMENT, 1);
+  stepTimes_.clear();
+  const float* fog = &state.environment.fogColor.x;
+  loaded_->scene->updateLightmap(state);
+  loaded_->resources->bindBuffers();
+  setFog(state);
+  loaded_->custom.evaluate(
+      [&](const std::string& name) {
+        const UniformRow* row = findUniform(name);
+        return row != nullptr ? row->value(state, DrawState()) : Value::ofInt(0);
+      },
+      state.frameTime, state.seed + static_cast<unsigned>(state.frameCounter));
+  if (std::exchange(firstFrame_, false)) {
+    loaded_->targets->clearFresh(fog);
+    loaded_->resources->clearImages(true);
+    for (const Step& step : schedule_.setup) runStep(step, state);
+  }
+  for (const Step& step : schedule_.frame) runStep(step, state);
+  loaded_->targets->keepHistory();
+  loaded_->targets->forgetMipmaps();
+}
+
+void FrameRenderer::runStep(const Step& step, const FrameState& state) {
+  const auto start = Clock::now();
+  const double startOfWork = options_.timings ? processorSeconds() : 0;
+  const bool draws = step.kind == Step::Kind::Fullscreen || step.kind == Step::Kind::Draw ||
+                     step.kind == Step::Kind::DrawShadow || step.kind == Step::Kind::ShadowVolumes;
+  // A program beyond a limit of the driver was reported when it was built.
+  if (draws && !programOf(step).program.linked) return;
+  if (loaded_->storesFromShaders) gl::MemoryBarrier(GL_ALL_BARRIER_BITS);
+  switch (step.kind) {
+    case Step::Kind::ClearImages:
+      loaded_->resources->clearImages(false);
+      break;
+    case Step::Kind::ClearShadow:
+      loaded_->targets->clearShadow();
+      break;
+    case Step::Kind::ClearColor:
+      loaded_->targets->clearColor(&state.environment.fogColor.x);
+      break;
+    case Step::Kind::Compute:
+      dispatch(step, state);
+      break;
+    case Step::Kind::Fullscreen:
+      drawFullscreen(step, state);
+      break;
+    case Step::Kind::Draw:
+    case Step::Kind::DrawShadow:
+      drawGeometry(step, state);
+      break;
+    case Step::Kind::ShadowVolumes:
+      drawShadowVolumes(step, state);
+      break;
+    case Step::Kind::CopyShadowDepth:
+      loaded_->copyDepth(loaded_->targets->shadowDepth(0), loaded_->targets->shadowDepth(1));
+      break;
+    case Step::Kind::ShadowMipmaps:
+      shadowMipmaps();
+      break;
+    case Step::Kind::SampleCenterDepth:
+      sampleCenterDepth();
+      break;
+    case Step::Kind::CopyDepth:
+      loaded_->copyDepth(loaded_->targets->depth(0), loaded_->targets->depth(step.index));
+      break;
+    case Step::Kind::Present:
+      present(step, state);
+      break;
+  }
+  if (!options_.timings) return;
+  gl::Finish();
+  stepTimes_.push_back({step.name, std::chrono::duration<double>(Clock::now() - start).count(),
+                        processorSeconds() - startOfWork});
+}
+
+const GpuProgram& FrameRenderer::programOf(const Step& step) const {
+  if (step.program >= 0) return *loaded_->programs.at(step.program);
+  return usesBuiltinSky(step.geometry) ? *loaded_->builtinSky : *loaded_->builtinTerrain;
+}
+
+void FrameRenderer::useProgram(const GpuProgram& program, const Step& step, const FrameState& state,
+                               const DrawState& draw) {
+  gl::UseProgram(program.program.id());
+  uploadUniforms(program.frameUniforms, state, draw, loaded_->custom);
+  uploadUniforms(program.drawUniforms, state, draw, loaded_->custom);
+  loaded_->binder->bind(program, step);
+}
+
+void FrameRenderer::drawFullscreen(const Step& step, const FrameState& state) {
+  buildMipmaps(step);
+  const ProgramSource& source = pack_->programs[step.program];
+  std::string error;
+  const gl::Framebuffer& framebuffer = loaded_->targets->framebuffer(step, error);
+  gl::BindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+  const auto [scale, x, y] = source.scale;
+  const auto w = static_cast<float>(framebuffer.width), h = static_cast<float>(framebuffer.height);
+  gl::Viewport(static_cast<int>(w * x), static_cast<int>(h * y), static_cast<int>(w * scale),
+               static_cast<int>(h * scale));
+  DrawState draw;
+  setFullscreenState(&source, draw);
+  const GpuProgram& program = programOf(step);
+  useProgram(program, step, state, draw);
+  loaded_->scene->bindShapes();
+  bindVertices(program.program);
+  loaded_->scene->drawQuads(loaded_->scene->fullscreen, program.patches);
+  unbindVertices(program.program);
+  SamplerBinder::unbind(program);
+}
+
+void FrameRenderer::drawGeometry(const Step& step, const FrameState& state) {
+  const ProgramSource* source = step.program >= 0 ? &pack_->programs[step.program] : nullptr;
+  std::string error;
+  const gl::Framebuffer& framebuffer = loaded_->targets->framebuffer(step, error);
+  gl::BindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+  const bool shadow = step.kind == Step::Kind::DrawShadow;
+  const int size = schedule_.shadowResolution;
+  gl::Viewport(0, 0, shadow ? size : options_.width, shadow ? size : options_.height);
+  DrawState draw;
+  draw.atlasSize = draw.gtextureSize = loaded_->scene->atlasSize();
+  draw.gtextureId = static_cast<int>(loaded_->scene->atlas().id());
+  setGeometryState(step, source, draw);
+  const GpuProgram& program = programOf(step);
+  if (isSky(step.geometry)) {
+    drawSky(step, program, state, draw);
+  } else if (isClouds(step.geometry)) {
+    drawClouds(step, program, state, draw);
+  } else {
+    glm::mat4 projection = state.gbufferProjection;
+    if (shadow) {
+      projection = state.shadowProjection;
+      if (const auto& fov = pack_->directives.shadowMapFov)
+        projection = glm::perspective(glm::radians(*fov), 1.0f, 0.05f, 256.0f);
+    }
+    drawTerrain(step, program, state, shadow ? state.shadowModelView : state.gbufferModelView,
+                projection, draw);
+  }
+  gl::Disable(GL_ALPHA_TEST);
+  gl::Disable(GL_BLEND);
+  gl::DepthMask(GL_TRUE);
+}
+
+void FrameRenderer::drawTerrain(const Step& step, const GpuProgram& program,
+                                const FrameState& state, const glm::mat4& view,
+                                const glm::mat4& projection, DrawState& draw) {
+  const bool shadow = step.kind == Step::Kind::DrawShadow;
+  draw.modelView = view;
+  draw.projection = projection;
+  draw.textureMatrix = glm::mat4(1);
+  loadMatrices(view, projection, true);
+  useProgram(program, step, state, draw);
+  loaded_->scene->bindTerrain();
+  bindVertices(program.program);
+  if (!shadow && step.geometry != Geometry::BlockEntity) setChunkFade(program.program);
+  const Frustum frustum(projection * view);
+  const float mul = pack_->directives.shadowDistanceRenderMul;
+  float reach = mul >= 0 ? pack_->directives.shadowDistance * mul
+                         : static_cast<float>(state.environment.renderDistance);
+  const auto culling = pack_->properties.settings.find("shadow.culling");
+  // Two names of one mode. Iris: ShaderProperties.
+  if (culling != pack_->properties.settings.end() &&
+      (culling->second == "reversed" || culling->second == "safe_zone"))
+    reach = std::max(reach, pack_->directives.voxelDistance);
+  std::vector<std::pair<float, const MeshSection*>> visible;
+  for (const MeshSection& section : loaded_->scene->sections()) {
+    if (section.layer != layerOf(step.geometry) || section.count == 0) continue;
+    const glm::vec3 lo(glm::dvec3(section.origin) - state.cameraPosition), hi = lo + 16.0f;
+    const glm::vec3 nearest = glm::clamp(glm::vec3(0), lo, hi);
+    // The shadow pass keeps everything in reach: packs voxelise from it.
+    if (shadow ? glm::length(nearest) > reach : frustum.outside(lo - 1.0f, hi + 1.0f)) continue;
+    visible.emplace_back(glm::length((lo + hi) * 0.5f), &section);
+  }
+  const bool sorted = step.geometry == Geometry::Translucent && !shadow;
+  if (sorted) {
+    loaded_->scene->sortTranslucent(state.cameraPosition);
+    std::stable_sort(visible.begin(), visible.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+  }
+  for (const auto& [distance, section] : visible) {
+    draw.chunkOffset = glm::vec3(glm::dvec3(section->origin) - state.cameraPosition);
+    if (section->layer == RenderLayer::BlockEntity)
+      draw.blockEntityId = loaded_->scene->blockId(section->state);
+    loadModelView(glm::translate(view, draw.chunkOffset));
+    uploadUniforms(program.drawUniforms, state, draw, loaded_->custom);
+    if (sorted)
+      loaded_->scene->drawSorted(*section, program.patches);
+    else
+      loaded_->scene->drawQuads({section->first, section->count / 4}, program.patches);
+  }
+  unbindVertices(program.program);
+  SamplerBinder::unbind(program);
+}
+
+void FrameRenderer::dispatch(const Step& step, const FrameState& state) {
+  const ProgramSource& source = pack_->programs[step.program];
+  glm::vec2 size(options_.width, options_.height);
+  if (step.group == ProgramGroup::Shadow)
+    size = glm::vec2(static_cast<float>(schedule_.shadowResolution));
+  if (step.group == ProgramGroup::Setup) size = glm::vec2(1);
+  DrawState draw;
+  draw.fullscreen = true;
+  for (size_t i = 0; i < source.computes.size(); ++i) {
+    const ComputeSource& compute = source.computes[i];
+    const GpuProgram& program = *loaded_->computes.at({step.program, static_cast<int>(i)});
+    if (!program.program.linked) continue;
+    useProgram(program, step, state, draw);
+    gl::MemoryBarrier(GL_ALL_BARRIER_BITS);
+    if (const auto it = pack_->properties.indirect.find(compute.name);
+        it != pack_->properties.indirect.end()) {
+      gl::BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, loaded_->resources->buffer(it->second.first));
+      gl::DispatchComputeIndirect(static_cast<GLintptr>(it->second.second));
+    } else {
+      const auto groups = groupCounts(compute, program.program.computeLocalSize, size);
+      gl::DispatchCompute(groups[0], groups[1], groups[2]);
+    }
+    SamplerBinder::unbind(program);
+  }
+  gl::MemoryBarrier(GL_ALL_BARRIER_BITS);
+}
+
+void FrameRenderer::present(const Step& step, const FrameState& state) {
+  const gl::Framebuffer& screen = loaded_->targets->screenFramebuffer();
+  if (step.program < 0) {
+    RenderTarget* source = loaded_->targets->find(false, 0);
+    loaded_->blit(source->side((step.flipped & 1u) != 0), screen);
+    return;
+  }
+  buildMipmaps(step);
+  gl::BindFramebuffer(GL_FRAMEBUFFER, screen.id());
+  gl::Viewport(0, 0, options_.width, options_.height);
+  DrawState draw;
+  setFullscreenState(&pack_->programs[step.program], draw);
+  const GpuProgram& program = programOf(step);
+  useProgram(program, step, state, draw);
+  loaded_->scene->bindShapes();
+  bindVertices(program.program);
+  loaded_->scene->drawQuads(loaded_->scene->fullscreen, program.patches);
+  unbindVertices(program.program);
+  SamplerBinder::unbind(program);
+}
+
+void FrameRenderer::buildMipmaps(const Step& step) {
+  const bool shadow = step.group == ProgramGroup::ShadowComp;
+  for (int buffer : step.mipmaps) {
+    RenderTarget* target = loaded_->targets->find(shadow, buffer);
+    if (target == nullptr) continue;
+    const bool alt = ((shadow ? step.shadowFlipped : step.flipped) >> buffer & 1u) != 0;
+    gl::generateMipmaps(target->side(alt));
+    target->mipmapped[alt && target->plan.needsAlt ? 1 : 0] = true;
+  }
+}
+
+void FrameRenderer::shadowMipmaps() {
+  for (int i = 0; i < 2; ++i)
+    if (pack_->directives.shadowtex[i].mipmap && loaded_->targets->shadowDepth(i).id() != 0)
+      gl::generateMipmaps(loaded_->targets->shadowDepth(i));
+}
+
+void FrameRenderer::sampleCenterDepth() {
+  std::string error;
+  Step step;
+  step.kind = Step::Kind::Draw;
+  step.group = ProgramGroup::Gbuffers;
+  gl::BindFramebuffer(GL_FRAMEBUFFER, loaded_->targets->framebuffer(step, error).id());
+  gl::ReadPixels(options_.width / 2, options_.height / 2, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT,
+                 &centerDepth_);
+}
+
+unsigned FrameRenderer::screenFramebuffer() { return loaded_->targets->screenFramebuffer().id(); }
+
+}  // namespace orris

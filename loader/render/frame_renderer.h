@@ -1,0 +1,116 @@
+// Runs a schedule: programs, targets and scene on the GPU, one frame at a time.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "render/gpu_program.h"
+#include "render/gpu_scene.h"
+#include "render/pack_resources.h"
+#include "render/render_targets.h"
+#include "render/sampler_binder.h"
+#include "render/shadow_volumes.h"
+#include "gl/context.h"
+#include "image/image.h"
+
+namespace orris {
+
+struct RendererOptions {
+  int width = 0, height = 0;
+  bool floatScreen = false;  ///< keep values beyond 0..1 on the screen
+  bool timings = false;      ///< finish and time every step (the software rasteriser's queries lie)
+};
+
+/// What a (re)load did.
+struct LoadReport {
+  int programsBuilt = 0, programsReused = 0;
+  std::vector<std::string> built;  ///< names, in frame order
+  double compileSeconds = 0;
+};
+
+struct StepTime {
+  std::string name;
+  double seconds = 0;           ///< that passed
+  double processorSeconds = 0;  ///< of all threads; of a software rasteriser what the step costs
+};
+
+/// Needs the context it was made with to be current in every call.
+class FrameRenderer {
+ public:
+  FrameRenderer(gl::Context& context, const RendererOptions& options);
+  ~FrameRenderer();
+
+  /// Takes a pack for a scene. Programs whose text did not change are kept, and render targets whose
+  /// plan did not. On any error nothing changes: the last good pack keeps running.
+  bool setPack(std::shared_ptr<const ShaderPack> pack, const SceneData& scene, LoadReport& report,
+               Diagnostics& diagnostics);
+  /// Blocks changed: new vertices.
+  void updateScene(const SceneData& scene);
+  bool resize(int width, int height, Diagnostics& diagnostics);
+
+  void render(const FrameState& state);
+
+  const ShaderPack& pack() const { return *pack_; }
+  const std::shared_ptr<const ShaderPack>& sharedPack() const { return pack_; }
+  const Schedule& schedule() const { return schedule_; }
+  /// Of shadow volumes: faces that the last frame counted apart for the eye, and silhouettes made
+  /// since the load; 0 without volumes.
+  int facesAtEye() const;
+  int silhouetteBuilds() const;
+  /// Depth under the screen centre in the last frame, if a program asked for it.
+  float centerDepth() const { return centerDepth_; }
+  const std::vector<StepTime>& stepTimes() const { return stepTimes_; }
+
+  /// The screen, top row first.
+  Image8 screenshot() const;
+  ImageF screenshotLinear() const;  ///< decoded from sRGB
+  /// Any buffer by name (colortexN, shadowcolorN, depthtexN, shadowtexN, a custom image), as it
+  /// stands after the last frame, top row first; a 3-D image as its slices from top to bottom.
+  std::optional<ImageF> dump(const std::string& name) const;
+  /// A custom image of whole numbers, all bits of them, bottom row first, slice after slice; empty
+  /// where there is none.
+  std::vector<std::uint32_t> dumpWords(const std::string& image) const;
+  /// What dump() takes, separated by blanks.
+  std::string bufferNames() const;
+  unsigned screenFramebuffer();
+
+ private:
+  struct Loaded;
+  void runStep(const Step& step, const FrameState& state);
+  void drawFullscreen(const Step& step, const FrameState& state);
+  void drawGeometry(const Step& step, const FrameState& state);
+  void drawTerrain(const Step& step, const GpuProgram& program, const FrameState& state,
+                   const glm::mat4& view, const glm::mat4& projection, DrawState& draw);
+  void drawSky(const Step& step, const GpuProgram& program, const FrameState& state,
+               DrawState& draw);
+  void drawClouds(const Step& step, const GpuProgram& program, const FrameState& state,
+                  DrawState& draw);
+  void drawShadowVolumes(const Step& step, const FrameState& state);
+  void drawLampVolumes(const Step& step, const FrameState& state);
+  const gl::Program& useVolumeProgram(const Step& step, const FrameState& state,
+                                      const glm::ivec3& origin);
+  VolumeMethod volumeMethod() const;
+  void dispatch(const Step& step, const FrameState& state);
+  void present(const Step& step, const FrameState& state);
+  void buildMipmaps(const Step& step);
+  void shadowMipmaps();
+  void sampleCenterDepth();
+  void useProgram(const GpuProgram& program, const Step& step, const FrameState& state,
+                  const DrawState& draw);
+  const GpuProgram& programOf(const Step& step) const;
+
+  gl::Context& context_;
+  RendererOptions options_;
+  std::shared_ptr<const ShaderPack> pack_;
+  Schedule schedule_;
+  std::unique_ptr<Loaded> loaded_;
+  bool firstFrame_ = true;
+  float centerDepth_ = 1;
+  std::vector<StepTime> stepTimes_;
+};
+
+}  // namespace orris

@@ -1,0 +1,113 @@
+// The world on the GPU: terrain vertices, sky shapes, the fullscreen quad, and the host's own
+// textures (atlas, lightmap, noise).
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "plan/clouds.h"
+#include "plan/frame_state.h"
+#include "plan/schedule.h"
+#include "plan/shapes.h"
+#include "render/vertex_layout.h"
+#include "gl/buffer.h"
+#include "gl/texture.h"
+#include "pack/shader_pack.h"
+#include "world/mesh/block_mesh.h"
+
+namespace orris {
+
+/// Everything about a world that does not change between edits; no GL in it.
+struct SceneData {
+  World world;
+  std::vector<BlockFacts> facts;  ///< by palette index
+  BlockAtlas atlas;
+  std::unique_ptr<LightLevels> light;
+  BlockMesh mesh;
+
+  SceneContents contents() const;
+  /// What the eye at `position` stands in.
+  EyeSurroundings surroundings(const glm::dvec3& position) const;
+};
+
+/// What of a pack changes the mesh.
+struct MeshStyle {
+  float ambientOcclusionLevel = 1;
+  /// Block name -> "solid", "cutout" or "translucent": layer.* of block.properties.
+  std::map<std::string, std::string> renderLayers{};
+  bool operator==(const MeshStyle&) const = default;
+};
+MeshStyle meshStyleOf(const ShaderPack& pack);
+
+/// Facts, atlas, light and mesh of a world; unknown blocks are warnings.
+SceneData buildScene(World world, const MeshStyle& style, Diagnostics& diagnostics);
+/// Light and mesh again after blocks changed.
+void rebuildMesh(SceneData& scene, const MeshStyle& style);
+
+/// The clouds that were drawn last, on the GPU.
+struct CloudLayer {
+  bool fancy = false;
+  std::vector<CloudPart> parts;
+  gl::Buffer buffer;
+};
+
+class GpuScene {
+ public:
+  GpuScene(const SceneData& scene, const std::vector<int>& blockIds, const VertexStyle& style);
+  /// New vertices for the same world.
+  void uploadMesh(const SceneData& scene, const std::vector<int>& blockIds,
+                  const VertexStyle& style);
+
+  const gl::Texture& atlas() const { return atlas_; }
+  const gl::Texture& normals() const { return normals_; }
+  const gl::Texture& specular() const { return specular_; }
+  const gl::Texture& lightmap() const { return lightmap_; }
+  const gl::Texture& white() const { return white_; }
+  const gl::Texture& celestial() const { return celestial_; }  ///< sun left half, moon right half
+  glm::ivec2 atlasSize() const { return {atlas_.width, atlas_.height}; }
+  const std::vector<MeshSection>& sections() const { return sections_; }
+  /// The id that block.properties gives a palette index, -1 for none.
+  int blockId(std::uint16_t state) const {
+    return state < blockIds_.size() ? blockIds_[state] : -1;
+  }
+
+  void updateLightmap(const FrameState& state);
+  void bindTerrain() const;
+  void bindShapes() const;
+  /// Made when first asked for.
+  const CloudLayer& clouds(bool fancy);
+  void bindClouds() const;
+  /// Orders the translucent quads of each section from far to near as seen from `eye` (world blocks),
+  /// as blending needs; free while neither eye nor mesh has moved.
+  void sortTranslucent(const glm::dvec3& eye);
+  /// Draws a translucent section in that order; the terrain must be bound.
+  void drawSorted(const MeshSection& section, bool patches) const;
+  /// Draws quads of the bound buffer; `patches` for tessellation.
+  void drawQuads(const QuadRange& range, bool patches) const;
+
+  QuadRange fullscreen, horizon, skyDisc, stars, sun, moon;
+
+ private:
+  void buildShapes();
+  /// Makes the index buffer serve draws of so many quads.
+  void needIndices(unsigned quads);
+  void collectTranslucent(const BlockMesh& mesh);
+  gl::Texture atlas_, normals_, specular_, lightmap_, white_, celestial_;
+  gl::Buffer terrain_, shapes_, indices_, sortedIndices_;
+  unsigned indexedQuads_ = 0;
+  std::optional<CloudLayer> clouds_;
+  std::vector<int> blockIds_;
+  std::vector<MeshSection> sections_;
+  std::vector<glm::vec3>
+      translucentCenters_;         ///< of each translucent quad, relative to its section
+  unsigned firstTranslucent_ = 0;  ///< vertex
+  std::optional<glm::dvec3> sortedFor_;
+};
+
+/// The noise texture of packs: independent bytes, the same every run, alpha 255.
+gl::Texture makeNoiseTexture(int resolution);
+
+}  // namespace orris

@@ -1,0 +1,179 @@
+#include "render/loaded_pack.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "plan/builtin_program.h"
+#include "gl/functions.h"
+
+namespace orris {
+namespace {
+
+std::vector<const StageText*> pointersTo(const std::vector<StageText>& stages) {
+  std::vector<const StageText*> result;
+  for (const StageText& stage : stages) result.push_back(&stage);
+  return result;
+}
+
+std::string keyOf(const std::vector<const StageText*>& stages) {
+  std::string key;
+  for (const StageText* stage : stages)
+    key +=
+        fmt::format("{}:{};", stageName(stage->stage), std::hash<std::string>()(stage->text.text));
+  return key;
+}
+
+}  // namespace
+
+VertexStyle vertexStyleOf(const ShaderPack& pack) {
+  return {pack.properties.flag("separateAo", false), pack.properties.flag("oldLighting", false)};
+}
+
+std::vector<int> blockIdsOf(const ShaderPack& pack, const BlockWorld& blocks) {
+  std::vector<int> ids;
+  for (const BlockState& state : blocks.palette())
+    ids.push_back(pack.blockIds.idOf(state.name, state.properties));
+  return ids;
+}
+
+std::array<unsigned, 3> groupCounts(const ComputeSource& compute, const std::vector<int>& localSize,
+                                    const glm::vec2& size) {
+  std::array<unsigned, 3> groups{1, 1, 1};
+  if (compute.directives.workGroups) {
+    for (int i = 0; i < 3; ++i)
+      groups[i] = static_cast<unsigned>(std::max(0, (*compute.directives.workGroups)[i]));
+    return groups;
+  }
+  const auto scale = compute.directives.workGroupsRender.value_or(std::array<float, 2>{1, 1});
+  for (int i = 0; i < 2; ++i) {
+    const float local =
+        localSize.size() == 3 ? static_cast<float>(std::max(1, localSize[i])) : 1.0f;
+    groups[i] = static_cast<unsigned>(std::ceil(std::ceil(size[i] * scale[i]) / local));
+  }
+  return groups;
+}
+
+FrameRenderer::Loaded::Loaded(const ShaderPack& pack, const Schedule& schedule,
+                              const SceneData& sceneData, bool floatScreen, Loaded* previous,
+                              LoadReport& report, Diagnostics& diagnostics)
+    : contents(sceneData.contents()),
+      custom(pack.properties.customUniforms, expressionInput, diagnostics),
+      plan_(schedule),
+      blockIds_(blockIdsOf(pack, sceneData.world.blocks)),
+      style_(vertexStyleOf(pack)) {
+  if (hasErrors(diagnostics)) return;
+  buildPrograms(pack, schedule, previous, report, diagnostics);
+  if (hasErrors(diagnostics)) return;
+  freshTargets = previous == nullptr || !schedule.sameTargets(previous->plan_);
+  targets = freshTargets ? std::make_shared<RenderTargets>(
+                               schedule, floatScreen,
+                               previous != nullptr ? previous->targets.get() : nullptr, diagnostics)
+                         : previous->targets;
+  const bool sameScene =
+      previous != nullptr && previous->blockIds_ == blockIds_ && previous->style_ == style_;
+  scene = sameScene ? previous->scene : std::make_shared<GpuScene>(sceneData, blockIds_, style_);
+  resources = std::make_unique<PackResources>(pack, schedule.width, schedule.height, diagnostics);
+  if (schedule.noisetex)
+    noise = makeNoiseTexture(std::clamp(pack.directives.noiseTextureResolution, 1, 4096));
+  if (schedule.sunVolumes)
+    volumes = std::make_unique<ShadowVolumes>(castersOf(sceneData.mesh, sceneData.atlas));
+  const auto lights = pack.properties.settings.find("shadowvolume.lights");
+  if (schedule.lampShadows && lights != pack.properties.settings.end())
+    lampVolumes = std::make_unique<LampVolumes>(
+        sceneData, parseVolumeLights(lights->second).value_or(VolumeLightSettings()));
+  if (previous == nullptr || freshTargets) return;
+  resources->clearImages(true);
+}
+
+void FrameRenderer::Loaded::buildPrograms(const ShaderPack& pack, const Schedule& schedule,
+                                          Loaded* previous, LoadReport& report,
+                                          Diagnostics& diagnostics) {
+  const SourceLines lines = [&pack](const std::string& file, int line) {
+    return pack.sourceLine(file, line);
+  };
+  for (int index : schedule.programs) {
+    const ProgramSource& source = pack.programs[index];
+    if (!source.stages.empty()) {
+      const auto stages = pointersTo(source.stages);
+      programs[index] =
+          program(source.name, keyOf(stages), stages, lines, previous, report, diagnostics);
+    }
+    for (size_t i = 0; i < source.computes.size(); ++i) {
+      const std::vector<const StageText*> stages = {&source.computes[i].text};
+      computes[{index, static_cast<int>(i)}] = program(
+          source.computes[i].name, keyOf(stages), stages, lines, previous, report, diagnostics);
+    }
+  }
+  const auto needsBuiltin = [&](bool sky) {
+    return std::any_of(schedule.frame.begin(), schedule.frame.end(), [&](const Step& step) {
+      const bool geometry = step.kind == Step::Kind::Draw || step.kind == Step::Kind::DrawShadow;
+      return geometry && step.program < 0 && usesBuiltinSky(step.geometry) == sky;
+    });
+  };
+  for (const bool sky : {false, true}) {
+    if (!needsBuiltin(sky)) continue;
+    const auto stages = builtinProgram(sky);
+    (sky ? builtinSky : builtinTerrain) =
+        program(sky ? "built-in sky" : "built-in terrain", keyOf(pointersTo(stages)),
+                pointersTo(stages), lines, previous, report, diagnostics);
+  }
+}
+
+std::shared_ptr<GpuProgram> FrameRenderer::Loaded::program(
+    const std::string& name, const std::string& key, const std::vector<const StageText*>& stages,
+    const SourceLines& lines, Loaded* previous, LoadReport& report, Diagnostics& diagnostics) {
+  std::shared_ptr<GpuProgram> result;
+  if (const auto it = byText.find(key); it != byText.end()) return it->second;
+  if (previous != nullptr)
+    if (const auto it = previous->byText.find(key); it != previous->byText.end()) {
+      // A copy of the bindings would share the GL object; custom uniforms may have moved, so match
+      // again below on the shared one only after success of the whole load.
+      result = it->second;
+      ++report.programsReused;
+    }
+  if (result == nullptr) {
+    result = std::make_shared<GpuProgram>(buildGpuProgram(name, stages, lines, diagnostics));
+    ++report.programsBuilt;
+    report.built.push_back(name);
+    report.compileSeconds += result->program.compileSeconds + result->program.linkSeconds;
+  }
+  byText[key] = result;
+  return result;
+}
+
+void FrameRenderer::Loaded::resize(const ShaderPack& pack, const Schedule& schedule,
+                                   bool floatScreen, Diagnostics& diagnostics) {
+  plan_ = schedule;
+  binder.reset();
+  targets = std::make_shared<RenderTargets>(schedule, floatScreen, nullptr, diagnostics);
+  resources = std::make_unique<PackResources>(pack, schedule.width, schedule.height, diagnostics);
+}
+
+void FrameRenderer::Loaded::makeBinder(const PackDirectives& directives) {
+  for (auto& [key, program] : byText) matchUniforms(*program, custom);
+  storesFromShaders = !resources->images().empty() || resources->hasBuffers() ||
+                      std::any_of(byText.begin(), byText.end(),
+                                  [](const auto& entry) { return !entry.second->images.empty(); });
+  binder = std::make_unique<SamplerBinder>(*targets, *scene, *resources, directives, noise);
+}
+
+void FrameRenderer::Loaded::copyDepth(const gl::Texture& from, const gl::Texture& to) {
+  if (from.id() == 0 || to.id() == 0) return;
+  gl::CopyImageSubData(from.id(), from.target, 0, 0, 0, 0, to.id(), to.target, 0, 0, 0, 0,
+                       from.width, from.height, 1);
+}
+
+void FrameRenderer::Loaded::blit(const gl::Texture& from, const gl::Framebuffer& to) {
+  std::string error;
+  const gl::Framebuffer source = gl::createFramebuffer({&from}, nullptr, "present", error);
+  if (source.id() == 0) return;
+  gl::BindFramebuffer(GL_READ_FRAMEBUFFER, source.id());
+  gl::BindFramebuffer(GL_DRAW_FRAMEBUFFER, to.id());
+  gl::BlitFramebuffer(0, 0, from.width, from.height, 0, 0, to.width, to.height, GL_COLOR_BUFFER_BIT,
+                      GL_NEAREST);
+  gl::BindFramebuffer(GL_FRAMEBUFFER, to.id());
+}
+
+}  // namespace orris

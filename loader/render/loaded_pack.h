@@ -1,0 +1,58 @@
+// Everything a FrameRenderer holds on the GPU for one pack, scene and size.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <utility>
+
+#include "render/frame_renderer.h"
+#include "render/lamp_volumes.h"
+
+namespace orris {
+
+/// Programs are shared between loads by the hash of their text, so a reload builds only what changed.
+struct FrameRenderer::Loaded {
+  Loaded(const ShaderPack& pack, const Schedule& schedule, const SceneData& scene, bool floatScreen,
+         Loaded* previous, LoadReport& report, Diagnostics& diagnostics);
+  void resize(const ShaderPack& pack, const Schedule& schedule, bool floatScreen,
+              Diagnostics& diagnostics);
+  void makeBinder(const PackDirectives& directives);
+  void copyDepth(const gl::Texture& from, const gl::Texture& to);
+  void blit(const gl::Texture& from, const gl::Framebuffer& to);
+
+  SceneContents contents;
+  std::map<int, std::shared_ptr<GpuProgram>> programs;                  ///< by pack program index
+  std::map<std::pair<int, int>, std::shared_ptr<GpuProgram>> computes;  ///< program, compute
+  std::map<std::string, std::shared_ptr<GpuProgram>> byText;            ///< cache key -> program
+  std::shared_ptr<GpuProgram> builtinTerrain, builtinSky;
+  std::shared_ptr<RenderTargets> targets;
+  std::shared_ptr<GpuScene> scene;
+  std::unique_ptr<PackResources> resources;
+  std::unique_ptr<ShadowVolumes> volumes;  ///< only where the schedule has them
+  std::unique_ptr<LampVolumes> lampVolumes;
+  gl::Texture noise;
+  CustomUniforms custom;
+  std::unique_ptr<SamplerBinder> binder;
+  bool freshTargets = false;       ///< targets were made by this load and hold nothing yet
+  bool storesFromShaders = false;  ///< images or storage buffers are in use
+
+ private:
+  void buildPrograms(const ShaderPack& pack, const Schedule& schedule, Loaded* previous,
+                     LoadReport& report, Diagnostics& diagnostics);
+  std::shared_ptr<GpuProgram> program(const std::string& name, const std::string& key,
+                                      const std::vector<const StageText*>& stages,
+                                      const SourceLines& lines, Loaded* previous,
+                                      LoadReport& report, Diagnostics& diagnostics);
+  Schedule plan_;  ///< what `targets` was made for
+  std::vector<int> blockIds_;
+  VertexStyle style_;
+};
+
+VertexStyle vertexStyleOf(const ShaderPack& pack);
+/// mc_Entity.x of each palette entry.
+std::vector<int> blockIdsOf(const ShaderPack& pack, const BlockWorld& blocks);
+/// Contract constants.csv workGroups and workGroupsRender.
+std::array<unsigned, 3> groupCounts(const ComputeSource& compute, const std::vector<int>& localSize,
+                                    const glm::vec2& size);
+
+}  // namespace orris

@@ -1,0 +1,25 @@
+// Fixed-function state of one step: matrices, blending, alpha test, culling, fog.
+// Contract: README "Fullscreen geometry", programs.csv default_blend and default_alpha_test.
+#pragma once
+
+#include "plan/frame_state.h"
+#include "plan/schedule.h"
+#include "plan/uniforms.h"
+
+namespace orris {
+
+/// State for a fullscreen program.
+void setFullscreenState(const ProgramSource* program, DrawState& draw);
+/// State for geometry; `program` null: the built-in shader. Fills blend and alpha facts of `draw`.
+void setGeometryState(const Step& step, const ProgramSource* program, DrawState& draw);
+/// GL's own matrices, which compatibility shaders read.
+void loadMatrices(const glm::mat4& modelView, const glm::mat4& projection, bool lightmapMatrix);
+void loadModelView(const glm::mat4& modelView);
+void setFog(const FrameState& state);
+
+/// The projection of fullscreen programs: the 0..1 quad to clip space, z row zero.
+glm::mat4 fullscreenProjection();
+/// Value of MC_RENDER_STAGE_* for what a step draws.
+int renderStageOf(Geometry geometry);
+
+}  // namespace orris

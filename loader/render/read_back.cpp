@@ -1,0 +1,100 @@
+// Pixels of a FrameRenderer on their way back: the screen and any buffer.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/frame_renderer.h"
+#include "render/loaded_pack.h"
+
+namespace orris {
+
+namespace {
+
+ImageF flipped(const std::vector<float>& pixels, int width, int height, int channels) {
+  ImageF image(width, height, channels);
+  const size_t row = static_cast<size_t>(width) * channels;
+  for (int y = 0; y < height; ++y)
+    std::copy_n(pixels.begin() + static_cast<std::ptrdiff_t>((height - 1 - y) * row), row,
+                image.at(0, y));
+  return image;
+}
+
+float fromSrgb(float v) {
+  return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f);
+}
+
+}  // namespace
+
+Image8 FrameRenderer::screenshot() const {
+  int channels = 0;
+  const gl::Texture& screen = loaded_->targets->screen();
+  const std::vector<float> pixels = gl::readPixels(screen, channels);
+  const ImageF image = flipped(pixels, screen.width, screen.height, channels);
+  Image8 result(image.width, image.height, 3);
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      for (int c = 0; c < 3; ++c)
+        result.at(x, y)[c] =
+            static_cast<std::uint8_t>(std::lround(std::clamp(image.at(x, y)[c], 0.0f, 1.0f) * 255));
+  return result;
+}
+
+ImageF FrameRenderer::screenshotLinear() const {
+  int channels = 0;
+  const gl::Texture& screen = loaded_->targets->screen();
+  const std::vector<float> pixels = gl::readPixels(screen, channels);
+  const ImageF image = flipped(pixels, screen.width, screen.height, channels);
+  ImageF result(image.width, image.height, 3);
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      for (int c = 0; c < 3; ++c) result.at(x, y)[c] = fromSrgb(image.at(x, y)[c]);
+  return result;
+}
+
+std::optional<ImageF> FrameRenderer::dump(const std::string& name) const {
+  const gl::Texture* texture = nullptr;
+  if (const auto buffer = parseBufferName(name, false)) {
+    const int i = buffer->index;
+    if (buffer->kind == BufferName::Kind::Depth) texture = &loaded_->targets->depth(i);
+    if (buffer->kind == BufferName::Kind::Stencil)
+      texture = i == 0 ? &loaded_->targets->stencil() : &loaded_->targets->lampShadows();
+    if (buffer->kind == BufferName::Kind::ShadowDepth) texture = &loaded_->targets->shadowDepth(i);
+    const bool shadow = buffer->kind == BufferName::Kind::ShadowColor;
+    if (shadow || buffer->kind == BufferName::Kind::Color)
+      if (RenderTarget* target = loaded_->targets->find(shadow, i); target != nullptr)
+        texture = &target->side(
+            ((shadow ? schedule_.finalShadowFlipped : schedule_.finalFlipped) >> i & 1u) != 0);
+  } else if (const ImageResource* image = loaded_->resources->image(name); image != nullptr) {
+    texture = &image->texture;
+  }
+  if (texture == nullptr || texture->id() == 0) return std::nullopt;
+  int channels = 0;
+  const std::vector<float> pixels = gl::readPixels(*texture, channels);
+  return flipped(pixels, texture->width, texture->height * texture->depth, channels);
+}
+
+std::vector<std::uint32_t> FrameRenderer::dumpWords(const std::string& image) const {
+  const ImageResource* resource = loaded_->resources->image(image);
+  int channels = 0;
+  return resource == nullptr ? std::vector<std::uint32_t>()
+                             : gl::readWords(resource->texture, channels);
+}
+
+std::string FrameRenderer::bufferNames() const {
+  std::string names;
+  for (const TargetPlan& plan : schedule_.colortex) names += fmt::format("colortex{} ", plan.index);
+  for (const TargetPlan& plan : schedule_.shadowcolor)
+    names += fmt::format("shadowcolor{} ", plan.index);
+  for (int i = 0; i < 3; ++i)
+    if (loaded_->targets->depth(i).id() != 0) names += fmt::format("depthtex{} ", i);
+  if (loaded_->targets->stencil().id() != 0) names += "stenciltex0 ";
+  if (loaded_->targets->lampShadows().id() != 0) names += "stenciltex1 ";
+  for (int i = 0; i < 2; ++i)
+    if (loaded_->targets->shadowDepth(i).id() != 0) names += fmt::format("shadowtex{} ", i);
+  for (const ImageResource& image : loaded_->resources->images()) names += image.plan.name + " ";
+  if (!names.empty()) names.pop_back();
+  return names;
+}
+
+}  // namespace orris

@@ -1,0 +1,211 @@
+#include "render/render_session.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "plan/scene_quantities.h"
+
+namespace orris {
+namespace {
+
+// When AUTO is asked again: choosing and compiling take time, and a scene does not change its kind
+// from one frame to the next.
+constexpr int kChoiceFrames = 20;
+constexpr double kChoiceWay = 16;  // blocks that the eye moved
+constexpr int kChoiceTicks = 500;
+
+std::shared_ptr<const ShaderPack> withoutErrors(std::optional<ShaderPack> pack,
+                                                const Diagnostics& problems,
+                                                Diagnostics& diagnostics) {
+  diagnostics.insert(diagnostics.end(), problems.begin(), problems.end());
+  if (!pack || hasErrors(problems)) return nullptr;
+  return std::make_shared<const ShaderPack>(std::move(*pack));
+}
+
+}  // namespace
+
+MacroDefinitions environmentFor(const gl::DriverInfo& driver, const HostVersions& versions) {
+  HostDescription host;
+  host.versions = versions;
+  host.glVendor = driver.vendor;
+  host.glRenderer = driver.renderer;
+  host.glExtensions = driver.extensions;
+  host.glVersion = driver.glVersion;
+  host.glslVersion = driver.glVersion;
+  host.labPbr = true;  // the generated atlas follows it
+  return standardMacros(host);
+}
+
+RenderSession::RenderSession(SessionRequest request, SceneData scene)
+    : request_(std::move(request)), scene_(std::move(scene)) {}
+
+std::unique_ptr<RenderSession> RenderSession::create(gl::Context& context, SessionRequest request,
+                                                     World world, Diagnostics& diagnostics) {
+  request.load.environment = environmentFor(context.driver(), request.versions);
+  if (request.time) world.environment.time = *request.time;
+  auto session = std::unique_ptr<RenderSession>(new RenderSession(std::move(request), SceneData()));
+  const auto asked = session->loadPack(diagnostics);
+  if (asked == nullptr) return nullptr;
+  session->scene_ = buildScene(std::move(world), meshStyleOf(*asked), diagnostics);
+  const auto pack = session->settle(asked, diagnostics);
+  if (pack == nullptr) return nullptr;
+  if (meshStyleOf(*pack) != meshStyleOf(*asked)) rebuildMesh(session->scene_, meshStyleOf(*pack));
+  session->renderer_ = std::make_unique<FrameRenderer>(context, session->request_.renderer);
+  SessionReload start{0, "start", false, {}};
+  start.succeeded = session->renderer_->setPack(pack, session->scene_, start.report, diagnostics);
+  session->reloads_.push_back(start);
+  return start.succeeded ? std::move(session) : nullptr;
+}
+
+std::shared_ptr<const ShaderPack> RenderSession::loadPack(Diagnostics& diagnostics) {
+  Diagnostics problems;
+  auto source = request_.openPack(problems);
+  std::optional<ShaderPack> pack;
+  if (source != nullptr) pack = loadShaderPack(std::move(source), request_.load, problems);
+  return withoutErrors(std::move(pack), problems, diagnostics);
+}
+
+std::shared_ptr<const ShaderPack> RenderSession::rebuildPack(Diagnostics& diagnostics) {
+  Diagnostics problems;
+  auto pack = rebuildShaderPack(renderer_->pack(), request_.load, problems);
+  return withoutErrors(std::move(pack), problems, diagnostics);
+}
+
+bool RenderSession::reload(const std::string& cause, Diagnostics& diagnostics) {
+  return use(cause, loadPack(diagnostics), diagnostics);
+}
+
+std::shared_ptr<const ShaderPack> RenderSession::settle(std::shared_ptr<const ShaderPack> asked,
+                                                        Diagnostics& diagnostics) {
+  asked_ = asked;
+  chosenFor_ = {frame_, scene_.world.environment.time, request_.camera.position, false};
+  auto_.choose(*asked, request_.load, [&](const std::set<std::string>& wanted) {
+    const FrameState view = nextFrameState(frameInput(), asked->directives, nullptr);
+    return measureScene(scene_, view, asked->directives, wanted);
+  });
+  if (auto_.all().empty()) return asked;
+  Diagnostics problems;
+  auto pack = rebuildShaderPack(*asked, auto_.applied(request_.load), problems);
+  return withoutErrors(std::move(pack), problems, diagnostics);
+}
+
+bool RenderSession::sceneChanged() const {
+  if (auto_.all().empty() || frame_ - chosenFor_.frame < kChoiceFrames) return false;
+  return chosenFor_.blocksChanged ||
+         std::abs(scene_.world.environment.time - chosenFor_.time) > kChoiceTicks ||
+         glm::distance(request_.camera.position, chosenFor_.eye) > kChoiceWay;
+}
+
+void RenderSession::chooseAgain(Diagnostics& diagnostics) {
+  const AutoChoices before = auto_;
+  const auto pack = settle(asked_, diagnostics);
+  if (pack == nullptr || auto_.text() == before.text()) return;
+  if (!take("AUTO: " + auto_.text(), pack, diagnostics)) auto_ = before;
+}
+
+bool RenderSession::use(const std::string& cause, std::shared_ptr<const ShaderPack> asked,
+                        Diagnostics& diagnostics) {
+  const auto askedBefore = asked_;
+  const AutoChoices autoBefore = auto_;
+  if (asked != nullptr) asked = settle(std::move(asked), diagnostics);
+  if (take(cause, std::move(asked), diagnostics)) return true;
+  asked_ = askedBefore;
+  auto_ = autoBefore;
+  return false;
+}
+
+bool RenderSession::take(const std::string& cause, std::shared_ptr<const ShaderPack> pack,
+                         Diagnostics& diagnostics) {
+  SessionReload reload{frame_, cause, false, {}};
+  if (pack != nullptr) {
+    const MeshStyle style = meshStyleOf(*pack);
+    const bool newStyle = style != meshStyleOf(renderer_->pack());
+    if (newStyle) rebuildMesh(scene_, style);
+    reload.succeeded = renderer_->setPack(pack, scene_, reload.report, diagnostics);
+    if (newStyle && reload.succeeded) renderer_->updateScene(scene_);
+  }
+  reloads_.push_back(reload);
+  return reload.succeeded;
+}
+
+bool RenderSession::setOption(const std::string& name, const std::string& value,
+                              Diagnostics& diagnostics) {
+  const OptionValues before = request_.load.values;
+  request_.load.values[name] = value;
+  if (use(fmt::format("{}={}", name, value), rebuildPack(diagnostics), diagnostics)) return true;
+  request_.load.values = before;
+  return false;
+}
+
+bool RenderSession::setProfile(const std::string& name, Diagnostics& diagnostics) {
+  const std::string before = request_.load.profile;
+  request_.load.profile = name;
+  if (use("profile " + name, rebuildPack(diagnostics), diagnostics)) return true;
+  request_.load.profile = before;
+  return false;
+}
+
+void RenderSession::applyEvents(Diagnostics& diagnostics) {
+  bool blocksChanged = false;
+  World& world = scene_.world;
+  for (; nextEvent_ < world.events.size() && world.events[nextEvent_].frame <= frame_;
+       ++nextEvent_) {
+    const auto& action = world.events[nextEvent_].action;
+    if (const auto* block = std::get_if<SetBlock>(&action)) {
+      world.blocks.set(block->at, world.blocks.paletteIndex(block->state));
+      blocksChanged = true;
+    } else if (const auto* camera = std::get_if<MoveCamera>(&action)) {
+      request_.camera = camera->camera;
+    } else if (const auto* option = std::get_if<SetOption>(&action)) {
+      setOption(option->name, option->value, diagnostics);
+    } else if (const auto* time = std::get_if<SetTime>(&action)) {
+      world.environment.time = time->time;
+    }
+  }
+  if (!blocksChanged) return;
+  chosenFor_.blocksChanged = true;
+  rebuildScene(diagnostics);
+}
+
+void RenderSession::rebuildScene(Diagnostics& diagnostics) {
+  const SceneContents before = scene_.contents();
+  rebuildMesh(scene_, meshStyleOf(renderer_->pack()));
+  // The first glass pane brings a translucent pass with it, the last one takes it away.
+  if (scene_.contents() != before) {
+    SessionReload reload{frame_, "blocks changed", false, {}};
+    reload.succeeded =
+        renderer_->setPack(renderer_->sharedPack(), scene_, reload.report, diagnostics);
+    reloads_.push_back(reload);
+  }
+  renderer_->updateScene(scene_);
+}
+
+FrameInput RenderSession::frameInput() const {
+  FrameInput input;
+  input.width = renderer_ ? renderer_->schedule().width : request_.renderer.width;
+  input.height = renderer_ ? renderer_->schedule().height : request_.renderer.height;
+  input.seed = request_.seed;
+  input.camera = request_.camera;
+  input.environment = scene_.world.environment;
+  input.eye = scene_.surroundings(request_.camera.position);
+  input.frameTime = request_.frameTime;
+  return input;
+}
+
+void RenderSession::renderFrame(Diagnostics& diagnostics) {
+  applyEvents(diagnostics);
+  if (sceneChanged()) chooseAgain(diagnostics);
+  FrameInput input = frameInput();
+  input.centerDepth = renderer_->centerDepth();
+  state_ = nextFrameState(input, renderer_->pack().directives, state_ ? &*state_ : nullptr);
+  state_->emptyHandId = renderer_->pack().hasItemFile ? -1 : 0;
+  Player& player = state_->environment.player;
+  if (renderer_->pack().properties.flag("oldHandLight", true))
+    player.heldLight = std::max(player.heldLight, player.heldLight2);
+  renderer_->render(*state_);
+  ++frame_;
+}
+
+}  // namespace orris

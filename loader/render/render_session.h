@@ -1,0 +1,102 @@
+// A world rendered by a pack over time: events, option changes and reloads. This is what `orris
+// render` and `orris view` run, and what an engine of its own embeds.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "plan/auto_choices.h"
+#include "render/frame_renderer.h"
+
+namespace orris {
+
+/// Opens the pack's files anew for each (re)load; nullptr and diagnostics when it cannot.
+using PackOpener = std::function<std::shared_ptr<const FileSource>(Diagnostics&)>;
+
+struct SessionRequest {
+  PackOpener openPack;
+  LoadRequest load;       ///< options, profile, dimension; the environment is filled in
+  HostVersions versions;  ///< that the environment states
+  RendererOptions renderer;
+  Camera camera;
+  std::optional<int> time;  ///< overrides the world's
+  unsigned seed = 0;
+  float frameTime = 1.0f / 60;  ///< fixed, for equal bytes on every run
+};
+
+/// A (re)load that happened before a frame.
+struct SessionReload {
+  int frame = 0;
+  std::string cause;  ///< "start", "event: GI_METHOD=NONE", "files changed"
+  bool succeeded = false;
+  LoadReport report;
+};
+
+class RenderSession {
+ public:
+  /// nullptr when the pack cannot be rendered; see diagnostics.
+  static std::unique_ptr<RenderSession> create(gl::Context& context, SessionRequest request,
+                                               World world, Diagnostics& diagnostics);
+
+  /// Applies the events of the next frame and draws it.
+  void renderFrame(Diagnostics& diagnostics);
+
+  /// Loads the pack again from its files. false: the last good one keeps running.
+  bool reload(const std::string& cause, Diagnostics& diagnostics);
+  /// The same files under other values: only the programs that the option reaches are built again.
+  bool setOption(const std::string& name, const std::string& value, Diagnostics& diagnostics);
+  bool setProfile(const std::string& name, Diagnostics& diagnostics);
+  void setCamera(const Camera& camera) { request_.camera = camera; }
+  void setTime(int time) { scene_.world.environment.time = time; }
+  void setFrameTime(float seconds) { request_.frameTime = seconds; }
+  LoadRequest& loadRequest() { return request_.load; }
+
+  const Camera& camera() const { return request_.camera; }
+  int frame() const { return frame_; }  ///< frames drawn so far
+  FrameRenderer& renderer() { return *renderer_; }
+  const SceneData& scene() const { return scene_; }
+  const std::vector<SessionReload>& reloads() const { return reloads_; }
+  /// What was chosen for options that are AUTO; chosen again at each load, and when the scene has
+  /// changed by much.
+  const AutoChoices& autoChoices() const { return auto_; }
+
+ private:
+  RenderSession(SessionRequest request, SceneData scene);
+  std::shared_ptr<const ShaderPack> loadPack(Diagnostics& diagnostics);
+  std::shared_ptr<const ShaderPack> rebuildPack(Diagnostics& diagnostics);
+  bool use(const std::string& cause, std::shared_ptr<const ShaderPack> asked,
+           Diagnostics& diagnostics);
+  bool take(const std::string& cause, std::shared_ptr<const ShaderPack> pack,
+            Diagnostics& diagnostics);
+  /// The pack with values chosen for options that are AUTO.
+  std::shared_ptr<const ShaderPack> settle(std::shared_ptr<const ShaderPack> asked,
+                                           Diagnostics& diagnostics);
+  void chooseAgain(Diagnostics& diagnostics);
+  bool sceneChanged() const;
+  FrameInput frameInput() const;
+  void applyEvents(Diagnostics& diagnostics);
+  void rebuildScene(Diagnostics& diagnostics);
+
+  SessionRequest request_;
+  SceneData scene_;
+  std::unique_ptr<FrameRenderer> renderer_;
+  std::optional<FrameState> state_;
+  std::vector<SessionReload> reloads_;
+  AutoChoices auto_;
+  /// What was asked for, and the scene for which `auto_` was chosen.
+  std::shared_ptr<const ShaderPack> asked_;
+  struct {
+    int frame = 0, time = 0;
+    glm::dvec3 eye{0};
+    bool blocksChanged = false;  ///< since
+  } chosenFor_;
+  size_t nextEvent_ = 0;
+  int frame_ = 0;
+};
+
+/// Environment macros for the driver of a context.
+MacroDefinitions environmentFor(const gl::DriverInfo& driver, const HostVersions& versions = {});
+
+}  // namespace orris

@@ -1,0 +1,56 @@
+// Which texture a sampler or image name means in a step, and binding it.
+// Contract: buffers.csv, README "Mipmaps and sampling".
+#pragma once
+
+#include <map>
+
+#include "render/gpu_program.h"
+#include "render/gpu_scene.h"
+#include "render/pack_resources.h"
+#include "render/render_targets.h"
+
+namespace orris {
+
+/// How a texture is sampled; sampler objects keep it apart from the texture, since one texture is
+/// read as sampler2D and as sampler2DShadow.
+struct SamplerState {
+  bool linear = false, repeat = false, mipmaps = false, compare = false, integer = false;
+  auto operator<=>(const SamplerState&) const = default;
+};
+
+class SamplerBinder {
+ public:
+  SamplerBinder(RenderTargets& targets, const GpuScene& scene, const PackResources& resources,
+                const PackDirectives& directives, const gl::Texture& noise)
+      : targets_(targets),
+        scene_(scene),
+        resources_(resources),
+        directives_(directives),
+        noise_(noise) {}
+
+  /// Binds everything `program` samples or loads during `step`, units from 0.
+  void bind(const GpuProgram& program, const Step& step);
+  static void unbind(const GpuProgram& program);
+
+ private:
+  struct Choice {
+    const gl::Texture* texture = nullptr;
+    SamplerState state;
+  };
+  Choice choose(const SamplerBinding& sampler, const Step& step);
+  Choice chooseBuffer(const SamplerBinding& sampler, const Step& step, bool& found);
+  Choice chooseNamed(const SamplerBinding& sampler, const Step& step, bool& found) const;
+  Choice chooseFallback(const Step& step);
+  Choice colorChoice(bool shadow, int index, bool alt);
+  void bindImage(const SamplerBinding& image, const Step& step);
+  unsigned samplerObject(const SamplerState& state);
+
+  RenderTargets& targets_;
+  const GpuScene& scene_;
+  const PackResources& resources_;
+  const PackDirectives& directives_;
+  const gl::Texture& noise_;
+  std::map<SamplerState, gl::Handle<gl::deleteSampler>> samplers_;
+};
+
+}  // namespace orris

@@ -1,0 +1,24 @@
+// Sponge schematics (.schem), versions 1 to 3: gzip-compressed NBT with a palette and varint indices.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/diagnostic.h"
+#include "world/blocks/block_world.h"
+
+namespace orris {
+
+/// The blocks, at origin (0,0,0). `name` is the file's name for diagnostics. Every length and index
+/// is checked; nullopt and one error when anything is wrong, never a part of the blocks.
+std::optional<BlockWorld> parseSchematic(std::string_view bytes, const std::string& name,
+                                         Diagnostics& diagnostics,
+                                         std::int64_t maximumBlocks = kMaxWorldBlocks);
+
+/// The same from the decompressed tags.
+std::optional<BlockWorld> parseSchematicTags(std::string_view tags, const std::string& name,
+                                             Diagnostics& diagnostics,
+                                             std::int64_t maximumBlocks = kMaxWorldBlocks);
+
+}  // namespace orris

@@ -1,0 +1,57 @@
+// The faces of one block state before culling and lighting, with the game's texture coordinates.
+#pragma once
+
+#include <array>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "world/atlas/block_atlas.h"
+#include "world/blocks/block_facts.h"
+
+namespace orris {
+
+/// A rectangle on a side of the unit cube, along the two axes that are not the side's normal, in
+/// ascending order of axis.
+struct SideRectangle {
+  glm::vec2 low{0}, high{1};
+  bool covers(const SideRectangle& other) const;
+};
+
+/// How a face is lit: smooth light with ambient occlusion; the light of one cell; or as fluids are,
+/// the brighter of its cell and the one above.
+enum class FaceShading { Smooth, Flat, Fluid };
+
+/// One quad: corners top left, bottom left, bottom right, top right of its texture as seen from
+/// outside, so counter-clockwise.
+struct BlockFace {
+  std::array<glm::vec3, 4> corners;  ///< 0..1 in the block
+  std::array<glm::vec2, 4> uv;       ///< atlas
+  glm::vec2 midUv{0};
+  glm::vec3 normal{0};
+  glm::vec4 tangent{0};
+  FaceDirection direction = FaceDirection::Up;
+  bool flush = false;   ///< lies on the cube's side `direction`, so a neighbour can hide it
+  bool tinted = false;  ///< takes the biome's tint
+  FaceShading shading = FaceShading::Smooth;
+  SideRectangle side;  ///< when flush
+};
+
+/// What the mesher needs of one state.
+struct BlockFaces {
+  std::vector<BlockFace> faces;
+  std::array<std::vector<SideRectangle>, 6> covered;  ///< by side, material that reaches it
+  bool hidesBehind = false;  ///< `covered` hides what is behind it (solid, not see-through)
+};
+
+/// Faces of the boxes or of the cross; none for fluids.
+BlockFaces makeBlockFaces(const BlockFacts& facts, const BlockAtlas& atlas);
+
+/// Faces of a fluid whose surface is at `height` (0..1). Below 1 the surface has an underside.
+std::vector<BlockFace> makeFluidFaces(const BlockFacts& facts, const BlockAtlas& atlas,
+                                      float height);
+
+/// Index of the two axes along a side.
+glm::ivec2 sideAxes(FaceDirection direction);
+FaceDirection opposite(FaceDirection direction);
+
+}  // namespace orris

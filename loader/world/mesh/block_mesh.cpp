@@ -1,0 +1,270 @@
+#include "world/mesh/block_mesh.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "world/mesh/block_faces.h"
+#include "world/mesh/face_light.h"
+
+namespace orris {
+namespace {
+
+constexpr int kSectionSize = 16;
+constexpr const char* kWater = "minecraft:water";
+
+/// The game's colours of the plains biome.
+glm::u8vec3 colourOf(Tint tint) {
+  switch (tint) {
+    case Tint::Grass:
+      return {0x91, 0xBD, 0x59};
+    case Tint::Foliage:
+      return {0x77, 0xAB, 0x2F};
+    case Tint::Water:
+      return {0x3F, 0x76, 0xE4};
+    case Tint::None:
+      break;
+  }
+  return {255, 255, 255};
+}
+
+/// 8/9 of a block for a source or falling fluid, less for flowing ones.
+float fluidHeight(const BlockState& state) {
+  const std::string_view level = state.property("level", "0");
+  const int flowed = level.size() == 1 && level[0] >= '0' && level[0] <= '7' ? level[0] - '0' : 0;
+  return float(8 - flowed) / 9;
+}
+
+/// One palette entry, prepared.
+struct MeshState {
+  BlockFaces block;
+  std::vector<BlockFace> fluidSurface, fluidFull;  // under air, submerged in the same fluid
+  std::string fluid;                               // name, "" = none
+  float height = 0;
+  std::uint16_t fluidState = 0;   // the palette index that fluid faces carry
+  std::uint8_t coveredSides = 0;  // bit 1 << FaceDirection: wholly opaque
+  bool cullsSame = false;
+
+  bool hides(FaceDirection side) const { return coveredSides >> int(side) & 1; }
+};
+
+class MeshBuilder {
+ public:
+  explicit MeshBuilder(const MeshInput& input)
+      : input_(input), lighting_(input.blocks, input.light, input.facts) {
+    prepareStates();
+  }
+
+  BlockMesh build() {
+    const glm::ivec3 low = floorToSection(input_.blocks.origin());
+    const glm::ivec3 end = input_.blocks.origin() + input_.blocks.size();
+    for (int x = low.x; x < end.x; x += kSectionSize) {
+      for (int y = low.y; y < end.y; y += kSectionSize) {
+        for (int z = low.z; z < end.z; z += kSectionSize) buildSection({x, y, z});
+      }
+    }
+    return join();
+  }
+
+ private:
+  static glm::ivec3 floorToSection(glm::ivec3 p) {
+    for (int axis = 0; axis < 3; ++axis) p[axis] &= ~(kSectionSize - 1);
+    return p;
+  }
+
+  void prepareStates() {
+    const std::vector<BlockState>& palette = input_.blocks.palette();
+    const auto water = std::find_if(palette.begin(), palette.end(), [](const BlockState& state) {
+      return state.name == kWater && state.property("level", "0") == "0";
+    });
+    for (std::size_t i = 0; i < palette.size(); ++i) {
+      const BlockFacts& facts = input_.facts[i];
+      MeshState& state = states_.emplace_back();
+      state.block = makeBlockFaces(facts, input_.atlas);
+      state.coveredSides = facts.coveredFaces;
+      state.cullsSame = facts.cullsSame;
+      if (facts.fluid) {
+        // Bubble columns and flowing water join with still water.
+        const bool isWater = facts.tint == Tint::Water;
+        addFluid(state, isWater ? kWater : palette[i].name, i, fluidHeight(palette[i]));
+      } else if (facts.waterlogged && water != palette.end()) {
+        addFluid(state, kWater, std::size_t(water - palette.begin()), 8.0f / 9);
+      }
+    }
+  }
+
+  void addFluid(MeshState& state, const std::string& name, std::size_t index, float height) {
+    state.fluid = name;
+    state.height = height;
+    state.fluidState = std::uint16_t(index);
+    state.fluidSurface = makeFluidFaces(input_.facts[index], input_.atlas, height);
+    state.fluidFull = makeFluidFaces(input_.facts[index], input_.atlas, 1);
+  }
+
+  void buildSection(glm::ivec3 origin) {
+    std::array<std::size_t, kRenderLayers> first;
+    for (std::size_t i = 0; i < first.size(); ++i) first[i] = vertices_[i].size();
+    const glm::ivec3 low = glm::max(origin, input_.blocks.origin());
+    const glm::ivec3 end =
+        glm::min(origin + kSectionSize, input_.blocks.origin() + input_.blocks.size());
+    for (int y = low.y; y < end.y; ++y) {
+      for (int z = low.z; z < end.z; ++z) {
+        for (int x = low.x; x < end.x; ++x) addCell({x, y, z}, origin);
+      }
+    }
+    for (std::size_t i = 0; i < first.size(); ++i) {
+      if (RenderLayer(i) == RenderLayer::BlockEntity) {
+        addBlockEntities(origin, first[i]);
+      } else if (const std::size_t count = vertices_[i].size() - first[i]; count > 0) {
+        sections_[i].push_back(
+            {origin, RenderLayer(i), std::uint32_t(first[i]), std::uint32_t(count)});
+      }
+    }
+  }
+
+  // Those of one state together: each draw has one blockEntityId.
+  void addBlockEntities(glm::ivec3 origin, std::size_t first) {
+    constexpr auto kLayer = std::size_t(RenderLayer::BlockEntity);
+    std::vector<BlockVertex>& vertices = vertices_[kLayer];
+    std::stable_sort(vertices.begin() + std::ptrdiff_t(first), vertices.end(),
+                     [](const auto& a, const auto& b) { return a.state < b.state; });
+    for (std::size_t start = first, end; start < vertices.size(); start = end) {
+      end = start;
+      while (end < vertices.size() && vertices[end].state == vertices[start].state) ++end;
+      sections_[kLayer].push_back({origin, RenderLayer::BlockEntity, std::uint32_t(start),
+                                   std::uint32_t(end - start), vertices[start].state});
+    }
+  }
+
+  void addCell(glm::ivec3 cell, glm::ivec3 origin) {
+    const std::uint32_t index = input_.blocks.indexAt(cell);
+    if (index == 0) return;
+    const MeshState& state = states_[index];
+    for (const BlockFace& face : state.block.faces) {
+      if (!isHidden(face, cell, index)) addFace(face, cell, origin, index, false);
+    }
+    if (!state.fluid.empty()) addFluidFaces(state, cell, origin);
+  }
+
+  bool isHidden(const BlockFace& face, glm::ivec3 cell, std::uint32_t index) const {
+    if (!face.flush) return false;
+    const std::uint32_t other = input_.blocks.indexAt(cell + normalOf(face.direction));
+    const MeshState& neighbour = states_[other];
+    const FaceDirection side = opposite(face.direction);
+    if (neighbour.hides(side)) return true;
+    const auto& palette = input_.blocks.palette();
+    const bool same = states_[index].cullsSame && palette[index].name == palette[other].name;
+    if (!same && !neighbour.block.hidesBehind) return false;
+    const auto& covered = neighbour.block.covered[std::size_t(side)];
+    return std::any_of(covered.begin(), covered.end(),
+                       [&](const SideRectangle& area) { return area.covers(face.side); });
+  }
+
+  void addFluidFaces(const MeshState& state, glm::ivec3 cell, glm::ivec3 origin) {
+    const bool submerged = stateAt(cell + glm::ivec3(0, 1, 0)).fluid == state.fluid;
+    for (const BlockFace& face : submerged ? state.fluidFull : state.fluidSurface) {
+      if (face.flush && isFluidHidden(face, cell, state, submerged)) continue;
+      addFace(face, cell, origin, state.fluidState, true);
+    }
+  }
+
+  bool isFluidHidden(const BlockFace& face, glm::ivec3 cell, const MeshState& state,
+                     bool submerged) const {
+    const glm::ivec3 beside = cell + normalOf(face.direction);
+    const MeshState& neighbour = stateAt(beside);
+    if (neighbour.hides(opposite(face.direction))) return true;
+    if (neighbour.fluid != state.fluid) return false;
+    if (face.direction == FaceDirection::Down || face.direction == FaceDirection::Up) return true;
+    // A lower surface beside leaves a step to be seen.
+    const bool besideSubmerged = stateAt(beside + glm::ivec3(0, 1, 0)).fluid == state.fluid;
+    return (besideSubmerged ? 1 : neighbour.height) >= (submerged ? 1 : state.height);
+  }
+
+  const MeshState& stateAt(glm::ivec3 cell) const { return states_[input_.blocks.indexAt(cell)]; }
+
+  void addFace(const BlockFace& face, glm::ivec3 cell, glm::ivec3 origin, std::uint32_t index,
+               bool fluid) {
+    const BlockFacts& facts = input_.facts[index];
+    const std::array<CornerLight, 4> light = lighting_.corners(face, cell);
+    const glm::u8vec3 colour = face.tinted ? colourOf(facts.tint) : glm::u8vec3(255);
+    const RenderLayer layer = facts.blockEntity ? RenderLayer::BlockEntity : facts.layer;
+    std::vector<BlockVertex>& vertices = vertices_[std::size_t(layer)];
+    for (std::size_t i = 0; i < 4; ++i) {
+      const float occlusion = 1 - input_.ambientOcclusionLevel * (1 - light[i].occlusion);
+      const glm::ivec3 toMiddle(glm::round((glm::vec3(0.5f) - face.corners[i]) * 64.0f));
+      BlockVertex vertex;
+      vertex.position = glm::vec3(cell - origin) + face.corners[i];
+      vertex.uv = face.uv[i];
+      vertex.midUv = face.midUv;
+      vertex.normal = face.normal;
+      vertex.tangent = face.tangent;
+      vertex.tint = glm::u8vec4(colour, std::lround(occlusion * 255));
+      vertex.light = {std::lround(light[i].block), std::lround(light[i].sky)};
+      vertex.midBlock = glm::i8vec4(toMiddle, facts.emission);
+      vertex.state = std::uint16_t(index);
+      vertex.fluid = fluid ? 1 : 0;
+      vertices.push_back(vertex);
+    }
+  }
+
+  BlockMesh join() {
+    BlockMesh mesh;
+    for (std::size_t i = 0; i < vertices_.size(); ++i) {
+      const std::uint32_t start = std::uint32_t(mesh.vertices.size());
+      if (i == 0) {
+        mesh.vertices = std::move(vertices_[i]);
+      } else {
+        mesh.vertices.insert(mesh.vertices.end(), vertices_[i].begin(), vertices_[i].end());
+      }
+      for (MeshSection section : sections_[i]) {
+        section.first += start;
+        mesh.sections.push_back(section);
+      }
+    }
+    return mesh;
+  }
+
+  const MeshInput& input_;
+  FaceLighting lighting_;
+  std::vector<MeshState> states_;
+  std::array<std::vector<BlockVertex>, kRenderLayers> vertices_;  // by layer
+  std::array<std::vector<MeshSection>, kRenderLayers> sections_;
+};
+
+}  // namespace
+
+BlockMesh buildMesh(const MeshInput& input) { return MeshBuilder(input).build(); }
+
+std::vector<BlockFacts> factsOfPalette(const BlockTable& table, const BlockWorld& blocks,
+                                       Diagnostics& diagnostics) {
+  std::vector<BlockFacts> facts;
+  std::set<std::string> unknown;
+  for (const BlockState& state : blocks.palette()) {
+    facts.push_back(table.factsOf(state));
+    if (facts.back().known || !unknown.insert(state.name).second) continue;
+    Diagnostic diagnostic;
+    diagnostic.severity = Severity::Warning;
+    diagnostic.id = "unknown-block";
+    diagnostic.message = fmt::format(
+        "the block \"{}\" is not known: drawn as a cube with the missing texture", state.name);
+    diagnostics.push_back(std::move(diagnostic));
+  }
+  return facts;
+}
+
+std::vector<std::string> texturesOf(const std::vector<BlockFacts>& facts) {
+  std::set<std::string> names;
+  for (const BlockFacts& fact : facts) {
+    for (const ShapeBox& box : fact.boxes) {
+      for (const std::string& texture : box.textures) {
+        if (!texture.empty()) names.insert(texture);
+      }
+    }
+  }
+  return {names.begin(), names.end()};
+}
+
+}  // namespace orris
