@@ -5,7 +5,7 @@ include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/Orris)
 
 add_library(orris_all INTERFACE)
-target_link_libraries(orris_all INTERFACE orris_check)
+target_link_libraries(orris_all INTERFACE orris_validate orris_chart orris_trace)
 set_target_properties(orris_all PROPERTIES EXPORT_NAME orris)
 add_library(Orris::orris ALIAS orris_all)
 

@@ -1,7 +1,7 @@
 cmake_minimum_required(VERSION 3.22)
 # Every #include "x/..." of a folder must name the folder itself or one of its USES (direct or
 # inherited through them is not enough: what is used is listed).
-file(GLOB sources ${FOLDER}/*.h ${FOLDER}/*.cpp)
+file(GLOB_RECURSE sources ${FOLDER}/*.h ${FOLDER}/*.cpp)
 foreach(source IN LISTS sources)
   file(STRINGS ${source} includes REGEX "^#include \"[a-z]+/")
   foreach(line IN LISTS includes)

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "image/texel_format.h"
 #include "gl/handle.h"
+#include "image/texel_format.h"
 
 namespace orris::gl {
 

@@ -1,11 +1,12 @@
 #include "image/texel_format.h"
 
+#include <GL/gl.h>
+#include <GL/glext.h>
+
 #include <algorithm>
 #include <cctype>
 
-#include "gl/functions.h"
-
-namespace orris::gl {
+namespace orris {
 namespace {
 
 constexpr TextureFormat kFormats[] = {
@@ -171,4 +172,4 @@ int componentsOf(unsigned pixelFormat) {
   return 0;
 }
 
-}  // namespace orris::gl
+}  // namespace orris

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-namespace orris::gl {
+namespace orris {
 
 enum class FormatClass { Unorm, Snorm, Float, Int, Uint };
 
@@ -39,4 +39,4 @@ std::optional<std::pair<unsigned, int>> findPixelType(std::string_view name);
 /// 0 when unknown.
 int componentsOf(unsigned pixelFormat);
 
-}  // namespace orris::gl
+}  // namespace orris

@@ -8,10 +8,10 @@
 
 #include "core/text_file.h"
 #include "core/work_stage.h"
-#include "pack/options/chosen_values.h"
-#include "pack/versions/features.h"
-#include "pack/programs/folder_build.h"
 #include "pack/files/text.h"
+#include "pack/options/chosen_values.h"
+#include "pack/programs/folder_build.h"
+#include "pack/versions/features.h"
 
 namespace orris {
 namespace {

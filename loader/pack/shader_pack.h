@@ -11,12 +11,12 @@
 
 #include "core/file_source.h"
 #include "glsl/compile/validate.h"
-#include "pack/programs/directives.h"
 #include "pack/ids/id_map.h"
-#include "pack/versions/iris_versions.h"
+#include "pack/programs/directives.h"
 #include "pack/programs/program_id.h"
 #include "pack/programs/program_list.h"
 #include "pack/properties/shader_properties.h"
+#include "pack/versions/iris_versions.h"
 
 namespace orris {
 
@@ -49,8 +49,8 @@ struct ProgramSource {
   std::optional<BlendMode> blend;
   std::map<std::string, BlendMode> bufferBlend;
   std::array<float, 3> scale{1, 0, 0};
-  bool incomplete = false;            ///< an #include of it is in error and counts as empty
-  bool writesFragData = false;        ///< fixed-function alpha test applies (glsl/rewrite/rewrite.h)
+  bool incomplete = false;      ///< an #include of it is in error and counts as empty
+  bool writesFragData = false;  ///< fixed-function alpha test applies (glsl/rewrite/rewrite.h)
   std::map<std::string, bool> flips;  ///< explicit flip.* of this program, canonical buffer names
   std::vector<AppliedRule> rules;
   std::vector<std::string> options;  ///< sorted: those that its text depends on, no other does
@@ -92,8 +92,9 @@ struct ShaderPack {
   std::map<std::string, std::map<std::string, std::string>> languages;  ///< "en_us" -> key -> text
   std::string folder;                   ///< program folder in use: "/" or "/world0"
   std::vector<std::string> dimensions;  ///< all program folders: "/", "/world0", ...
-  ProgramList programs;     ///< of `folder`, in frame order then name; enabled ones only
-  ProgramList modPrograms;  ///< those of other mods (pack/mods/mods.h), each as if its mod were there
+  ProgramList programs;  ///< of `folder`, in frame order then name; enabled ones only
+  ProgramList
+      modPrograms;  ///< those of other mods (pack/mods/mods.h), each as if its mod were there
   std::vector<std::string> disabledPrograms;
   std::map<std::string, FileLines> files;    ///< every file of the include graph, options applied
   MacroDefinitions propertyMacros;           ///< what *.properties files are preprocessed with

@@ -1,8 +1,8 @@
 // The program the host uses where a pack has none for some geometry: textured, lit by the lightmap.
 #pragma once
 
-#include "plan/schedule.h"
 #include "glsl/compile/validate.h"
+#include "plan/schedule.h"
 
 namespace orris {
 

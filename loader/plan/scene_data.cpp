@@ -1,7 +1,6 @@
-#include <algorithm>
-#include <set>
+#include "plan/scene_data.h"
 
-#include "render/gpu_scene.h"
+#include <algorithm>
 
 namespace orris {
 namespace {
@@ -71,6 +70,13 @@ SceneData buildScene(World world, const MeshStyle& style, Diagnostics& diagnosti
   scene.atlas = buildAtlas(texturesOf(scene.facts));
   rebuildMesh(scene, style);
   return scene;
+}
+
+std::vector<int> blockIdsOf(const ShaderPack& pack, const BlockWorld& blocks) {
+  std::vector<int> ids;
+  for (const BlockState& state : blocks.palette())
+    ids.push_back(pack.blockIds.idOf(state.name, state.properties));
+  return ids;
 }
 
 }  // namespace orris

@@ -4,9 +4,9 @@
 #include <set>
 #include <string>
 
-#include "plan/frame_state.h"
-#include "render/gpu_scene.h"
 #include "pack/options/auto_option.h"
+#include "plan/frame_state.h"
+#include "plan/scene_data.h"
 
 namespace orris {
 

@@ -7,9 +7,9 @@
 #include <map>
 #include <span>
 
+#include "pack/versions/features.h"
 #include "plan/program_uses.h"
 #include "plan/schedule_targets.h"
-#include "pack/versions/features.h"
 
 namespace orris {
 namespace {

@@ -6,8 +6,8 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "render/vertex_layout.h"
 #include "image/image.h"
+#include "plan/gpu_vertex.h"
 
 namespace orris {
 

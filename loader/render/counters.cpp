@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "pack/properties/counter_warning.h"
-#include "pack/programs/folder_build.h"
 #include "pack/files/pack_files.h"
+#include "pack/programs/folder_build.h"
+#include "pack/properties/counter_warning.h"
 
 namespace orris {
 namespace {

@@ -1,11 +1,11 @@
 // The step of our extension STENCIL_SHADOW_VOLUMES: state around the volumes, and the light.
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "gl/functions.h"
 #include "plan/celestial.h"
 #include "render/frame_renderer.h"
 #include "render/loaded_pack.h"
 #include "render/pass_state.h"
-#include "gl/functions.h"
 
 namespace orris {
 namespace {

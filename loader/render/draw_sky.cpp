@@ -3,12 +3,13 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "gl/functions.h"
 #include "plan/celestial.h"
 #include "plan/clouds.h"
 #include "render/frame_renderer.h"
 #include "render/loaded_pack.h"
 #include "render/pass_state.h"
-#include "gl/functions.h"
+#include "render/vertex_layout.h"
 
 namespace orris {
 

@@ -8,11 +8,12 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "gl/functions.h"
 #include "plan/builtin_program.h"
 #include "plan/frustum.h"
 #include "render/loaded_pack.h"
 #include "render/pass_state.h"
-#include "gl/functions.h"
+#include "render/vertex_layout.h"
 
 namespace orris {
 namespace {

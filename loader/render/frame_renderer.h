@@ -8,14 +8,14 @@
 #include <string>
 #include <vector>
 
+#include "gl/context.h"
+#include "image/image.h"
 #include "render/gpu_program.h"
 #include "render/gpu_scene.h"
 #include "render/pack_resources.h"
 #include "render/render_targets.h"
 #include "render/sampler_binder.h"
 #include "render/shadow_volumes.h"
-#include "gl/context.h"
-#include "image/image.h"
 
 namespace orris {
 

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "plan/program_uses.h"
-#include "plan/uniforms.h"
 #include "gl/program.h"
 #include "pack/shader_pack.h"
+#include "plan/program_uses.h"
+#include "plan/uniforms.h"
 
 namespace orris {
 

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "plan/shapes.h"
 #include "gl/functions.h"
+#include "plan/shapes.h"
 #include "world/atlas/atlas_levels.h"
 
 namespace orris {
@@ -13,7 +13,7 @@ namespace {
 
 gl::Texture uploadImage(const Image8& image, int levels, const std::string& label) {
   gl::Texture texture =
-      gl::createTexture(2, *gl::findFormat("RGBA8"), image.width, image.height, 1, levels, label);
+      gl::createTexture(2, *findFormat("RGBA8"), image.width, image.height, 1, levels, label);
   gl::upload(texture, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
   return texture;
 }
@@ -54,7 +54,7 @@ GpuScene::GpuScene(const SceneData& scene, const std::vector<int>& blockIds,
   atlas_ = uploadColors(scene.atlas.albedo, "atlas");
   normals_ = uploadData(scene.atlas.normal, "normals");
   specular_ = uploadData(scene.atlas.specular, "specular");
-  lightmap_ = gl::createTexture(2, *gl::findFormat("RGBA8"), 16, 16, 1, 1, "lightmap");
+  lightmap_ = gl::createTexture(2, *findFormat("RGBA8"), 16, 16, 1, 1, "lightmap");
   Image8 white(1, 1, 4);
   std::fill(white.pixels.begin(), white.pixels.end(), std::uint8_t{255});
   white_ = uploadImage(white, 1, "white");

@@ -2,50 +2,22 @@
 // textures (atlas, lightmap, noise).
 #pragma once
 
-#include <map>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "plan/clouds.h"
-#include "plan/frame_state.h"
-#include "plan/schedule.h"
-#include "plan/shapes.h"
-#include "render/vertex_layout.h"
 #include "gl/buffer.h"
 #include "gl/texture.h"
 #include "pack/shader_pack.h"
+#include "plan/clouds.h"
+#include "plan/frame_state.h"
+#include "plan/gpu_vertex.h"
+#include "plan/scene_data.h"
+#include "plan/schedule.h"
+#include "plan/shapes.h"
 #include "world/mesh/block_mesh.h"
 
 namespace orris {
-
-/// Everything about a world that does not change between edits; no GL in it.
-struct SceneData {
-  World world;
-  std::vector<BlockFacts> facts;  ///< by palette index
-  BlockAtlas atlas;
-  std::unique_ptr<LightLevels> light;
-  BlockMesh mesh;
-
-  SceneContents contents() const;
-  /// What the eye at `position` stands in.
-  EyeSurroundings surroundings(const glm::dvec3& position) const;
-};
-
-/// What of a pack changes the mesh.
-struct MeshStyle {
-  float ambientOcclusionLevel = 1;
-  /// Block name -> "solid", "cutout" or "translucent": layer.* of block.properties.
-  std::map<std::string, std::string> renderLayers{};
-  bool operator==(const MeshStyle&) const = default;
-};
-MeshStyle meshStyleOf(const ShaderPack& pack);
-
-/// Facts, atlas, light and mesh of a world; unknown blocks are warnings.
-SceneData buildScene(World world, const MeshStyle& style, Diagnostics& diagnostics);
-/// Light and mesh again after blocks changed.
-void rebuildMesh(SceneData& scene, const MeshStyle& style);
 
 /// The clouds that were drawn last, on the GPU.
 struct CloudLayer {

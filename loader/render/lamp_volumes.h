@@ -7,10 +7,10 @@
 
 #include <memory>
 
+#include "pack/properties/volume_lights.h"
 #include "plan/frame_state.h"
 #include "render/gpu_scene.h"
 #include "render/shadow_volumes.h"
-#include "pack/properties/volume_lights.h"
 #include "world/mesh/mesh_lamps.h"
 
 namespace orris {

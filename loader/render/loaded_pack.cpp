@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plan/builtin_program.h"
 #include "gl/functions.h"
+#include "plan/builtin_program.h"
 
 namespace orris {
 namespace {
@@ -26,17 +26,6 @@ std::string keyOf(const std::vector<const StageText*>& stages) {
 }
 
 }  // namespace
-
-VertexStyle vertexStyleOf(const ShaderPack& pack) {
-  return {pack.properties.flag("separateAo", false), pack.properties.flag("oldLighting", false)};
-}
-
-std::vector<int> blockIdsOf(const ShaderPack& pack, const BlockWorld& blocks) {
-  std::vector<int> ids;
-  for (const BlockState& state : blocks.palette())
-    ids.push_back(pack.blockIds.idOf(state.name, state.properties));
-  return ids;
-}
 
 std::array<unsigned, 3> groupCounts(const ComputeSource& compute, const std::vector<int>& localSize,
                                     const glm::vec2& size) {

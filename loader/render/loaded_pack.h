@@ -48,9 +48,6 @@ struct FrameRenderer::Loaded {
   VertexStyle style_;
 };
 
-VertexStyle vertexStyleOf(const ShaderPack& pack);
-/// mc_Entity.x of each palette entry.
-std::vector<int> blockIdsOf(const ShaderPack& pack, const BlockWorld& blocks);
 /// Contract constants.csv workGroups and workGroupsRender.
 std::array<unsigned, 3> groupCounts(const ComputeSource& compute, const std::vector<int>& localSize,
                                     const glm::vec2& size);

@@ -52,7 +52,7 @@ gl::Texture loadPng(const std::string& bytes, const std::string& path, Diagnosti
   const auto image = decodeImage(bytes, path, diagnostics);
   if (!image) return {};
   gl::Texture texture =
-      gl::createTexture(2, *gl::findFormat("RGBA8"), image->width, image->height, 1, 1, path);
+      gl::createTexture(2, *findFormat("RGBA8"), image->width, image->height, 1, 1, path);
   gl::upload(texture, GL_RGBA, GL_UNSIGNED_BYTE, image->pixels.data());
   return texture;
 }
@@ -65,9 +65,9 @@ int dimensionsOfRaw(const std::string& type) {
 }
 
 gl::Texture loadRaw(const std::string& bytes, const TextureBinding& b, Diagnostics& diagnostics) {
-  const gl::TextureFormat* format = gl::findFormat(b.rawFormat);
-  const auto pixelFormat = gl::findPixelFormat(b.pixelFormat);
-  const auto pixelType = gl::findPixelType(b.pixelType);
+  const TextureFormat* format = findFormat(b.rawFormat);
+  const auto pixelFormat = findPixelFormat(b.pixelFormat);
+  const auto pixelType = findPixelType(b.pixelType);
   if (format == nullptr || !pixelFormat || !pixelType) {
     warn(diagnostics, "texture-format", b.at,
          fmt::format("unknown format in '{} {} {}'", b.rawFormat, b.pixelFormat, b.pixelType),
@@ -75,7 +75,7 @@ gl::Texture loadRaw(const std::string& bytes, const TextureBinding& b, Diagnosti
     return {};
   }
   const long long needed =
-      1LL * b.size[0] * b.size[1] * b.size[2] * gl::componentsOf(*pixelFormat) * pixelType->second;
+      1LL * b.size[0] * b.size[1] * b.size[2] * componentsOf(*pixelFormat) * pixelType->second;
   if (b.size[0] < 1 || b.size[1] < 1 || b.size[2] < 1 ||
       needed > static_cast<long long>(bytes.size())) {
     warn(diagnostics, "texture-size", b.at,
@@ -90,26 +90,6 @@ gl::Texture loadRaw(const std::string& bytes, const TextureBinding& b, Diagnosti
 }
 
 }  // namespace
-
-std::string textureStageOf(ProgramGroup group) {
-  switch (group) {
-    case ProgramGroup::Setup:
-      return "setup";
-    case ProgramGroup::Begin:
-      return "begin";
-    case ProgramGroup::ShadowComp:
-      return "shadowcomp";
-    case ProgramGroup::Prepare:
-      return "prepare";
-    case ProgramGroup::Deferred:
-      return "deferred";
-    case ProgramGroup::Composite:
-    case ProgramGroup::Final:
-      return "composite";
-    default:
-      return "gbuffers";
-  }
-}
 
 PackResources::PackResources(const ShaderPack& pack, int width, int height,
                              Diagnostics& diagnostics) {
@@ -151,7 +131,7 @@ void PackResources::addImage(const CustomImage& plan, int width, int height,
                              Diagnostics& diagnostics) {
   ImageResource image;
   image.plan = plan;
-  image.format = gl::findFormat(plan.internalFormat);
+  image.format = findFormat(plan.internalFormat);
   if (image.format == nullptr || !image.format->imageLoadStore) {
     warn(diagnostics, "image-format", plan.at,
          fmt::format("image.{}: {} cannot be used for image load and store", plan.name,

@@ -24,7 +24,7 @@ struct BoundTexture {
 struct ImageResource {
   CustomImage plan;
   gl::Texture texture;
-  const gl::TextureFormat* format = nullptr;
+  const TextureFormat* format = nullptr;
 };
 
 /// Missing files and bad sizes are located warnings (Iris logs and goes on); the binding is dropped.
@@ -54,8 +54,5 @@ class PackResources {
   std::vector<ImageResource> images_;
   std::map<int, gl::Buffer> buffers_;
 };
-
-/// "gbuffers" for programs of groups Gbuffers and Shadow, "composite" for Final, and so on.
-std::string textureStageOf(ProgramGroup group);
 
 }  // namespace orris

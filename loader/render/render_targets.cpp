@@ -20,7 +20,7 @@ int levelsFor(int width, int height) {
 RenderTarget makeTarget(const TargetPlan& plan, const char* kind, Diagnostics& diagnostics) {
   RenderTarget target;
   target.plan = plan;
-  target.format = gl::findFormat(plan.format);
+  target.format = findFormat(plan.format);
   if (target.format == nullptr || !target.format->renderable) {
     Diagnostic d;
     d.id = "target-format";
@@ -28,7 +28,7 @@ RenderTarget makeTarget(const TargetPlan& plan, const char* kind, Diagnostics& d
         fmt::format("{}{} cannot be drawn to with format {}", kind, plan.index, plan.format);
     d.hint = "use a renderable format such as RGBA16F";
     diagnostics.push_back(std::move(d));
-    target.format = gl::findFormat("RGBA8");
+    target.format = findFormat("RGBA8");
   }
   const int levels = plan.mipmaps ? levelsFor(plan.width, plan.height) : 1;
   for (int side = 0; side < (plan.needsAlt ? 2 : 1); ++side)
@@ -85,14 +85,14 @@ RenderTargets::RenderTargets(const Schedule& schedule, bool floatScreen,
   if (schedule.depthtex2) depth_[2] = makeDepth("depthtex2");
   if (schedule.stencil) stencil_ = gl::createStencilView(depth_[0], "stenciltex0");
   if (schedule.lampShadows)
-    lampShadows_ = gl::createTexture(2, *gl::findFormat("R8UI"), schedule.width, schedule.height, 1,
-                                     1, "stenciltex1");
+    lampShadows_ = gl::createTexture(2, *findFormat("R8UI"), schedule.width, schedule.height, 1, 1,
+                                     "stenciltex1");
   if (const int size = schedule.shadowResolution; size > 0) {
     shadowDepth_[0] = gl::createDepthTexture(size, size, levelsFor(size, size), "shadowtex0");
     if (schedule.shadowtex1)
       shadowDepth_[1] = gl::createDepthTexture(size, size, levelsFor(size, size), "shadowtex1");
   }
-  screen_ = gl::createTexture(2, *gl::findFormat(floatScreen ? "RGBA32F" : "RGBA8"), schedule.width,
+  screen_ = gl::createTexture(2, *findFormat(floatScreen ? "RGBA32F" : "RGBA8"), schedule.width,
                               schedule.height, 1, 1, "screen");
 }
 

@@ -6,16 +6,16 @@
 #include <string>
 #include <vector>
 
-#include "plan/schedule.h"
 #include "gl/framebuffer.h"
 #include "gl/texture.h"
+#include "plan/schedule.h"
 
 namespace orris {
 
 /// One colortex or shadowcolor on the GPU.
 struct RenderTarget {
   TargetPlan plan;
-  const gl::TextureFormat* format = nullptr;
+  const TextureFormat* format = nullptr;
   gl::Texture sides[2];                ///< main, alt (alt only when the plan needs it)
   bool mipmapped[2] = {false, false};  ///< mipmaps built since the frame began
   bool isFresh = true;                 ///< holds nothing yet

@@ -1,64 +1,13 @@
 #include "render/vertex_layout.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <string_view>
+#include <iterator>
 
 #include "gl/functions.h"
 
 namespace orris {
 namespace {
-
-// A sample at exactly the far edge of a tile would read the next one; the game shrinks its quads'
-// coordinates towards their middle for the same reason. 1/250 texel of a 16-texel tile.
-constexpr float kUvInset = 1.0f / 2048;
-
-std::int8_t snorm(float v) {
-  return static_cast<std::int8_t>(std::lround(std::clamp(v, -1.0f, 1.0f) * 127));
-}
-
-// The game's fixed shading of faces: up, down, north/south, east/west.
-float directionalShade(const glm::vec3& n) {
-  if (n.y > 0.5f) return 1.0f;
-  if (n.y < -0.5f) return 0.5f;
-  return std::abs(n.z) > std::abs(n.x) ? 0.8f : 0.6f;
-}
-
-void setColor(GpuVertex& out, const BlockVertex& in, const VertexStyle& style) {
-  const float shade = style.oldLighting ? directionalShade(in.normal) : 1.0f;
-  const float rgb = style.separateAo ? shade : shade * static_cast<float>(in.tint.a) / 255;
-  for (int i = 0; i < 3; ++i)
-    out.color[i] = static_cast<std::uint8_t>(std::lround(static_cast<float>(in.tint[i]) * rgb));
-  out.color[3] = style.separateAo ? in.tint.a : 255;
-}
-
-/// Where a named attribute lives in GpuVertex.
-struct AttributeRow {
-  std::string_view name;
-  int components;
-  unsigned type;
-  bool normalized;
-  size_t offset;
-};
-constexpr AttributeRow kAttributes[] = {
-    {"vaPosition", 3, GL_FLOAT, false, offsetof(GpuVertex, position)},
-    {"vaUV0", 2, GL_FLOAT, false, offsetof(GpuVertex, uv)},
-    {"vaUV2", 2, GL_SHORT, false, offsetof(GpuVertex, light)},
-    {"vaColor", 4, GL_UNSIGNED_BYTE, true, offsetof(GpuVertex, color)},
-    {"vaNormal", 3, GL_BYTE, true, offsetof(GpuVertex, normal)},
-    {"mc_Entity", 2, GL_INT, false, offsetof(GpuVertex, entity)},
-    {"mc_midTexCoord", 2, GL_FLOAT, false, offsetof(GpuVertex, midUv)},
-    {"at_tangent", 4, GL_BYTE, true, offsetof(GpuVertex, tangent)},
-    {"at_midBlock", 4, GL_BYTE, false, offsetof(GpuVertex, midBlock)},
-};
-/// Constant values of attributes that this geometry does not vary.
-struct ConstantRow {
-  std::string_view name;
-  float value[4];
-};
-constexpr ConstantRow kConstants[] = {
-    {"vaUV1", {0, 10, 0, 1}}, {"mc_chunkFade", {-1, 0, 0, 1}}, {"at_velocity", {0, 0, 0, 1}}};
 
 bool isIntegerAttribute(unsigned type) {
   static constexpr unsigned kTypes[] = {
@@ -71,7 +20,7 @@ const void* pointer(size_t offset) { return reinterpret_cast<const void*>(offset
 
 void setConstant(const gl::ActiveVariable& attribute) {
   float value[4] = {0, 0, 0, 1};
-  for (const ConstantRow& row : kConstants)
+  for (const ConstantAttribute& row : constantAttributes())
     if (row.name == attribute.name) std::copy(row.value, row.value + 4, value);
   if (isIntegerAttribute(attribute.type))
     gl::VertexAttribI4i(attribute.location, static_cast<int>(value[0]), static_cast<int>(value[1]),
@@ -81,9 +30,10 @@ void setConstant(const gl::ActiveVariable& attribute) {
 }
 
 void bindGeneric(const gl::ActiveVariable& attribute) {
-  const auto* row = std::find_if(std::begin(kAttributes), std::end(kAttributes),
-                                 [&](const AttributeRow& r) { return r.name == attribute.name; });
-  if (row == std::end(kAttributes)) return setConstant(attribute);
+  const auto rows = vertexAttributes();
+  const auto row = std::find_if(rows.begin(), rows.end(),
+                                [&](const VertexAttribute& r) { return r.name == attribute.name; });
+  if (row == rows.end()) return setConstant(attribute);
   gl::EnableVertexAttribArray(attribute.location);
   if (isIntegerAttribute(attribute.type))
     gl::VertexAttribIPointer(attribute.location, row->components, row->type, sizeof(GpuVertex),
@@ -101,50 +51,6 @@ void bindTexCoord(int unit, int components, unsigned type, size_t offset) {
 }
 
 }  // namespace
-
-const std::vector<std::string_view>& attributeNames() {
-  static const std::vector<std::string_view> kNames = [] {
-    std::vector<std::string_view> names;
-    for (const AttributeRow& row : kAttributes) names.push_back(row.name);
-    for (const ConstantRow& row : kConstants) names.push_back(row.name);
-    return names;
-  }();
-  return kNames;
-}
-
-std::vector<GpuVertex> packVertices(const BlockMesh& mesh, const std::vector<int>& blockIds,
-                                    const VertexStyle& style) {
-  std::vector<GpuVertex> out(mesh.vertices.size());
-  for (size_t i = 0; i < out.size(); ++i) {
-    const BlockVertex& in = mesh.vertices[i];
-    GpuVertex& v = out[i];
-    for (int k = 0; k < 3; ++k) {
-      v.position[k] = in.position[k];
-      v.normal[k] = snorm(in.normal[k]);
-    }
-    for (int k = 0; k < 4; ++k) {
-      v.tangent[k] = snorm(in.tangent[k]);
-      v.midBlock[k] = in.midBlock[k];
-    }
-    for (int k = 0; k < 2; ++k) {
-      v.uv[k] = in.uv[k] + (in.midUv[k] - in.uv[k]) * kUvInset;
-      v.midUv[k] = in.midUv[k];
-      v.light[k] = in.light[k];
-    }
-    v.entity[0] = in.state < blockIds.size() ? blockIds[in.state] : -1;
-    v.entity[1] = in.fluid != 0 ? 1 : -1;
-    setColor(v, in, style);
-  }
-  // The game's vertices of block entities have neither.
-  for (const MeshSection& section : mesh.sections) {
-    if (section.layer != RenderLayer::BlockEntity) continue;
-    for (size_t i = section.first; i < section.first + section.count; ++i) {
-      out[i].entity[0] = out[i].entity[1] = -1;
-      std::fill(std::begin(out[i].midBlock), std::end(out[i].midBlock), std::int8_t{0});
-    }
-  }
-  return out;
-}
 
 void bindVertices(const gl::Program& program) {
   // Compatibility arrays are cheap when unused, so all are set; generic ones as the program asks.

@@ -3,8 +3,7 @@
 #include <cstdlib>
 
 #include "plan/celestial.h"
-#include "render/gpu_scene.h"
-#include "render/loaded_pack.h"
+#include "plan/scene_data.h"
 
 namespace orris {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <memory>
 
+#include "trace/grid/voxel_grid.h"
 #include "trace/light/lamps.h"
 #include "trace/light/pack_lighting.h"
-#include "trace/grid/voxel_grid.h"
 #include "world/mesh/block_mesh.h"
 
 namespace orris {

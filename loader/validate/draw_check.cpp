@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "validate/driver_check.h"
 #include "render/render_session.h"
+#include "validate/driver_check.h"
 #include "world/world.h"
 
 namespace orris {

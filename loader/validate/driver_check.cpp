@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "check/workers/diagnostic_codec.h"
-#include "render/gpu_program.h"
 #include "pack/mods/mods.h"
+#include "render/gpu_program.h"
 
 namespace orris {
 namespace {

@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "core/file_source.h"
-#include "render/gpu_scene.h"
 #include "pack/shader_pack.h"
+#include "render/gpu_scene.h"
 #include "world/world.h"
 
 namespace {

@@ -17,9 +17,9 @@
 #include <vector>
 
 #include "core/file_source.h"
-#include "render/render_session.h"
 #include "gl/context.h"
 #include "gl/functions.h"
+#include "render/render_session.h"
 #include "world/world.h"
 
 namespace {

@@ -199,7 +199,7 @@ TEST(ContractFormats, names_are_those_of_the_code) {
     known.merge(asSet(*names));
   EXPECT_THAT(without(known, words), IsEmpty());
   EXPECT_THAT(without(words, known), IsEmpty());
-  for (const std::string& name : internalFormatNames()) EXPECT_TRUE(gl::findFormat(name)) << name;
+  for (const std::string& name : internalFormatNames()) EXPECT_TRUE(findFormat(name)) << name;
 }
 
 TEST(ContractDirectives, each_changes_the_settings) {

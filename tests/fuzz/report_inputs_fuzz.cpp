@@ -3,11 +3,11 @@
 #include <cstdint>
 #include <string>
 
-#include "check/report/baseline.h"
 #include "check/logs/game_log.h"
-#include "check/report/ignore_comments.h"
 #include "check/logs/log_place.h"
 #include "check/logs/token_alignment.h"
+#include "check/report/baseline.h"
+#include "check/report/ignore_comments.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace orris;

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "glsl/compile/validate.h"
 #include "glsl/preprocess/preprocessor.h"
 #include "glsl/rewrite/rewrite.h"
-#include "glsl/compile/validate.h"
 
 namespace orris::test {
 

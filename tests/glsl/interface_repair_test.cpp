@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "glsl/tokens/file_scope.h"
 #include "glsl/glsl_test.h"
+#include "glsl/tokens/file_scope.h"
 #include "glsl/tokens/text_edits.h"
 
 namespace orris {

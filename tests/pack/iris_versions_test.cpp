@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <fstream>
 
-#include "pack/versions/features.h"
 #include "pack/shader_pack.h"
+#include "pack/versions/features.h"
 
 namespace orris {
 namespace {

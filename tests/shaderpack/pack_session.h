@@ -7,8 +7,8 @@
 #include <memory>
 #include <string>
 
-#include "render/render_session.h"
 #include "gl/context.h"
+#include "render/render_session.h"
 
 namespace orris::test {
 

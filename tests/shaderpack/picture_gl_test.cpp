@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "render/counters.h"
 #include "pack_session.h"
+#include "render/counters.h"
 
 namespace orris::test {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "cluster_lab.h"
-#include "plan/frame_state.h"
 #include "lab.h"
+#include "plan/frame_state.h"
 
 namespace orris::test {
 namespace {

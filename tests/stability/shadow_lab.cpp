@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "plan/celestial.h"
 #include "lab.h"
+#include "plan/celestial.h"
 
 namespace orris::test {
 namespace {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "../shaderpack/pack_session.h"
-#include "trace/reference_scene.h"
 #include "image/mask_compare.h"
+#include "trace/reference_scene.h"
 #include "trace/shadow_mask.h"
 
 namespace orris::test {

@@ -5,9 +5,9 @@
 #include <filesystem>
 
 #include "../shaderpack/pack_session.h"
+#include "image/mask_compare.h"
 #include "plan/frame_state.h"
 #include "trace/reference_scene.h"
-#include "image/mask_compare.h"
 #include "trace/shadow_mask.h"
 
 namespace orris::test {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <set>
 
+#include "world/atlas/texture_canvas.h"
 #include "world/blocks/block_data.h"
 #include "world/blocks/block_facts.h"
-#include "world/atlas/texture_canvas.h"
 
 namespace orris {
 namespace {

@@ -6,9 +6,9 @@
 #include <map>
 #include <set>
 
+#include "world/atlas/texture_canvas.h"
 #include "world/blocks/block_data.h"
 #include "world/blocks/block_state.h"
-#include "world/atlas/texture_canvas.h"
 #include "world/world.h"
 
 namespace orris {

@@ -5,8 +5,8 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "app/study/chart_output.h"
 #include "app/commands/commands.h"
+#include "app/study/chart_output.h"
 #include "app/study/study.h"
 #include "chart/page/chart_text.h"
 

@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <optional>
 
-#include "app/report/child_process.h"
 #include "app/input/inputs.h"
+#include "app/report/child_process.h"
 #include "check/graph/pass_graph.h"
 
 namespace orris {

@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/input/inputs.h"
-#include "render/counters.h"
 #include "image/image.h"
+#include "render/counters.h"
 
 namespace orris {
 namespace {

@@ -10,12 +10,12 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/commands.h"
-#include "app/input/inputs.h"
 #include "app/commands/trace_loop.h"
 #include "app/commands/trace_scene_input.h"
+#include "app/input/inputs.h"
 #include "image/image.h"
-#include "trace/film/checkpoint.h"
 #include "trace/edge_pixels.h"
+#include "trace/film/checkpoint.h"
 #include "trace/shadow_mask.h"
 
 namespace orris {

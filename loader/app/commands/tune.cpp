@@ -7,9 +7,9 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "app/study/chart_output.h"
 #include "app/commands/commands.h"
 #include "app/input/inputs.h"
+#include "app/study/chart_output.h"
 #include "app/study/study.h"
 #include "chart/study/tune_search.h"
 

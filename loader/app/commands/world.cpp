@@ -7,7 +7,7 @@
 
 #include "app/commands/commands.h"
 #include "app/input/inputs.h"
-#include "render/gpu_scene.h"
+#include "plan/scene_data.h"
 
 namespace orris {
 namespace {

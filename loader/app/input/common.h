@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "gl/context.h"
-#include "pack/versions/iris_versions.h"
 #include "pack/options/options.h"
+#include "pack/versions/iris_versions.h"
 
 namespace CLI {
 class App;

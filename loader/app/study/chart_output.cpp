@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <map>
 
-#include "app/report/child_process.h"
 #include "app/input/inputs.h"
+#include "app/report/child_process.h"
 #include "chart/page/chart_page.h"
 #include "chart/page/chart_text.h"
 

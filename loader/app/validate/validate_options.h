@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "app/input/common.h"
-#include "app/validate/matrix_options.h"
 #include "app/report/report_options.h"
+#include "app/validate/matrix_options.h"
 
 namespace orris {
 

@@ -4,20 +4,20 @@
 
 #include <algorithm>
 
-#include "app/report/consequences.h"
-#include "validate/draw_check.h"
 #include "app/input/inputs.h"
-#include "app/validate/patched_sources.h"
+#include "app/report/consequences.h"
 #include "app/report/progress.h"
-#include "check/hints/conditional_place.h"
+#include "app/validate/patched_sources.h"
 #include "check/compile/link_errors.h"
+#include "check/hints/conditional_place.h"
 #include "check/pack/open_comments.h"
 #include "check/pack/pack_checks.h"
 #include "core/work_stage.h"
-#include "plan/auto_choices.h"
-#include "render/render_session.h"
-#include "plan/uniforms.h"
 #include "pack/files/text.h"
+#include "plan/auto_choices.h"
+#include "plan/uniforms.h"
+#include "render/render_session.h"
+#include "validate/draw_check.h"
 
 namespace orris {
 namespace {

@@ -7,13 +7,13 @@
 #include <set>
 #include <string>
 
-#include "app/validate/matrix_budget.h"
 #include "app/report/report.h"
+#include "app/validate/matrix_budget.h"
 #include "app/validate/validate_options.h"
-#include "validate/driver_check.h"
 #include "check/compile/program_check.h"
 #include "check/compile/target_limits.h"
 #include "pack/shader_pack.h"
+#include "validate/driver_check.h"
 
 namespace orris {
 

@@ -8,11 +8,11 @@
 #include <string>
 
 #include "app/input/common.h"
-#include "app/view/file_watch.h"
 #include "app/report/report.h"
+#include "app/view/file_watch.h"
 #include "app/view/view_window.h"
-#include "render/render_session.h"
 #include "gl/context.h"
+#include "render/render_session.h"
 
 namespace orris {
 

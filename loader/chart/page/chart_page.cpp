@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "chart/study/json_number.h"
 #include "chart/page/page_template.h"
+#include "chart/study/json_number.h"
 
 namespace orris {
 namespace {

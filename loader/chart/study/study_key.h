@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "chart/study/digest.h"
 #include "chart/measure/measure.h"
+#include "chart/study/digest.h"
 #include "core/file_source.h"
 
 namespace orris {

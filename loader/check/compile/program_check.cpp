@@ -5,12 +5,12 @@
 #include <set>
 #include <tuple>
 
-#include "check/hints/common_include.h"
-#include "check/hints/compile_hints.h"
-#include "check/workers/diagnostic_codec.h"
-#include "check/hints/line_trial.h"
 #include "check/compile/unused_functions.h"
 #include "check/compile/version_hints.h"
+#include "check/hints/common_include.h"
+#include "check/hints/compile_hints.h"
+#include "check/hints/line_trial.h"
+#include "check/workers/diagnostic_codec.h"
 #include "glsl/compile/validate.h"
 #include "pack/mods/mods.h"
 

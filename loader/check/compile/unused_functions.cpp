@@ -10,11 +10,11 @@
 #include <string_view>
 #include <utility>
 
+#include "check/compile/program_check.h"
 #include "check/workers/diagnostic_codec.h"
 #include "check/workers/isolated_jobs.h"
-#include "check/compile/program_check.h"
-#include "glsl/syntax/function_syntax.h"
 #include "glsl/compile/validate.h"
+#include "glsl/syntax/function_syntax.h"
 
 namespace orris {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "check/pack/pack_texts.h"
 #include "check/compile/version_features.h"
+#include "check/pack/pack_texts.h"
 
 namespace orris {
 namespace {

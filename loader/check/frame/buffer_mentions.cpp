@@ -4,8 +4,8 @@
 #include <array>
 
 #include "core/text_file.h"
-#include "pack/programs/directive_values.h"
 #include "pack/files/text.h"
+#include "pack/programs/directive_values.h"
 
 namespace orris {
 namespace {

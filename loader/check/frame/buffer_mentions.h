@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "plan/program_uses.h"
 #include "pack/shader_pack.h"
+#include "plan/program_uses.h"
 
 namespace orris {
 

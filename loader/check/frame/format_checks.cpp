@@ -5,8 +5,8 @@
 #include <array>
 #include <optional>
 
-#include "check/frame/frame_checks.h"
 #include "check/compile/program_text.h"
+#include "check/frame/frame_checks.h"
 #include "check/interface/stage_interface.h"
 #include "image/texel_format.h"
 #include "pack/files/text.h"
@@ -14,18 +14,16 @@
 namespace orris {
 namespace {
 
-using gl::FormatClass;
-
-const gl::TextureFormat* formatOf(const FrameView& frame, bool shadow, int index) {
+const TextureFormat* formatOf(const FrameView& frame, bool shadow, int index) {
   const TargetPlan* plan = frame.schedule.target(shadow, index);
-  return plan == nullptr ? nullptr : gl::findFormat(plan->format);
+  return plan == nullptr ? nullptr : findFormat(plan->format);
 }
 
 /// f, i or u: the numbers of an output type or a format.
 char kindOf(std::string_view type) {
   return type.starts_with('i') || type.starts_with('u') ? type[0] : 'f';
 }
-char kindOf(const gl::TextureFormat& format) {
+char kindOf(const TextureFormat& format) {
   if (format.formatClass == FormatClass::Int) return 'i';
   return format.formatClass == FormatClass::Uint ? 'u' : 'f';
 }
@@ -39,7 +37,7 @@ void reportOutput(const FrameView& frame, const FramePass& pass, int slot, std::
   if (slot < 0 || static_cast<size_t>(slot) >= pass.writes.size()) return;
   const bool shadow = pass.isShadowGroup();
   const int index = pass.writes[static_cast<size_t>(slot)];
-  const gl::TextureFormat* format = formatOf(frame, shadow, index);
+  const TextureFormat* format = formatOf(frame, shadow, index);
   if (format == nullptr || kindOf(*format) == kindOf(type)) return;
   Diagnostic d = diagnosticAt(
       frame.pack, Severity::Warning, "output-format", stage.text.locate(place.line, place.column),
@@ -97,7 +95,7 @@ int componentIndex(char c) {
 void checkComponentsOf(const FrameView& frame, const FramePass& pass, const BufferUse& use,
                        Diagnostics& diagnostics) {
   const bool shadow = use.inShadowMap();
-  const gl::TextureFormat* format = formatOf(frame, shadow, use.buffer.index);
+  const TextureFormat* format = formatOf(frame, shadow, use.buffer.index);
   if (format == nullptr || format->channels == 4) return;
   const bool computes = pass.kind == FramePass::Kind::Compute;
   for (const WordPlace& place : findUses(*pass.program, computes, use.name)) {

@@ -4,7 +4,6 @@
 #include <array>
 
 #include "check/interface/stage_interface.h"
-#include "render/pack_resources.h"
 #include "plan/schedule_targets.h"
 
 namespace orris {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "pack/shader_pack.h"
 #include "plan/program_uses.h"
 #include "plan/schedule.h"
-#include "pack/shader_pack.h"
 
 namespace orris {
 

@@ -4,9 +4,9 @@
 #include <array>
 #include <optional>
 
+#include "check/compile/program_text.h"
 #include "check/frame/frame_checks.h"
 #include "check/pack/pack_texts.h"
-#include "check/compile/program_text.h"
 #include "pack/files/text.h"
 
 namespace orris {

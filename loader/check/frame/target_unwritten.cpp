@@ -6,8 +6,8 @@
 #include <optional>
 #include <set>
 
-#include "check/frame/frame_checks.h"
 #include "check/compile/program_text.h"
+#include "check/frame/frame_checks.h"
 #include "pack/files/include_graph.h"
 
 namespace orris {

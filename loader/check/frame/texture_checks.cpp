@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "check/frame/buffer_mentions.h"
 #include "check/compile/program_text.h"
+#include "check/frame/buffer_mentions.h"
 #include "pack/files/text.h"
 
 namespace orris {

@@ -6,9 +6,8 @@
 #include <cmath>
 #include <map>
 
-#include "check/frame/frame_passes.h"
 #include "check/compile/program_text.h"
-#include "render/pack_resources.h"
+#include "check/frame/frame_passes.h"
 
 namespace orris {
 namespace {

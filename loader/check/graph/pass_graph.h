@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "plan/schedule.h"
 #include "pack/shader_pack.h"
+#include "plan/schedule.h"
 
 namespace orris {
 

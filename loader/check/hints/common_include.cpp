@@ -6,11 +6,11 @@
 #include <map>
 #include <utility>
 
+#include "check/compile/stage_files.h"
 #include "check/hints/compile_hints.h"
+#include "check/hints/line_trial.h"
 #include "check/workers/diagnostic_codec.h"
 #include "check/workers/isolated_jobs.h"
-#include "check/hints/line_trial.h"
-#include "check/compile/stage_files.h"
 
 namespace orris {
 namespace {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <set>
 
-#include "check/workers/diagnostic_codec.h"
 #include "check/hints/line_trial.h"
+#include "check/workers/diagnostic_codec.h"
 #include "glsl/syntax/conditional_balance.h"
 #include "glsl/tokens/source_map.h"
 

@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "check/hints/missing_include.h"
 #include "check/compile/program_check.h"
+#include "check/hints/missing_include.h"
 #include "pack/programs/folder_build.h"
 
 namespace orris {

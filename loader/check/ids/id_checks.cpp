@@ -13,9 +13,9 @@
 #include "check/pack/pack_texts.h"
 #include "core/limits.h"
 #include "core/text_file.h"
+#include "pack/files/text.h"
 #include "pack/ids/id_lines.h"
 #include "pack/ids/id_map.h"
-#include "pack/files/text.h"
 
 namespace orris {
 namespace {
@@ -187,7 +187,7 @@ void checkBlocks(const IdFile& file, Diagnostics& diagnostics) {
 
 /// Iris: IdMap.parseIdMap, parseDimensionMap: of two lines with the same name the later one counts,
 /// so that a line for many may stand before lines for some of them.
-void checkNames(const IdFile& file, Diagnostics& diagnostics) {
+void checkIdNames(const IdFile& file, Diagnostics& diagnostics) {
   std::map<std::string, std::pair<std::string, int>> seen;
   for (const PropertyEntry& entry : lastValues(file.entries)) {
     for (const PropertyWord& word : locatedWords(entry)) {
@@ -212,9 +212,9 @@ void checkIdMaps(std::span<const ShaderPack> folders, Diagnostics& diagnostics) 
     void (*check)(const IdFile&, Diagnostics&);
   };
   constexpr std::array<Map, 4> kMaps{{{"/block.properties", "block.", checkBlocks},
-                                      {"/item.properties", "item.", checkNames},
-                                      {"/entity.properties", "entity.", checkNames},
-                                      {"/dimension.properties", "dimension.", checkNames}}};
+                                      {"/item.properties", "item.", checkIdNames},
+                                      {"/entity.properties", "entity.", checkIdNames},
+                                      {"/dimension.properties", "dimension.", checkIdNames}}};
   for (const Map& map : kMaps) {
     const IdFile file = readIdFile(folders.front(), map.file, map.prefix);
     checkKeysTwice(file, diagnostics);

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "check/pack/pack_checks.h"
 #include "check/interface/stage_interface.h"
+#include "check/pack/pack_checks.h"
 
 namespace orris {
 

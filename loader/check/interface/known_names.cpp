@@ -5,7 +5,7 @@
 #include <map>
 
 #include "plan/uniforms.h"
-#include "render/vertex_layout.h"
+#include "plan/gpu_vertex.h"
 
 namespace orris {
 namespace {

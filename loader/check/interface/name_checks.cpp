@@ -7,8 +7,8 @@
 #include "check/interface/declaration_checks.h"
 #include "check/interface/glsl_types.h"
 #include "check/interface/known_names.h"
-#include "check/pack/pack_texts.h"
 #include "check/interface/sampler_facts.h"
+#include "check/pack/pack_texts.h"
 #include "pack/files/text.h"
 
 namespace orris {

@@ -6,9 +6,9 @@
 #include <set>
 #include <string_view>
 
+#include "check/compile/text_scanner.h"
 #include "check/interface/declaration_checks.h"
 #include "check/interface/glsl_types.h"
-#include "check/compile/text_scanner.h"
 #include "pack/files/text.h"
 
 namespace orris {

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 
+#include "check/compile/shared_memory.h"
 #include "check/interface/declaration_checks.h"
 #include "check/interface/glsl_types.h"
-#include "check/compile/shared_memory.h"
-#include "plan/program_uses.h"
 #include "pack/files/text.h"
+#include "plan/program_uses.h"
 
 namespace orris {
 namespace {

@@ -6,9 +6,8 @@
 #include <vector>
 
 #include "check/interface/glsl_types.h"
-#include "render/pack_resources.h"
-#include "plan/program_uses.h"
 #include "image/texel_format.h"
+#include "plan/program_uses.h"
 
 namespace orris {
 namespace {
@@ -25,10 +24,10 @@ struct Bound {
 };
 
 char componentOf(std::string_view format) {
-  const gl::TextureFormat* found = gl::findFormat(format);
+  const TextureFormat* found = findFormat(format);
   if (!found) return 'f';
-  if (found->formatClass == gl::FormatClass::Uint) return 'u';
-  return found->formatClass == gl::FormatClass::Int ? 'i' : 'f';
+  if (found->formatClass == FormatClass::Uint) return 'u';
+  return found->formatClass == FormatClass::Int ? 'i' : 'f';
 }
 
 /// The textures of shaders.properties that the program reads by this name: "colortex4.1" gives one more

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <unordered_map>
 
-#include "check/interface/stage_uses.h"
 #include "check/compile/text_scanner.h"
+#include "check/interface/stage_uses.h"
 #include "glsl/preprocess/condition.h"
 #include "glsl/tokens/outline.h"
 

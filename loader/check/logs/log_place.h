@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "glsl/compile/compiler_log.h"
-#include "glsl/tokens/token.h"
 #include "glsl/compile/validate.h"
+#include "glsl/tokens/token.h"
 
 namespace orris {
 

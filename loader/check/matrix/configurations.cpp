@@ -6,8 +6,8 @@
 
 #include "check/matrix/covering_array.h"
 #include "check/options/option_checks.h"
-#include "pack/programs/folder_build.h"
 #include "pack/files/text.h"
+#include "pack/programs/folder_build.h"
 
 namespace orris {
 namespace {

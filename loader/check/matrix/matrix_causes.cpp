@@ -6,8 +6,8 @@
 #include <map>
 #include <set>
 
-#include "check/workers/isolated_jobs.h"
 #include "check/matrix/minimise.h"
+#include "check/workers/isolated_jobs.h"
 
 namespace orris {
 namespace {

@@ -5,9 +5,9 @@
 #include <set>
 #include <tuple>
 
+#include "check/matrix/matrix_causes.h"
 #include "check/workers/diagnostic_codec.h"
 #include "check/workers/isolated_jobs.h"
-#include "check/matrix/matrix_causes.h"
 #include "glsl/compile/validate.h"
 
 namespace orris {

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "check/matrix/configurations.h"
 #include "check/compile/program_check.h"
+#include "check/matrix/configurations.h"
 
 namespace orris {
 

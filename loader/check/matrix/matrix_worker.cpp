@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "check/workers/diagnostic_codec.h"
-#include "glsl/tokens/shape.h"
 #include "glsl/compile/validate.h"
+#include "glsl/tokens/shape.h"
 
 namespace orris {
 namespace {

@@ -18,7 +18,7 @@ namespace orris {
 
 /// What one program of one configuration gave.
 struct MatrixFinding {
-  std::vector<std::uint64_t> units;              ///< shapes of its units (check/matrix/matrix_shapes.h)
+  std::vector<std::uint64_t> units;  ///< shapes of its units (check/matrix/matrix_shapes.h)
   std::map<std::uint64_t, Diagnostics> failing;  ///< errors of those compiled here that have any
   int compiled = 0;                              ///< units that nobody had compiled before
   Diagnostics errors;                            ///< of building it, not of compiling it

@@ -9,8 +9,8 @@
 
 #include "check/pack/pack_texts.h"
 #include "core/text_file.h"
-#include "pack/options/option_line.h"
 #include "pack/files/text.h"
+#include "pack/options/option_line.h"
 
 namespace orris {
 namespace {

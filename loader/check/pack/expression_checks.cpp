@@ -1,7 +1,7 @@
 #include "check/pack/expression_checks.h"
 
-#include "plan/uniforms.h"
 #include "pack/expressions/expression.h"
+#include "plan/uniforms.h"
 
 namespace orris {
 

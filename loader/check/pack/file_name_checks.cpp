@@ -8,8 +8,8 @@
 
 #include "check/pack/pack_texts.h"
 #include "core/pack_path.h"
-#include "pack/programs/program_id.h"
 #include "pack/files/text.h"
+#include "pack/programs/program_id.h"
 
 namespace orris {
 namespace {

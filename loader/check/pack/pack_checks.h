@@ -7,8 +7,8 @@
 
 #include "check/compile/target_limits.h"
 #include "core/diagnostic.h"
-#include "plan/schedule.h"
 #include "pack/shader_pack.h"
+#include "plan/schedule.h"
 
 namespace orris {
 

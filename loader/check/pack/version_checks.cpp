@@ -6,10 +6,10 @@
 #include <optional>
 
 #include "check/interface/glsl_types.h"
-#include "plan/program_uses.h"
-#include "pack/versions/iris_versions.h"
 #include "pack/files/properties_text.h"
 #include "pack/files/text.h"
+#include "pack/versions/iris_versions.h"
+#include "plan/program_uses.h"
 
 namespace orris {
 namespace {

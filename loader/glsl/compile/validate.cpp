@@ -10,9 +10,9 @@
 #include <set>
 #include <string_view>
 
-#include "glsl/syntax/brace_check.h"
 #include "glsl/compile/compiler_log.h"
 #include "glsl/rewrite/interface_repair.h"
+#include "glsl/syntax/brace_check.h"
 #include "glsl/tokens/text_tokens.h"
 
 namespace orris {

@@ -8,8 +8,8 @@
 #include <unordered_set>
 
 #include "glsl/iris/iris_names.h"
-#include "glsl/tokens/outline.h"
 #include "glsl/rewrite/rewrite_rules.h"
+#include "glsl/tokens/outline.h"
 
 namespace orris {
 namespace {

@@ -10,9 +10,9 @@
 #include <string_view>
 
 #include "core/characters.h"
+#include "glsl/preprocess/line_code.h"
 #include "glsl/syntax/brace_check.h"
 #include "glsl/syntax/branch_room.h"
-#include "glsl/preprocess/line_code.h"
 #include "glsl/syntax/nesting.h"
 
 namespace orris {

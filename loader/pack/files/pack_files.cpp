@@ -3,12 +3,12 @@
 #include <algorithm>
 
 #include "core/text_file.h"
+#include "pack/files/properties_text.h"
+#include "pack/mods/voxy.h"
 #include "pack/options/language.h"
 #include "pack/programs/program_id.h"
-#include "pack/files/properties_text.h"
 #include "pack/properties/property_keys.h"
 #include "pack/properties/property_limits.h"
-#include "pack/mods/voxy.h"
 
 namespace orris {
 namespace {

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "core/file_source.h"
-#include "pack/programs/dimensions.h"
 #include "pack/files/include_graph.h"
 #include "pack/options/options.h"
+#include "pack/programs/dimensions.h"
 #include "pack/properties/shader_properties.h"
 
 namespace orris {

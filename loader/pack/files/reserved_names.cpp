@@ -10,7 +10,7 @@
 namespace orris {
 namespace {
 
-constexpr std::array<std::string_view, 3> kPrefixes{"iris_", "irisMain", "moj_import"};
+constexpr std::array<std::string_view, 3> kReservedPrefixes{"iris_", "irisMain", "moj_import"};
 
 }  // namespace
 
@@ -19,8 +19,8 @@ void checkReservedNames(const TokenStream& stream, Diagnostics& diagnostics) {
   for (const Token& token : stream.tokens) {
     if (token.kind != TokenKind::Identifier) continue;
     const auto* prefix = std::ranges::find_if(
-        kPrefixes, [&](std::string_view start) { return token.text.starts_with(start); });
-    if (prefix == kPrefixes.end() || !seen.insert(token.text).second) continue;
+        kReservedPrefixes, [&](std::string_view start) { return token.text.starts_with(start); });
+    if (prefix == kReservedPrefixes.end() || !seen.insert(token.text).second) continue;
     diagnostics.push_back(withEffect(
         {.severity = Severity::Error,
          .id = "name-reserved",

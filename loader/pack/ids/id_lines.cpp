@@ -14,12 +14,12 @@ constexpr std::string_view kBlockKey = "block.";
 
 /// "block.12", "layer.solid": what its author meant to start an entry.
 bool startsIdKey(std::string_view line) {
-  constexpr std::array<std::string_view, 4> kPrefixes{kBlockKey, "layer.", "item.", "entity."};
-  return std::any_of(kPrefixes.begin(), kPrefixes.end(),
+  constexpr std::array<std::string_view, 4> kKeyPrefixes{kBlockKey, "layer.", "item.", "entity."};
+  return std::any_of(kKeyPrefixes.begin(), kKeyPrefixes.end(),
                      [&](auto prefix) { return line.starts_with(prefix); });
 }
 
-bool endsInBackslash(std::string_view line) {
+bool endsInContinuation(std::string_view line) {
   const size_t last = line.find_last_not_of('\\');
   return (line.size() - (last == std::string_view::npos ? 0 : last + 1)) % 2 == 1;
 }
@@ -130,7 +130,7 @@ class IdLines {
   /// The logical line that starts at `index`, which is left on its last piece.
   Piece continued(const std::vector<Piece>& pieces, size_t& index) {
     Piece piece = pieces[index];
-    while (endsInBackslash(piece.text)) {
+    while (endsInContinuation(piece.text)) {
       piece.text.pop_back();
       if (index + 1 == pieces.size()) break;
       const Piece& next = pieces[++index];

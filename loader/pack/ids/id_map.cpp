@@ -6,10 +6,10 @@
 #include <array>
 #include <optional>
 
-#include "pack/ids/block_tags.h"
-#include "pack/ids/id_lines.h"
 #include "pack/files/properties_text.h"
 #include "pack/files/text.h"
+#include "pack/ids/block_tags.h"
+#include "pack/ids/id_lines.h"
 
 namespace orris {
 namespace {

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <optional>
 
-#include "pack/versions/features.h"
 #include "pack/files/properties_text.h"
 #include "pack/files/text.h"
+#include "pack/versions/features.h"
 
 namespace orris {
 namespace {

@@ -10,8 +10,8 @@
 #include "core/limits.h"
 #include "core/message_limits.h"
 #include "pack/files/java_order.h"
-#include "pack/options/option_line.h"
 #include "pack/files/text.h"
+#include "pack/options/option_line.h"
 
 namespace orris {
 namespace {

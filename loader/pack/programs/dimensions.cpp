@@ -11,9 +11,9 @@
 #include "core/message_limits.h"
 #include "core/pack_path.h"
 #include "core/text_file.h"
-#include "pack/programs/program_id.h"
 #include "pack/files/properties_text.h"
 #include "pack/files/text.h"
+#include "pack/programs/program_id.h"
 
 namespace orris {
 namespace {

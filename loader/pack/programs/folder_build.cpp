@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "pack/options/chosen_values.h"
 #include "pack/expressions/expression_functions.h"
 #include "pack/files/extended_graph.h"
 #include "pack/mods/voxy.h"
+#include "pack/options/chosen_values.h"
 
 namespace orris {
 namespace {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "pack/mods/mods.h"
-#include "pack/properties/pack_properties.h"
 #include "pack/programs/program_builder.h"
+#include "pack/properties/pack_properties.h"
 
 namespace orris {
 

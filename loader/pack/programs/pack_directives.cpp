@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "pack/files/text.h"
 #include "pack/programs/directive_values.h"
 #include "pack/programs/directives.h"
-#include "pack/files/text.h"
 #include "pack/properties/texture_format.h"
 
 namespace orris {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "pack/mods/mods.h"
 #include "pack/files/reserved_names.h"
 #include "pack/files/text.h"
+#include "pack/mods/mods.h"
 #include "pack/mods/voxy.h"
 
 namespace orris {

@@ -199,4 +199,24 @@ const std::vector<GeometryProgram>& geometryPrograms() {
   return kPrograms;
 }
 
+std::string textureStageOf(ProgramGroup group) {
+  switch (group) {
+    case ProgramGroup::Setup:
+      return "setup";
+    case ProgramGroup::Begin:
+      return "begin";
+    case ProgramGroup::ShadowComp:
+      return "shadowcomp";
+    case ProgramGroup::Prepare:
+      return "prepare";
+    case ProgramGroup::Deferred:
+      return "deferred";
+    case ProgramGroup::Composite:
+    case ProgramGroup::Final:
+      return "composite";
+    default:
+      return "gbuffers";
+  }
+}
+
 }  // namespace orris

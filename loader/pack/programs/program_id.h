@@ -60,4 +60,8 @@ struct GeometryProgram {
 };
 const std::vector<GeometryProgram>& geometryPrograms();
 
+/// The texture stage of `texture.<stage>.<sampler>`: "gbuffers" for programs of groups Gbuffers and Shadow,
+/// "composite" for Final, and so on. Contract: properties.csv texture.*.
+std::string textureStageOf(ProgramGroup group);
+
 }  // namespace orris

@@ -4,12 +4,12 @@
 
 #include "core/text_file.h"
 #include "glsl/preprocess/name_watch.h"
+#include "pack/files/text.h"
+#include "pack/ids/legacy_ids.h"
 #include "pack/options/auto_properties.h"
 #include "pack/properties/counter_warning.h"
-#include "pack/versions/features.h"
-#include "pack/ids/legacy_ids.h"
 #include "pack/properties/resource_check.h"
-#include "pack/files/text.h"
+#include "pack/versions/features.h"
 
 namespace orris {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "pack/ids/id_map.h"
 #include "pack/files/pack_files.h"
+#include "pack/ids/id_map.h"
 
 namespace orris {
 

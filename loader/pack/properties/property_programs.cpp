@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "pack/expressions/boolean_expression.h"
+#include "pack/files/text.h"
 #include "pack/programs/program_id.h"
 #include "pack/properties/property_keys.h"
-#include "pack/files/text.h"
 #include "pack/properties/texture_format.h"
 
 namespace orris {

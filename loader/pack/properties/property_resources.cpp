@@ -5,8 +5,8 @@
 #include <array>
 
 #include "core/pack_path.h"
-#include "pack/properties/property_keys.h"
 #include "pack/files/text.h"
+#include "pack/properties/property_keys.h"
 #include "pack/properties/texture_format.h"
 
 namespace orris {

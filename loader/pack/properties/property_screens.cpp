@@ -7,9 +7,9 @@
 #include <tuple>
 
 #include "core/limits.h"
-#include "pack/versions/features.h"
-#include "pack/properties/property_keys.h"
 #include "pack/files/text.h"
+#include "pack/properties/property_keys.h"
+#include "pack/versions/features.h"
 
 namespace orris {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "pack/files/text.h"
 #include "pack/programs/directives.h"
 #include "pack/properties/property_keys.h"
-#include "pack/files/text.h"
 #include "pack/properties/volume_lights.h"
 
 namespace orris {

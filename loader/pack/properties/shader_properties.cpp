@@ -7,10 +7,10 @@
 #include <tuple>
 
 #include "core/message_limits.h"
+#include "pack/files/text.h"
 #include "pack/programs/directives.h"
 #include "pack/properties/property_keys.h"
 #include "pack/properties/property_limits.h"
-#include "pack/files/text.h"
 
 namespace orris {
 namespace {

@@ -11,8 +11,8 @@
 #include "core/diagnostic.h"
 #include "glsl/preprocess/preprocessor.h"
 #include "pack/expressions/expression.h"
-#include "pack/versions/iris_versions.h"
 #include "pack/options/options.h"
+#include "pack/versions/iris_versions.h"
 
 namespace orris {
 

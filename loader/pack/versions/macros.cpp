@@ -5,8 +5,8 @@
 #include <array>
 #include <iterator>
 
-#include "pack/shader_pack.h"
 #include "pack/files/text.h"
+#include "pack/shader_pack.h"
 
 namespace orris {
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/diagnostic.h"
-#include "trace/path_tracer.h"
 #include "trace/film/trace_film.h"
+#include "trace/path_tracer.h"
 
 namespace orris {
 

@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "core/file_source.h"
-#include "render/render_session.h"
 #include "gl/context.h"
+#include "render/render_session.h"
 #include "world/world.h"
 
 namespace {

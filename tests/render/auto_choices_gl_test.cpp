@@ -1,7 +1,7 @@
 // Options that choose for themselves, in a session: by the scene, again when it has changed by much.
 #include <gmock/gmock.h>
 
-#include "lamp_floor.h"
+#include "plan/lamp_floor.h"
 #include "render_fixture.h"
 
 namespace orris {

@@ -9,9 +9,10 @@
 #include <sstream>
 #include <vector>
 
-#include "gl/functions.h"
+#include <GL/gl.h>
+#include <GL/glext.h>
 
-namespace orris::gl {
+namespace orris {
 namespace {
 
 TEST(FindFormat, ignores_case) {
@@ -131,4 +132,4 @@ TEST(Contract, every_row_is_known_with_its_facts) {
 }
 
 }  // namespace
-}  // namespace orris::gl
+}  // namespace orris

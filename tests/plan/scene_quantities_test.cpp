@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lamp_floor.h"
+#include "plan/lamp_floor.h"
 
 namespace orris {
 namespace {

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 
 #include "render/frame_renderer.h"
-#include "frame/render_fixture.h"
+#include "render/render_fixture.h"
 
 namespace orris {
 namespace {

@@ -1,6 +1,6 @@
-#include <gtest/gtest.h>
+#include "plan/scene_data.h"
 
-#include "render/gpu_scene.h"
+#include <gtest/gtest.h>
 
 namespace orris {
 namespace {

@@ -1,5 +1,5 @@
 // Rows of docs/contract.md that only a drawn frame can show.
-#include "frame/render_fixture.h"
+#include "render/render_fixture.h"
 
 namespace orris {
 namespace {
