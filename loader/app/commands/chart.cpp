@@ -13,7 +13,7 @@
 namespace orris {
 namespace {
 
-nlohmann::json describe(const ChartData& chart, const Study& study) {
+nlohmann::json describeChart(const ChartData& chart, const Study& study) {
   nlohmann::json points = nlohmann::json::array();
   for (const ChartPoint& point : chart.points) {
     points.push_back(
@@ -70,7 +70,7 @@ int runChart(const StudyOptions& options, Report& report, nlohmann::json& result
   const ChartData chart = study->chart();
   noteUnfinished(*study, report);
   if (!writeChart(chart, files, report, status)) return status;
-  result = describe(chart, *study);
+  result = describeChart(chart, *study);
   if (!options.output.json && !options.output.quiet) printText(summaryTable(chart));
   sayWritten(options.output, {options.folder});
   return status;

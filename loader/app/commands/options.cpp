@@ -10,8 +10,8 @@
 
 #include "app/commands/commands.h"
 #include "app/commands/graph.h"
-#include "app/input/inputs.h"
 #include "app/commands/option_tree.h"
+#include "app/input/inputs.h"
 #include "plan/auto_choices.h"
 
 namespace orris {
@@ -47,7 +47,7 @@ std::vector<std::pair<std::string, std::string>> costsOf(const ShaderPack& pack,
   return costs;
 }
 
-nlohmann::json toJson(const ShaderPack& pack, const Option& option, const Reach& reach) {
+nlohmann::json optionsJson(const ShaderPack& pack, const Option& option, const Reach& reach) {
   nlohmann::json costs = nlohmann::json::array();
   for (const auto& [value, formula] : costsOf(pack, option.name))
     costs.push_back({{"value", value}, {"milliseconds", formula}});
@@ -66,11 +66,11 @@ nlohmann::json toJson(const ShaderPack& pack, const Option& option, const Reach&
           {"programs", programs == reach.end() ? std::set<std::string>() : programs->second}};
 }
 
-nlohmann::json toJson(const ShaderPack& pack) {
+nlohmann::json optionsJson(const ShaderPack& pack) {
   const Reach reach = reachOf(pack);
   nlohmann::json options = nlohmann::json::array(), profiles = options, screens = options;
   for (const auto& [name, option] : pack.options.all()) {
-    options.push_back(toJson(pack, option, reach));
+    options.push_back(optionsJson(pack, option, reach));
   }
   for (const Profile& profile : pack.properties.profiles) {
     profiles.push_back({{"name", profile.name},
@@ -160,7 +160,7 @@ int runOptions(const OptionsOptions& options) {
   } else if (!options.output.json) {
     printPack(*pack, options.filter, options.output.verbose);
   }
-  printJson(toJson(*pack), report);
+  printJson(optionsJson(*pack), report);
   return report.status();
 }
 
@@ -171,9 +171,10 @@ void addOptionsCommand(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand(
       "options", "options of a pack: values, profiles, screens, programs reached");
   addPackArgument(*command, options->pack.path);
-  command->add_option("filter", options->filter,
-                      "print only options with all these words in their name, label, comment or "
-                      "values, and where each is defined and what it reaches")
+  command
+      ->add_option("filter", options->filter,
+                   "print only options with all these words in their name, label, comment or "
+                   "values, and where each is defined and what it reaches")
       ->type_name("WORD");
   addPackFlags(*command, options->pack);
   addVersionFlags(*command, options->pack.versions);

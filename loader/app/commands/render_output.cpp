@@ -46,7 +46,7 @@ bool writeTimings(const std::string& path, const std::vector<FrameStepTime>& tim
   return writeWholeFile(path, text, report, status);
 }
 
-nlohmann::json toJson(const SessionReload& reload) {
+nlohmann::json renderJson(const SessionReload& reload) {
   return {{"frame", reload.frame},
           {"cause", reload.cause},
           {"succeeded", reload.succeeded},
@@ -55,7 +55,7 @@ nlohmann::json toJson(const SessionReload& reload) {
           {"compileSeconds", reload.report.compileSeconds}};
 }
 
-nlohmann::json toJson(const TargetPlan& plan, const char* kind) {
+nlohmann::json renderJson(const TargetPlan& plan, const char* kind) {
   return {{"name", fmt::format("{}{}", kind, plan.index)},
           {"format", plan.format},
           {"width", plan.width},
@@ -122,12 +122,12 @@ nlohmann::json describe(RenderSession& session, const gl::DriverInfo& driver) {
   const ShaderPack& pack = session.renderer().pack();
   nlohmann::json reloads = nlohmann::json::array(), programs = reloads, steps = reloads,
                  targets = reloads;
-  for (const SessionReload& reload : session.reloads()) reloads.push_back(toJson(reload));
+  for (const SessionReload& reload : session.reloads()) reloads.push_back(renderJson(reload));
   for (const int index : schedule.programs) programs.push_back(pack.programs[size_t(index)].name);
   for (const Step& step : schedule.frame) steps.push_back(step.name);
-  for (const TargetPlan& plan : schedule.colortex) targets.push_back(toJson(plan, "colortex"));
+  for (const TargetPlan& plan : schedule.colortex) targets.push_back(renderJson(plan, "colortex"));
   for (const TargetPlan& plan : schedule.shadowcolor)
-    targets.push_back(toJson(plan, "shadowcolor"));
+    targets.push_back(renderJson(plan, "shadowcolor"));
   return {{"frames", session.frame()},
           {"renderer", driver.renderer},
           {"glVersion", driver.version},

@@ -77,8 +77,8 @@ std::optional<TraceFilm> openFilm(const TraceOptions& options, const TraceCamera
 }
 
 /// The picture, its halves, and which pixels lie on edges.
-bool writePicture(const std::string& path, const TraceFilm& film,
-                  const std::vector<std::uint8_t>& edges, Report& report, int& status) {
+bool writeTraced(const std::string& path, const TraceFilm& film,
+                 const std::vector<std::uint8_t>& edges, Report& report, int& status) {
   static const std::vector<std::string> kChannels = {
       "R",       "G",        "B",        "first.R",  "first.G",
       "first.B", "second.R", "second.G", "second.B", "undecided.V"};
@@ -96,8 +96,8 @@ bool writePicture(const std::string& path, const TraceFilm& film,
   return written;
 }
 
-nlohmann::json describe(const TraceFilm& film, const TraceProgress& done, const TraceScene& scene,
-                        std::ptrdiff_t edges) {
+nlohmann::json describeTrace(const TraceFilm& film, const TraceProgress& done,
+                             const TraceScene& scene, std::ptrdiff_t edges) {
   const TraceNoise noise = film.noise();
   const auto perSecond = [&](std::uint64_t count) {
     return done.seconds > 0 ? double(count) / done.seconds : 0;
@@ -138,8 +138,8 @@ int runTrace(const TraceOptions& options, Report& report, nlohmann::json& result
     if (report.status() != kClean) return kHostFailed;
   }
   const std::vector<std::uint8_t> edges = edgePixels(view->scene, view->camera);
-  if (!writePicture(options.picture, *film, edges, report, status)) return status;
-  result = describe(*film, done, view->scene, std::count(edges.begin(), edges.end(), 1));
+  if (!writeTraced(options.picture, *film, edges, report, status)) return status;
+  result = describeTrace(*film, done, view->scene, std::count(edges.begin(), edges.end(), 1));
   if (!options.output.json && !options.output.quiet) {
     std::cout << fmt::format("{} samples a pixel, noise {:.3g} % rms of the mean\n",
                              2 * film->samples, 100 * film->noise().relative);

@@ -47,7 +47,7 @@ WorldFacts gatherFacts(const SceneData& scene) {
   return result;
 }
 
-nlohmann::json toJson(const World& world, const WorldFacts& facts) {
+nlohmann::json worldJson(const World& world, const WorldFacts& facts) {
   const glm::ivec3 origin = world.blocks.origin(), size = world.blocks.size();
   nlohmann::json cameras = nlohmann::json::array();
   for (const Camera& camera : world.cameras) {
@@ -106,7 +106,7 @@ int runWorld(const WorldOptions& options) {
   report.add(diagnostics);
   const WorldFacts facts = gatherFacts(scene);
   if (!options.output.json) printWorld(scene.world, facts);
-  printJson(toJson(scene.world, facts), report);
+  printJson(worldJson(scene.world, facts), report);
   return report.status();
 }
 

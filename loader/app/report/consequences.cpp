@@ -92,7 +92,7 @@ class Edits {
 // Messages name lines, which move.
 using FindingKey = std::tuple<std::string, std::string, int, std::string>;
 
-FindingKey keyOf(const Diagnostic& d, const Edits& edits) {
+FindingKey positionKey(const Diagnostic& d, const Edits& edits) {
   std::string message = d.message;
   std::erase_if(message, isDigit);
   return {d.id, d.at.file, edits.authorLine(d.at), std::move(message)};
@@ -135,16 +135,18 @@ class ConsequenceSearch {
     Report after(options_.output, Report::Mode::Keep);
     check_(edits_.apply(verdict_.files), options_, checker_, after);
     std::map<FindingKey, int> left;
-    for (const Diagnostic& d : after.all()) ++left[keyOf(d, edits_)];
+    for (const Diagnostic& d : after.all()) ++left[positionKey(d, edits_)];
     std::set<FindingKey> known;
-    for (const Diagnostic& d : report_.all()) known.insert(keyOf(d, {}));
+    for (const Diagnostic& d : report_.all()) known.insert(positionKey(d, {}));
     const bool fits = !misread || std::ranges::none_of(after.all(), [&](const Diagnostic& d) {
-      return d.severity == Severity::Error && !known.contains(keyOf(d, edits_));
+      return d.severity == Severity::Error && !known.contains(positionKey(d, edits_));
     });
     for (std::size_t i = 0; i < report_.all().size(); ++i) {
       if (!isOpen(i) || std::ranges::find(causes, i) != causes.end()) continue;
-      const bool gone = --left[keyOf(report_.all()[i], {})] < 0;
-      const auto cause = gone ? nearestCause(causes, i) : fits ? std::nullopt : causeRead(causes, i);
+      const bool gone = --left[positionKey(report_.all()[i], {})] < 0;
+      const auto cause = gone   ? nearestCause(causes, i)
+                         : fits ? std::nullopt
+                                : causeRead(causes, i);
       if (cause) fold(i, *cause);
     }
   }
@@ -181,8 +183,7 @@ class ConsequenceSearch {
 
   void fold(std::size_t i, std::size_t cause) {
     report_.setCause(i, cause);
-    if (report_.all()[i].severity == Severity::Error)
-      report_.setSeverity(cause, Severity::Error);
+    if (report_.all()[i].severity == Severity::Error) report_.setSeverity(cause, Severity::Error);
   }
 
   /// Of a file that the finding was met through, else the first.
@@ -190,8 +191,8 @@ class ConsequenceSearch {
     const Diagnostic& d = report_.all()[i];
     for (const std::size_t cause : causes) {
       const std::string& file = report_.all()[cause].at.file;
-      const bool included = std::ranges::find(d.includedFrom, file, &SourceLocation::file) !=
-                            d.includedFrom.end();
+      const bool included =
+          std::ranges::find(d.includedFrom, file, &SourceLocation::file) != d.includedFrom.end();
       if (d.at.file == file || included) return cause;
     }
     const auto read = causeRead(causes, i);

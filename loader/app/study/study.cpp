@@ -18,7 +18,7 @@ namespace {
 
 constexpr const char* kAgain = " (again)";
 
-void writePicture(const std::string& path, const Image8& image, Report& report, int& status) {
+void writeStudyPicture(const std::string& path, const Image8& image, Report& report, int& status) {
   Diagnostics diagnostics;
   if (!writeImage(path, image, diagnostics)) status = kHostFailed;
   report.add(diagnostics);
@@ -112,8 +112,8 @@ bool Study::drawReferences() {
     }
   }
   for (const auto& [view, reference] : input_.references) {
-    writePicture(files_.path(referenceName(view), ".png"),
-                 displayed(reference.mean, displayExposure(reference)), report_, status_);
+    writeStudyPicture(files_.path(referenceName(view), ".png"),
+                      displayed(reference.mean, displayExposure(reference)), report_, status_);
   }
   return status_ == kClean;
 }
@@ -180,9 +180,10 @@ void Study::writePictures(const SettingJob& job, const ImageF& frame, const Imag
   const auto path = [&](const char* ending) {
     return files_.settingPath(job.result.label, ending);
   };
-  writePicture(path(".png"), displayed(frame, job.exposure), report_, status_);
-  writePicture(path(".mean.png"), displayed(mean, job.exposure), report_, status_);
-  writePicture(path(".error.png"), signedDifference(mean, job.reference->mean), report_, status_);
+  writeStudyPicture(path(".png"), displayed(frame, job.exposure), report_, status_);
+  writeStudyPicture(path(".mean.png"), displayed(mean, job.exposure), report_, status_);
+  writeStudyPicture(path(".error.png"), signedDifference(mean, job.reference->mean), report_,
+                    status_);
 }
 
 std::size_t Study::measured() const {

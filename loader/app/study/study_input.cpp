@@ -12,7 +12,7 @@ namespace orris {
 namespace {
 
 /// Adds to the report; false and exit status 2 when there is an error among them.
-bool take(Diagnostics& diagnostics, Report& report, int& status) {
+bool takeSetting(Diagnostics& diagnostics, Report& report, int& status) {
   const bool good = !hasErrors(diagnostics);
   report.add(diagnostics);
   if (!good) status = kUsage;
@@ -92,7 +92,7 @@ bool readReferenceFiles(const StudyOptions& options, StudyInput& input, Report& 
     const ImageSize size{reference->mean.width, reference->mean.height};
     input.references[{named->first, size}] = std::move(*reference);
   }
-  if (!take(diagnostics, report, status)) return false;
+  if (!takeSetting(diagnostics, report, status)) return false;
   reportMissing(input, report, status);
   return status == kClean;
 }
@@ -117,7 +117,7 @@ bool readReferences(const StudyOptions& options, StudyInput& input, Report& repo
     return readReferenceFiles(options, input, report, status);
   Diagnostics diagnostics;
   input.reference = parseSetting(first, *input.pack, {}, diagnostics);
-  return take(diagnostics, report, status);
+  return takeSetting(diagnostics, report, status);
 }
 
 /// Brings the first setting that --baseline names to the front.
@@ -138,7 +138,8 @@ void chooseBaseline(const std::string& text, StudyInput& study, Diagnostics& dia
   diagnostic.hint = "name values of the axes";
 }
 
-bool readSettings(const StudyOptions& options, StudyInput& study, Report& report, int& status) {
+bool readStudySettings(const StudyOptions& options, StudyInput& study, Report& report,
+                       int& status) {
   Diagnostics diagnostics;
   std::vector<Axis> axes;
   for (const std::string& text : options.axes) axes.push_back(parseAxis(text));
@@ -151,7 +152,7 @@ bool readSettings(const StudyOptions& options, StudyInput& study, Report& report
   for (const std::string& text : options.marks)
     if (auto mark = parseMark(text, *study.pack, diagnostics))
       study.marks.push_back(std::move(*mark));
-  return take(diagnostics, report, status);
+  return takeSetting(diagnostics, report, status);
 }
 
 bool readCameras(const StudyOptions& options, StudyInput& input, Report& report, int& status) {
@@ -197,7 +198,7 @@ std::optional<StudyInput> readStudyInput(const StudyOptions& options, Report& re
   if (!readCameras(options, input, report, status)) return std::nullopt;
   input.request.camera = input.cameras.front();
   input.request.seed = options.scene.seed;
-  if (!readSettings(options, input, report, status)) return std::nullopt;
+  if (!readStudySettings(options, input, report, status)) return std::nullopt;
   if (!readReferences(options, input, report, status)) return std::nullopt;
   return input;
 }

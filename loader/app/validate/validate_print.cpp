@@ -10,7 +10,7 @@ namespace {
 // A mistake in a shared file fails all programs; JSON names each.
 constexpr std::size_t kMostFailed = 8;
 
-std::string toText(const MatrixSummary& matrix) {
+std::string matrixText(const MatrixSummary& matrix) {
   std::string text = fmt::format("  matrix {}", matrix.kind);
   if (!matrix.profile.empty()) text += fmt::format(", profile {}", matrix.profile);
   if (matrix.shards > 1) text += fmt::format(", shard {}/{}", matrix.shard, matrix.shards);
@@ -22,7 +22,7 @@ std::string toText(const MatrixSummary& matrix) {
                             matrix.variants, matrix.compiled, matrix.seconds);
 }
 
-nlohmann::json toJson(const MatrixSummary& matrix) {
+nlohmann::json matrixJson(const MatrixSummary& matrix) {
   return {{"kind", matrix.kind},
           {"profile", matrix.profile},
           {"shard", matrix.shard},
@@ -58,7 +58,7 @@ std::string toText(const PackVerdict& verdict) {
   };
   addFailed(verdict.programs);
   for (const auto& [mod, programs] : verdict.modPrograms) addFailed(programs);
-  for (const MatrixSummary& matrix : verdict.matrices) text += toText(matrix);
+  for (const MatrixSummary& matrix : verdict.matrices) text += matrixText(matrix);
   return text;
 }
 
@@ -68,7 +68,7 @@ nlohmann::json toJson(const PackVerdict& verdict) {
     mods.push_back({{"name", mod}, {"programs", programs.all}, {"failed", programs.failed}});
   }
   nlohmann::json matrices = nlohmann::json::array();
-  for (const MatrixSummary& matrix : verdict.matrices) matrices.push_back(toJson(matrix));
+  for (const MatrixSummary& matrix : verdict.matrices) matrices.push_back(matrixJson(matrix));
   return {{"path", verdict.path},
           {"programs", verdict.programs.all},
           {"failed", verdict.programs.failed},

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kLongestStem = 80;
 
-void fail(const char* id, std::string message, std::string hint, Diagnostics& diagnostics) {
+void failSetting(const char* id, std::string message, std::string hint, Diagnostics& diagnostics) {
   Diagnostic diagnostic;
   diagnostic.id = id;
   diagnostic.message = std::move(message);
@@ -36,8 +36,9 @@ std::optional<std::vector<std::string>> valuesOf(const std::string& name, const 
   std::vector<std::string> names = {kProfileAxis, kSizeAxis};
   for (const auto& entry : pack.options.all()) names.push_back(entry.first);
   const std::string hint = missingOptionHint(pack.options, name);
-  fail("axis-unknown", fmt::format("\"{}\" is no option of the pack, nor profile or size", name),
-       hint.empty() ? suggest(name, names) : hint, diagnostics);
+  failSetting("axis-unknown",
+              fmt::format("\"{}\" is no option of the pack, nor profile or size", name),
+              hint.empty() ? suggest(name, names) : hint, diagnostics);
   return std::nullopt;
 }
 
@@ -45,17 +46,17 @@ bool checkValue(const std::string& name, const std::string& value,
                 const std::vector<std::string>& all, Diagnostics& diagnostics) {
   if (name == kSizeAxis) {
     if (parseImageSize(value)) return true;
-    fail("axis-value", fmt::format("size cannot be \"{}\"", value), "write it as 320x180",
-         diagnostics);
+    failSetting("axis-value", fmt::format("size cannot be \"{}\"", value), "write it as 320x180",
+                diagnostics);
     return false;
   }
   if (std::find(all.begin(), all.end(), value) != all.end()) return true;
   const std::string nearest = suggest(value, all);
-  fail("axis-value", fmt::format("{} cannot be \"{}\"", name, value),
-       all.empty()        ? fmt::format("the pack has no {}", name)
-       : !nearest.empty() ? nearest
-                          : fmt::format("its values are {}", joinNames(all)),
-       diagnostics);
+  failSetting("axis-value", fmt::format("{} cannot be \"{}\"", name, value),
+              all.empty()        ? fmt::format("the pack has no {}", name)
+              : !nearest.empty() ? nearest
+                                 : fmt::format("its values are {}", joinNames(all)),
+              diagnostics);
   return false;
 }
 
@@ -65,10 +66,10 @@ bool resolveAxis(Axis& axis, const ShaderPack& pack, Diagnostics& diagnostics) {
   if (axis.values.empty()) {
     axis.values = *all;
     if (!axis.values.empty()) return true;
-    fail("axis-empty", fmt::format("the axis {} has no values", axis.name),
-         axis.name == kSizeAxis ? "write them behind it: size=160x90,320x180"
-                                : "name other axes: --axis NAME",
-         diagnostics);
+    failSetting("axis-empty", fmt::format("the axis {} has no values", axis.name),
+                axis.name == kSizeAxis ? "write them behind it: size=160x90,320x180"
+                                       : "name other axes: --axis NAME",
+                diagnostics);
     return false;
   }
   bool good = true;
@@ -110,8 +111,8 @@ bool resolveAxes(std::vector<Axis>& axes, const ShaderPack& pack, Diagnostics& d
         std::any_of(axes.begin(), axes.begin() + std::ptrdiff_t(i),
                     [&](const Axis& earlier) { return earlier.name == axes[i].name; });
     if (repeated) {
-      fail("axis-repeated", fmt::format("the axis {} is given twice", axes[i].name),
-           "give all its values at once: NAME=A,B,C", diagnostics);
+      failSetting("axis-repeated", fmt::format("the axis {} is given twice", axes[i].name),
+                  "give all its values at once: NAME=A,B,C", diagnostics);
       good = false;
     }
     good &= resolveAxis(axes[i], pack, diagnostics);
@@ -125,8 +126,8 @@ std::optional<std::vector<Setting>> combine(const std::vector<Axis>& axes, Image
       Setting{.profile = {}, .values = {}, .size = size, .series = {}, .label = {}}};
   for (const Axis& axis : axes) {
     if (settings.size() * axis.values.size() > kMaxSettings) {
-      fail("axis-too-many", fmt::format("the axes make more than {} settings", kMaxSettings),
-           "give fewer axes, or fewer values: --axis NAME=A,B", diagnostics);
+      failSetting("axis-too-many", fmt::format("the axes make more than {} settings", kMaxSettings),
+                  "give fewer axes, or fewer values: --axis NAME=A,B", diagnostics);
       return std::nullopt;
     }
     std::vector<Setting> next;
@@ -151,8 +152,8 @@ std::optional<Setting> parseSetting(const std::string& text, const ShaderPack& p
   for (const std::string_view part : splitAt(text, ',')) {
     Axis axis = parseAxis(std::string(part));
     if (axis.values.size() != 1) {
-      fail("setting-syntax", fmt::format("expected NAME=VALUE, got \"{}\"", part),
-           "separate several with commas", diagnostics);
+      failSetting("setting-syntax", fmt::format("expected NAME=VALUE, got \"{}\"", part),
+                  "separate several with commas", diagnostics);
       good = false;
     } else if (resolveAxis(axis, pack, diagnostics)) {
       assign(setting, axis.name, axis.values.front());

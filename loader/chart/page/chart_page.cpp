@@ -35,7 +35,7 @@ std::string dataUri(const char* type, const std::string& bytes) {
 
 std::string sizeText(ImageSize size) { return fmt::format("{}x{}", size.width, size.height); }
 
-json toJson(const ChartPoint& point, const SettingPictures& pictures) {
+json pageJson(const ChartPoint& point, const SettingPictures& pictures) {
   const ErrorSummary& error = *point.result->error;
   return {{"label", point.setting->label},
           {"size", sizeText(point.setting->size)},
@@ -69,7 +69,7 @@ std::string chartPage(const ChartData& chart, const PagePictures& pictures) {
   json points = json::array(), references = json::object(), plots = json::array(),
        facts = json::array();
   for (std::size_t i = 0; i < chart.points.size(); ++i)
-    points.push_back(toJson(chart.points[i], pictures.settings[i]));
+    points.push_back(pageJson(chart.points[i], pictures.settings[i]));
   for (const auto& [size, picture] : pictures.references)
     references[sizeText(size)] = dataUri("image/png", picture);
   for (const auto& [name, svg] : pictures.plots)

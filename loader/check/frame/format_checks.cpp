@@ -20,10 +20,10 @@ const TextureFormat* formatOf(const FrameView& frame, bool shadow, int index) {
 }
 
 /// f, i or u: the numbers of an output type or a format.
-char kindOf(std::string_view type) {
+char formatKind(std::string_view type) {
   return type.starts_with('i') || type.starts_with('u') ? type[0] : 'f';
 }
-char kindOf(const TextureFormat& format) {
+char formatKind(const TextureFormat& format) {
   if (format.formatClass == FormatClass::Int) return 'i';
   return format.formatClass == FormatClass::Uint ? 'u' : 'f';
 }
@@ -38,13 +38,13 @@ void reportOutput(const FrameView& frame, const FramePass& pass, int slot, std::
   const bool shadow = pass.isShadowGroup();
   const int index = pass.writes[static_cast<size_t>(slot)];
   const TextureFormat* format = formatOf(frame, shadow, index);
-  if (format == nullptr || kindOf(*format) == kindOf(type)) return;
+  if (format == nullptr || formatKind(*format) == formatKind(type)) return;
   Diagnostic d = diagnosticAt(
       frame.pack, Severity::Warning, "output-format", stage.text.locate(place.line, place.column),
       fmt::format("{} writes {} to {}, whose format is {}", pass.name, type,
                   targetTitle(shadow, index), format->name),
       fmt::format("declare the output as {}, or give the buffer another format",
-                  typeFor(kindOf(*format))));
+                  typeFor(formatKind(*format))));
   d.includedFrom = stage.text.includedFrom(place.line, place.column);
   diagnostics.push_back(std::move(d));
 }

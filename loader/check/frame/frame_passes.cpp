@@ -30,7 +30,7 @@ void addUsed(const StageText& stage, ProgramUses& names) {
     if (global.storage == StageGlobal::Storage::Uniform && global.used) names.emplace(global.name);
 }
 
-ProgramUses namesOf(const ProgramSource& program, bool computes) {
+ProgramUses targetNames(const ProgramSource& program, bool computes) {
   ProgramUses names;
   if (computes) {
     for (const ComputeSource& compute : program.computes) addUsed(compute.text, names);
@@ -132,7 +132,7 @@ class PassLister {
     if (step.program >= 0) {
       pass.program = &pack_.programs[static_cast<size_t>(step.program)];
       pass.name = pass.program->name;
-      pass.names = namesOf(*pass.program, pass.kind == Kind::Compute);
+      pass.names = targetNames(*pass.program, pass.kind == Kind::Compute);
     }
     if (!drawnAlready(pass)) passes_.push_back(std::move(pass));
   }
@@ -174,7 +174,7 @@ class PassLister {
     pass.mipmaps.clear();
     pass.drawn = false;
     pass.translucent = translucent;
-    pass.names = namesOf(program, false);
+    pass.names = targetNames(program, false);
     passes_.insert(passes_.begin() + static_cast<std::ptrdiff_t>(place) + 1, std::move(pass));
   }
 

@@ -79,7 +79,7 @@ void addNumbers(std::vector<StateProperty>& all) {
   }
 }
 
-void addWords(std::vector<StateProperty>& all) {
+void addValues(std::vector<StateProperty>& all) {
   struct Words {
     std::string_view name, values;
     bool closed;
@@ -148,7 +148,7 @@ std::vector<StateProperty> makeProperties() {
   std::vector<StateProperty> all;
   addFlags(all);
   addNumbers(all);
-  addWords(all);
+  addValues(all);
   std::sort(all.begin(), all.end(), [](auto& a, auto& b) { return a.name < b.name; });
   return all;
 }

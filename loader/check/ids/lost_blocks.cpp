@@ -15,7 +15,7 @@ namespace {
 using Group = std::vector<const LostBlock*>;
 using Place = std::pair<int, int>;
 
-Place placeOf(const SourceLocation& at) { return {at.line, at.column}; }
+Place blockPlace(const SourceLocation& at) { return {at.line, at.column}; }
 
 void add(Severity severity, const char* id, const ListedBlock& at, std::string message,
          std::vector<std::string> notes, std::string hint, Diagnostics& diagnostics) {
@@ -100,13 +100,14 @@ void reportLostBlocks(const std::vector<LostBlock>& lost, Diagnostics& diagnosti
   std::map<Place, Group> byFirst;
   std::map<std::pair<int, int>, Group> byLines;
   for (const LostBlock& one : lost) {
-    if (one.first.entry->key != one.word.entry->key) byFirst[placeOf(one.first.at)].push_back(&one);
+    if (one.first.entry->key != one.word.entry->key)
+      byFirst[blockPlace(one.first.at)].push_back(&one);
   }
   std::erase_if(byFirst, [](const auto& group) { return !isGreedy(group.second); });
   for (const auto& [place, group] : byFirst) reportGreedy(group, diagnostics);
   for (const LostBlock& one : lost) {
     const bool told =
-        one.first.entry->key != one.word.entry->key && byFirst.contains(placeOf(one.first.at));
+        one.first.entry->key != one.word.entry->key && byFirst.contains(blockPlace(one.first.at));
     if (!told) byLines[{one.word.at.line, one.first.at.line}].push_back(&one);
   }
   for (const auto& [lines, group] : byLines) reportLine(group, diagnostics);

@@ -17,7 +17,7 @@ namespace {
 using Storage = StageGlobal::Storage;
 using Finding = DeclarationReport::Finding;
 
-NameKind kindOf(const StageGlobal& global) {
+NameKind nameKind(const StageGlobal& global) {
   if (global.storage == Storage::In) return NameKind::Attribute;
   const OpaqueType opaque = opaqueType(global.type);
   if (opaque.component == 0) return NameKind::Uniform;
@@ -87,7 +87,7 @@ class StageNames {
   }
 
   void checkGlobal(const StageGlobal& global) {
-    const NameKind kind = kindOf(global);
+    const NameKind kind = nameKind(global);
     const KnownName* known = findKnownName(kind, global.name);
     const CustomUniform* custom =
         kind == NameKind::Uniform ? findCustom(pack_, global.name) : nullptr;

@@ -68,7 +68,7 @@ std::vector<PropertyEntry> readLanguageFile(const ShaderPack& pack, const std::s
 }
 
 /// What a pack has, by the kind of its language keys.
-std::map<std::string, Names> knownNames(const ShaderPack& pack) {
+std::map<std::string, Names> optionNames(const ShaderPack& pack) {
   std::map<std::string, Names> known;
   for (const auto& [name, option] : pack.options.all()) {
     for (const char* kind : {"option", "value", "prefix", "suffix"}) known[kind].insert(name);
@@ -276,7 +276,7 @@ void checkFileName(const std::string& path, Diagnostics& diagnostics) {
 }
 
 /// The key that a word on a screen needs; "" when it needs none.
-std::string keyOf(const std::string& word, const ShaderPack& pack) {
+std::string languageKey(const std::string& word, const ShaderPack& pack) {
   if (word.size() > 2 && word.front() == '[' && word.back() == ']') {
     return "screen." + word.substr(1, word.size() - 2);
   }
@@ -287,7 +287,7 @@ std::string keyOf(const std::string& word, const ShaderPack& pack) {
 
 void checkLanguageKeys(std::span<const ShaderPack> folders, Diagnostics& diagnostics) {
   const ShaderPack& pack = folders.front();
-  const auto known = knownNames(pack);
+  const auto known = optionNames(pack);
   for (const std::string& path : languageFiles(pack)) {
     checkFileName(path, diagnostics);
     FileCheck(pack, known, readLanguageFile(pack, path), diagnostics).run();
@@ -307,7 +307,7 @@ void checkLanguageCover(std::span<const ShaderPack> folders, Diagnostics& diagno
       texts.add(propertyDiagnostic(Severity::Warning, "language-missing", entry, ""), entry.key);
     if (!isScreenKey(entry.key)) continue;
     for (const PropertyWord& word : locatedWords(entry)) {
-      const std::string key = keyOf(word.text, pack);
+      const std::string key = languageKey(word.text, pack);
       if (missing(key))
         texts.add(wordDiagnostic(Severity::Warning, "language-missing", word, ""), key);
     }

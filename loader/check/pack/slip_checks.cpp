@@ -23,7 +23,7 @@ Diagnostic slip(std::string id, SourceLocation at, std::string_view line, std::s
   return d;
 }
 
-void checkConditionNames(const PropertyEntry& entry, const std::vector<std::string>& options,
+void checkEntryCondition(const PropertyEntry& entry, const std::vector<std::string>& options,
                          Diagnostics& diagnostics) {
   forEachWord(entry.value, [&](std::string_view word) {
     if (std::ranges::find(options, word) != options.end()) return;
@@ -87,7 +87,7 @@ void checkPropertyNames(std::span<const ShaderPack> folders, Diagnostics& diagno
     const std::string_view key = entry.key;
     if (!key.starts_with(kProgram) || !key.ends_with(kEnabled)) continue;
     if (key.size() <= kProgram.size() + kEnabled.size()) continue;
-    checkConditionNames(entry, options, diagnostics);
+    checkEntryCondition(entry, options, diagnostics);
   }
 }
 

@@ -96,20 +96,20 @@ class Layout {
 
 using Part = std::span<const LaidOut>;
 
-bool is(const LaidOut& entry, std::string_view text) { return entry.token->text == text; }
+bool isMark(const LaidOut& entry, std::string_view text) { return entry.token->text == text; }
 
 // "type name ( ... ) {": nothing else looks like it.
 bool startsFunction(Part tokens, std::size_t at) {
-  if (at + 2 >= tokens.size() || !is(tokens[at + 2], "(")) return false;
+  if (at + 2 >= tokens.size() || !isMark(tokens[at + 2], "(")) return false;
   for (const std::size_t i : {at, at + 1}) {
     if (tokens[i].token->kind != TokenKind::Identifier || isFlowWord(tokens[i].token->text))
       return false;
   }
   int depth = 0;
   for (std::size_t i = at + 2; i < tokens.size(); ++i) {
-    if (is(tokens[i], "{") || is(tokens[i], ";")) return false;
-    depth += is(tokens[i], "(") ? 1 : is(tokens[i], ")") ? -1 : 0;
-    if (depth == 0) return i + 1 < tokens.size() && is(tokens[i + 1], "{");
+    if (isMark(tokens[i], "{") || isMark(tokens[i], ";")) return false;
+    depth += isMark(tokens[i], "(") ? 1 : isMark(tokens[i], ")") ? -1 : 0;
+    if (depth == 0) return i + 1 < tokens.size() && isMark(tokens[i + 1], "{");
   }
   return false;
 }
@@ -132,10 +132,10 @@ std::vector<Part> splitByFunction(Part tokens) {
 std::string_view headOf(Part part, std::size_t at) {
   if (at == 0) return "";
   std::size_t head = at - 1;
-  if (is(part[head], ")")) {
+  if (isMark(part[head], ")")) {
     int depth = 0;
     for (std::size_t i = at; i-- > 1;) {
-      depth += is(part[i], ")") ? 1 : is(part[i], "(") ? -1 : 0;
+      depth += isMark(part[i], ")") ? 1 : isMark(part[i], "(") ? -1 : 0;
       head = i - 1;
       if (depth == 0) break;
     }
@@ -148,7 +148,7 @@ std::string_view headOf(Part part, std::size_t at) {
 class Lowest {
  public:
   void add(const LaidOut& entry) {
-    if (!entry.firstOfLine || is(entry, "{") || is(entry, "}")) return;
+    if (!entry.firstOfLine || isMark(entry, "{") || isMark(entry, "}")) return;
     int& lowest = indents_.try_emplace(entry.file, kNoLines).first->second;
     lowest = std::min(lowest, entry.indent);
   }
@@ -168,8 +168,8 @@ std::vector<NestingMark> marksOf(Part part) {
   for (std::size_t i = 0; i < part.size(); ++i) {
     const LaidOut& entry = part[i];
     lowest.add(entry);
-    const bool close = is(entry, "}");
-    if (!close && !is(entry, "{")) continue;
+    const bool close = isMark(entry, "}");
+    if (!close && !isMark(entry, "{")) continue;
     const std::string_view head = close ? "" : headOf(part, i);
     marks.push_back({.kind = close ? NestingMark::Kind::Close : NestingMark::Kind::Open,
                      .indent = !close              ? entry.statement
@@ -180,7 +180,7 @@ std::vector<NestingMark> marksOf(Part part) {
                      .line = entry.row,
                      .inner = !head.empty(),
                      .mayElse = head == "if",
-                     .hasElse = close && i + 1 < part.size() && is(part[i + 1], "else"),
+                     .hasElse = close && i + 1 < part.size() && isMark(part[i + 1], "else"),
                      .lowest = lowest.of(entry.file)});
     lowest.clear();
   }
@@ -213,7 +213,7 @@ void addLinesBelow(Candidates& found, Part part) {
       above.below = lowest.of(above.group);
     }
     lowest.add(part[i]);
-    if (is(part[i], "{") || is(part[i], "}")) lowest.clear();
+    if (isMark(part[i], "{") || isMark(part[i], "}")) lowest.clear();
   }
 }
 
@@ -229,7 +229,7 @@ Candidates placesToClose(Part part) {
   for (std::size_t i = 0; i < part.size(); ++i) {
     const LaidOut& entry = part[i];
     if (entry.firstOfLine && i > 0) {
-      const bool orElse = is(entry, "else") && !is(part[i - 1], "}") && !blocks.empty() &&
+      const bool orElse = isMark(entry, "else") && !isMark(part[i - 1], "}") && !blocks.empty() &&
                           blocks.back()->file == entry.file &&
                           blocks.back()->statement == entry.indent;
       const auto last = indents.find(entry.file);
@@ -239,11 +239,11 @@ Candidates placesToClose(Part part) {
                    .indent = entry.indent,
                    .group = entry.file,
                    .line = entry.row,
-                   .cost = orElse                 ? kBeforeElse
-                           : is(part[i - 1], "{") ? kEmptyBlock
-                                                  : 0,
+                   .cost = orElse                     ? kBeforeElse
+                           : isMark(part[i - 1], "{") ? kEmptyBlock
+                                                      : 0,
                    .above = lowest.of(entry.file),
-                   .takesElse = is(entry, "else")},
+                   .takesElse = isMark(entry, "else")},
                   i - 1);
       }
     }
@@ -251,12 +251,12 @@ Candidates placesToClose(Part part) {
       indents[entry.file] = entry.indent;
       opened = false;
     }
-    opened = opened || is(entry, "{");
+    opened = opened || isMark(entry, "{");
     lowest.add(entry);
-    if (is(entry, "{") || is(entry, "}")) lowest.clear();
-    braces += is(entry, "{") || is(entry, "}") ? 1 : 0;
-    if (is(entry, "{")) blocks.push_back(&entry);
-    if (is(entry, "}") && !blocks.empty()) blocks.pop_back();
+    if (isMark(entry, "{") || isMark(entry, "}")) lowest.clear();
+    braces += isMark(entry, "{") || isMark(entry, "}") ? 1 : 0;
+    if (isMark(entry, "{")) blocks.push_back(&entry);
+    if (isMark(entry, "}") && !blocks.empty()) blocks.pop_back();
   }
   found.add({.before = braces, .line = part.back().row}, part.size() - 1);
   addLinesBelow(found, part);
@@ -270,17 +270,17 @@ Candidates placesToOpen(Part part) {
   int parentheses = 0;
   for (std::size_t i = 0; i < part.size(); ++i) {
     const LaidOut& entry = part[i];
-    if (is(entry, "{") || is(entry, "}")) {
+    if (isMark(entry, "{") || isMark(entry, "}")) {
       ++braces;
       parentheses = 0;
     }
-    parentheses += is(entry, "(") ? 1 : is(entry, ")") ? -1 : 0;
+    parentheses += isMark(entry, "(") ? 1 : isMark(entry, ")") ? -1 : 0;
     const bool ends = i + 1 == part.size();
-    const bool head = (is(entry, ")") && parentheses <= 0) || is(entry, "else");
+    const bool head = (isMark(entry, ")") && parentheses <= 0) || isMark(entry, "else");
     const bool names = !ends && part[i + 1].token->kind == TokenKind::Identifier;
     const bool newLine = ends || part[i + 1].firstOfLine;
-    const bool goesOn = names && !(is(entry, "else") && is(part[i + 1], "if"));
-    const bool inner = !ends && is(part[i + 1], "}");
+    const bool goesOn = names && !(isMark(entry, "else") && isMark(part[i + 1], "if"));
+    const bool inner = !ends && isMark(part[i + 1], "}");
     if (!(head && (goesOn || inner)) && !(newLine && !ends && part[i + 1].indent > entry.indent))
       continue;
     found.add({braces, entry.statement, entry.file, entry.row,
@@ -295,14 +295,15 @@ Candidates placesToOpen(Part part) {
 std::vector<std::size_t> bracesOf(Part part) {
   std::vector<std::size_t> braces;
   for (std::size_t i = 0; i < part.size(); ++i) {
-    if (is(part[i], "{") || is(part[i], "}")) braces.push_back(i);
+    if (isMark(part[i], "{") || isMark(part[i], "}")) braces.push_back(i);
   }
   return braces;
 }
 
 /// Is the place behind "if (...)", "else" or "void f()", whose block begins below or ends in its line?
 bool isBehindHead(Part part, std::size_t place, const LaidOut& partner) {
-  if (!is(part[place], ")") && !is(part[place], "else") && !is(part[place], "do")) return false;
+  if (!isMark(part[place], ")") && !isMark(part[place], "else") && !isMark(part[place], "do"))
+    return false;
   const bool below = place + 1 == part.size() || part[place + 1].firstOfLine;
   return below || part[place].row == partner.row;
 }
@@ -335,7 +336,8 @@ std::optional<MissingBrace> findMissingBrace(const MappedText& text, const Sourc
   const std::vector<LaidOut> layout = Layout(text, lines).read(tokens);
   for (const Part part : splitByFunction(layout)) {
     int balance = 0;
-    for (const LaidOut& entry : part) balance += is(entry, "{") ? 1 : is(entry, "}") ? -1 : 0;
+    for (const LaidOut& entry : part)
+      balance += isMark(entry, "{") ? 1 : isMark(entry, "}") ? -1 : 0;
     if (balance == 0) continue;
     return missingIn(part, balance > 0 ? NestingMark::Kind::Close : NestingMark::Kind::Open);
   }

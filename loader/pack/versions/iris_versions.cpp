@@ -93,7 +93,7 @@ Version withoutPatch(Version game) {
   return game;
 }
 
-bool fits(const IrisSeries& series, const Version& game) {
+bool fitsVersion(const IrisSeries& series, const Version& game) {
   const Version known = withoutPatch(game);
   return series.firstGame <= known && known <= series.lastGame;
 }
@@ -106,8 +106,9 @@ const IrisSeries* seriesOf(const Version& iris) {
 }
 
 const IrisSeries* newestFor(const Version& game) {
-  const auto found = std::find_if(kSeries.rbegin(), kSeries.rend(),
-                                  [&](const IrisSeries& series) { return fits(series, game); });
+  const auto found = std::find_if(kSeries.rbegin(), kSeries.rend(), [&](const IrisSeries& series) {
+    return fitsVersion(series, game);
+  });
   return found == kSeries.rend() ? nullptr : &*found;
 }
 
@@ -141,14 +142,14 @@ const IrisSeries* readIris(const std::string& text, SeriesEnd end, Version& iris
   return series;
 }
 
-const std::string* valueOf(const MacroDefinitions& macros, std::string_view name) {
+const std::string* numberOf(const MacroDefinitions& macros, std::string_view name) {
   const auto found = std::find_if(macros.rbegin(), macros.rend(),
                                   [&](const auto& macro) { return macro.first == name; });
   return found == macros.rend() ? nullptr : &found->second;
 }
 
 std::optional<Version> versionIn(const MacroDefinitions& macros, std::string_view name) {
-  const std::string* text = valueOf(macros, name);
+  const std::string* text = numberOf(macros, name);
   const auto number = text == nullptr ? std::nullopt : parseInteger(*text);
   if (!number || *number < 0 || *number > 999999) return std::nullopt;
   const int value = static_cast<int>(*number);
@@ -200,7 +201,7 @@ std::optional<HostVersions> chooseVersions(const std::string& iris, const std::s
                         versionText(kSeries.front().firstGame), versionText(HostVersions().game));
     return std::nullopt;
   }
-  if (!fits(*series, *asked)) {
+  if (!fitsVersion(*series, *asked)) {
     error = fmt::format("Iris {} is for Minecraft {}, not {}", iris, gamesOf(*series), game);
     return std::nullopt;
   }
@@ -209,9 +210,9 @@ std::optional<HostVersions> chooseVersions(const std::string& iris, const std::s
 
 std::optional<Version> irisVersionOf(const MacroDefinitions& environment) {
   if (const auto version = versionIn(environment, "IRIS_VERSION")) return version;
-  if (valueOf(environment, "IS_IRIS") == nullptr) return std::nullopt;
+  if (numberOf(environment, "IS_IRIS") == nullptr) return std::nullopt;
   constexpr Version kLastWithout{1, 7, 3};
-  return valueOf(environment, "IRIS_TAG_SUPPORT") == nullptr ? kSeries.front().last : kLastWithout;
+  return numberOf(environment, "IRIS_TAG_SUPPORT") == nullptr ? kSeries.front().last : kLastWithout;
 }
 
 Version gameVersionOf(const MacroDefinitions& environment) {

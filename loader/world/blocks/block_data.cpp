@@ -233,7 +233,7 @@ glm::u8vec4 colourOf(const std::string& text) {
   return colour;
 }
 
-TextureDefinition textureOf(const Json& spec, const ExpandedName& name) {
+TextureDefinition textureNamed(const Json& spec, const ExpandedName& name) {
   TextureDefinition texture;
   texture.recipe = spec.at("recipe").get<std::string>();
   for (const Json& colour : spec.value("colours", Json::array())) {
@@ -258,7 +258,7 @@ BlockData read(const Json& root) {
   }
   for (const Json& spec : root.at("textures")) {
     for (const ExpandedName& name : expandNames(spec.at("names"), lists)) {
-      data.textures[name.name] = textureOf(spec, name);
+      data.textures[name.name] = textureNamed(spec, name);
     }
   }
   return data;

@@ -17,7 +17,7 @@ constexpr int kSectionSize = 16;
 constexpr const char* kWater = "minecraft:water";
 
 /// The game's colours of the plains biome.
-glm::u8vec3 colourOf(Tint tint) {
+glm::u8vec3 vertexColour(Tint tint) {
   switch (tint) {
     case Tint::Grass:
       return {0x91, 0xBD, 0x59};
@@ -189,7 +189,7 @@ class MeshBuilder {
                bool fluid) {
     const BlockFacts& facts = input_.facts[index];
     const std::array<CornerLight, 4> light = lighting_.corners(face, cell);
-    const glm::u8vec3 colour = face.tinted ? colourOf(facts.tint) : glm::u8vec3(255);
+    const glm::u8vec3 colour = face.tinted ? vertexColour(facts.tint) : glm::u8vec3(255);
     const RenderLayer layer = facts.blockEntity ? RenderLayer::BlockEntity : facts.layer;
     std::vector<BlockVertex>& vertices = vertices_[std::size_t(layer)];
     for (std::size_t i = 0; i < 4; ++i) {

@@ -16,7 +16,7 @@ CornerLight operator+(const CornerLight& a, const CornerLight& b) {
   return {a.occlusion + b.occlusion, a.block + b.block, a.sky + b.sky};
 }
 
-bool isFullCube(const BlockFacts& facts) {
+bool fillsItsCube(const BlockFacts& facts) {
   return facts.boxes.size() == 1 && facts.boxes[0].from == glm::vec3(0) &&
          facts.boxes[0].to == glm::vec3(16);
 }
@@ -93,7 +93,7 @@ std::vector<std::uint8_t> occludingStates(const std::vector<BlockFacts>& facts) 
   for (const BlockFacts& fact : facts) {
     // Leaves darken as full blocks do; glass does not.
     const bool leaves = fact.layer == RenderLayer::Cutout && !fact.cullsSame && !fact.cross &&
-                        !fact.air && !fact.fluid && isFullCube(fact);
+                        !fact.air && !fact.fluid && fillsItsCube(fact);
     occluding.push_back(fact.fullOpaqueCube || leaves);
   }
   return occluding;
