@@ -6,6 +6,7 @@
 #include "app/commands/explain.h"
 #include "app/input/folder_config.h"
 #include "app/report/report_output.h"
+#include "app/validate/result_cache.h"
 #include "app/validate/validate_run.h"
 #include "core/pack_search.h"
 
@@ -41,10 +42,11 @@ int runValidate(const ValidateOptions& options) {
                   .backend = options.backend,
                   .budget = MatrixBudget(matrixTime(options.matrix), paths.size())};
   if (options.draw && !findDriver(options, checker)) return kHostFailed;
+  const ResultCache cache(options.noCache ? "" : options.cache);
   for (const std::string& path : paths) {
     // A report of its own for each pack: equal messages of two packs are two problems.
     Report report(options.output, Report::Mode::Keep);
-    PackVerdict verdict = validatePack(path, options, checker, report);
+    PackVerdict verdict = validatePack(path, options, cache, checker, report);
     output.add(std::move(verdict), report);
   }
   return output.finish();
@@ -72,6 +74,12 @@ void addValidateCommand(CLI::App& app, int& status, const FolderConfig& folder) 
   addBackendFlag(*command, options->backend);
   command->add_option("--patched", options->patched,
                       "write the sources as the driver gets them, and where each line is from");
+  command
+      ->add_option("--cache", options->cache,
+                   "keep results in this folder, and take those of packs that did not change")
+      ->type_name("DIR")
+      ->envname("ORRIS_CACHE");
+  command->add_flag("--no-cache", options->noCache, "check everything, and keep no result");
   command->add_option("--jobs", options->jobs, "processes")->check(CLI::Range(1, 256));
   std::vector<std::string> targets;
   for (const TargetLimits& target : targetTable()) targets.emplace_back(target.name);

@@ -83,6 +83,14 @@ void Report::add(Diagnostics& diagnostics) {
   diagnostics.clear();
 }
 
+void Report::restore(Diagnostics all, std::vector<std::set<std::string>> entryFiles,
+                     std::vector<std::optional<std::size_t>> causes) {
+  all_ = std::move(all);
+  entryFiles_ = std::move(entryFiles);
+  causes_ = std::move(causes);
+  contexts_.assign(all_.size(), {});
+}
+
 bool isShown(Severity severity, const OutputOptions& output) {
   const Severity least = output.quiet     ? Severity::Error
                          : output.verbose ? Severity::Note

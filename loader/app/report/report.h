@@ -50,6 +50,10 @@ class Report {
   std::optional<std::size_t> cause(std::size_t i) const { return causes_[i]; }
   void setCause(std::size_t i, std::size_t cause) { causes_[i] = cause; }
   void setSeverity(std::size_t i, Severity severity) { all_[i].severity = severity; }
+  /// Puts the problems of an earlier run, with what entryFiles() and cause() say of them, into an empty
+  /// report. Nothing can be added behind them.
+  void restore(Diagnostics all, std::vector<std::set<std::string>> entryFiles,
+               std::vector<std::optional<std::size_t>> causes);
   /// Adds one error about the command line, or about the file `path` as a whole.
   void error(const std::string& id, const std::string& message, const std::string& hint = "",
              const std::string& path = "");

@@ -22,6 +22,8 @@ struct ValidateOptions {
   std::string target = "mesa";           ///< row of targetTable()
   std::optional<VersionRange> versions;  ///< nullopt: from what the pack states to the newest
   std::string patched;                   ///< folder
+  std::string cache;                     ///< folder of earlier results; "": none
+  bool noCache = false;                  ///< leave `cache` alone
   bool draw = false;
   bool recursive = false;  ///< the packs below each path
   gl::Backend backend = gl::Backend::Auto;

@@ -46,6 +46,7 @@ std::string toText(const PackVerdict& verdict) {
   for (const auto& [mod, programs] : verdict.modPrograms) text += ", " + count(programs, mod);
   if (verdict.dimensions.size() > 1) text += fmt::format(", {} folders", verdict.dimensions.size());
   if (verdict.profiles.size() > 1) text += fmt::format(", {} profiles", verdict.profiles.size());
+  if (verdict.cached) text += ", unchanged since an earlier run";
   text += '\n';
   const auto addFailed = [&](const ProgramVerdicts& programs) {
     std::size_t named = 0;
@@ -76,6 +77,7 @@ nlohmann::json toJson(const PackVerdict& verdict) {
           {"folders", verdict.dimensions},
           {"profiles", verdict.profiles},
           {"matrices", matrices},
+          {"cached", verdict.cached},
           {"status", verdict.status}};
 }
 

@@ -8,6 +8,7 @@
 #include "app/report/consequences.h"
 #include "app/report/progress.h"
 #include "app/validate/patched_sources.h"
+#include "app/validate/result_cache.h"
 #include "check/compile/link_errors.h"
 #include "check/hints/conditional_place.h"
 #include "check/pack/open_comments.h"
@@ -285,14 +286,19 @@ bool findDriver(const ValidateOptions& options, Checker& checker) {
   return checker.gpu.has_value();
 }
 
-PackVerdict validatePack(const std::string& path, const ValidateOptions& options, Checker& checker,
-                         Report& report) {
+PackVerdict validatePack(const std::string& path, const ValidateOptions& options,
+                         const ResultCache& cache, Checker& checker, Report& report) {
   const WorkStage stage("checking", path);
   PackVerdict verdict{.path = path};
   verdict.files = openPackFiles(path, report, verdict.status);
   if (!verdict.files) return verdict;
+  // What opening reported is of the file system, and no entry's business.
+  std::optional<std::string> key;
+  if (report.all().empty()) key = cache.keyOf(*verdict.files, options);
+  if (key && cache.restore(*key, verdict, report)) return verdict;
   checkPack(verdict, options, checker, report);
   findConsequences(verdict, options, checker, checkAgain, report);
+  if (key) cache.keep(*key, verdict, report);
   return verdict;
 }
 

@@ -32,6 +32,7 @@ struct PackVerdict {
   std::vector<MatrixSummary> matrices;  ///< one for each profile, with --matrix
   std::set<std::size_t> ofMatrix;       ///< problems of the report that only other options have
   int status = kClean;
+  bool cached = false;  ///< of an earlier run (result_cache.h)
 };
 
 /// Checks shared by all packs of a run: the driver (with --draw), and what was checked. This process
@@ -49,10 +50,12 @@ struct Checker {
   bool passed(std::uint64_t hash) const;
 };
 
+class ResultCache;
+
 /// Asks the driver that --draw needs; false: reported.
 bool findDriver(const ValidateOptions& options, Checker& checker);
 
-PackVerdict validatePack(const std::string& path, const ValidateOptions& options, Checker& checker,
-                         Report& report);
+PackVerdict validatePack(const std::string& path, const ValidateOptions& options,
+                         const ResultCache& cache, Checker& checker, Report& report);
 
 }  // namespace orris
