@@ -1,4 +1,4 @@
-// Shadow volumes in the frame against rays: failure-modes D1 to D9 as far as pixels show them.
+// Shadow volumes in the frame against rays: docs/failure-modes.md D1 to D9 as far as pixels show them.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
