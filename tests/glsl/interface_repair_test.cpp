@@ -107,6 +107,19 @@ TEST(interfaceRepair, a_name_that_means_something_else_is_not_declared_again) {
                         reading("in vec3 tint;", "tint, 1.0")));
 }
 
+// Iris declares it before anything is compiled.
+TEST(interfaceRepair, a_name_that_the_stage_before_only_uses_is_declared_there) {
+  const std::string vertex =
+      kHead + "void main() {\n  gl_Position = ftransform();\n  tint = gl_Color.rgb;\n}\n";
+  const std::string fragment = reading("varying vec3 tint;", "tint, 1.0");
+  EXPECT_EQ(verdict(vertex, fragment), "");
+  ASSERT_TRUE(repaired(vertex, fragment));
+  EXPECT_THAT(repaired(vertex, fragment)->stages[0].text.text, HasSubstr("out vec3 tint; "));
+  EXPECT_FALSE(repaired(kHead + "float tint() { return 1.0; }\n"
+                                "void main() { gl_Position = vec4(tint()); }\n",
+                        fragment));
+}
+
 TEST(interfaceRepair, a_geometry_stage_gets_single_values_of_its_arrays) {
   const StageText vertex = stageOf(Stage::Vertex, kVertex);
   const StageText geometry = stageOf(

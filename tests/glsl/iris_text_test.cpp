@@ -63,6 +63,14 @@ TEST(IrisVersion, is_raised_by_an_extension_that_a_later_version_contains) {
             "#extension GL_NV_foo : enable\nin int a;\n");
 }
 
+TEST(IrisVersion, raised_by_an_extension_leaves_old_glsl_what_it_is) {
+  const std::string text =
+      "#version 120\n#extension GL_ARB_shader_image_load_store : enable\nmat4 m = "
+      "gl_TextureMatrix[1];\n";
+  EXPECT_EQ(versionSent(text, kTerrain), "420 ");
+  EXPECT_EQ(sent(text, kTerrain), "mat4 m = mat4(1.0);\n");
+}
+
 TEST(IrisNames, stand_for_the_built_ins_that_the_patcher_of_the_program_knows) {
   EXPECT_EQ(
       sent("#version 120\nvoid main() { gl_Position = gl_Vertex; }\n", kFullscreen, Stage::Vertex),
@@ -85,6 +93,64 @@ TEST(IrisNames, of_core_programs_are_declared_where_the_author_does_not) {
   EXPECT_EQ(sent("#version 120\nint i = entityId;\n", kEntities),
             "uniform int entityId;\nint i = entityId;\n");
   EXPECT_EQ(sent("#version 120\nint i = entityId;\n", kTerrain), "int i = entityId;\n");
+}
+
+TEST(IrisNames, that_iris_declares_are_there_twice_when_the_author_declares_them_too) {
+  EXPECT_EQ(sent("#version 120\nuniform mat4 u_ModelViewMatrix;\n", kVanilla, Stage::Vertex),
+            "uniform mat4 u_ModelViewMatrix;\n");
+  const std::string terrain =
+      sent("#version 120\nuniform mat4 u_ModelViewMatrix;\n", kTerrain, Stage::Vertex);
+  EXPECT_EQ(terrain.find("layout(std140) uniform u_Globals"), 0u);
+  EXPECT_NE(terrain.find("\nuniform mat4 u_ModelViewMatrix;\n"), std::string::npos);
+  EXPECT_EQ(sent("#version 120\nin float mc_chunkFade;\n", kVanilla, Stage::Vertex),
+            "const float mc_chunkFade = -1.0;\nin float mc_chunkFade;\n");
+  EXPECT_EQ(sent("#version 120\nout vec3 Position;\n", kFullscreen, Stage::Vertex),
+            "in vec3 Position;\nout vec3 Position;\n");
+}
+
+TEST(IrisNames, a_matrix_that_shares_its_declaration_stays_beside_that_of_iris) {
+  const std::string alone = "#version 330 core\nuniform mat4 modelViewMatrix;\n";
+  const std::string shared = "#version 330 core\nuniform mat4 modelViewMatrix, other;\n";
+  EXPECT_EQ(sent(alone, kTerrain, Stage::Vertex), "uniform mat4 modelViewMatrix;\n");
+  EXPECT_EQ(sent(shared, kTerrain, Stage::Vertex),
+            "uniform mat4 modelViewMatrix;\nuniform mat4 modelViewMatrix, other;\n");
+  EXPECT_EQ(sent(shared, kVanilla, Stage::Vertex), "uniform mat4 modelViewMatrix, other;\n");
+}
+
+TEST(IrisNames, a_function_of_iris_keeps_the_authors_of_that_name) {
+  const std::string text =
+      "#version 120\nvec2 signNotZero(vec2 v) { return v * 2.0; }\nvoid main() { }\n";
+  EXPECT_EQ(sent(text, kTerrain, Stage::Vertex),
+            "vec2 signNotZero(vec2 v) { return v; }\n"
+            "vec2 signNotZero(vec2 v) { return v * 2.0; }\nvoid main() { }\n");
+  EXPECT_EQ(sent(text, kVanilla, Stage::Vertex).find("signNotZero"), std::string::npos);
+}
+
+TEST(IrisNames, of_fog_coordinates_are_the_same_in_all_stages) {
+  EXPECT_EQ(sent("#version 120\nvoid main() { gl_FogFragCoord = 1.0; }\n", kTerrain,
+                 Stage::Geometry),
+            "void main() { iris_FogFragCoord = 1.0; }\n");
+}
+
+TEST(IrisEntity, is_unsigned_where_sodium_draws_and_the_author_wants_int) {
+  const std::string text = "#version 330\nin int mc_Entity;\n";
+  EXPECT_EQ(sent(text, kTerrain, Stage::Vertex), "uint mc_Entity = int(0);\n");
+  EXPECT_EQ(sent(text, kVanilla, Stage::Vertex), "in int mc_Entity;\n");
+  EXPECT_EQ(sent("#version 330\nin vec2 mc_Entity;\n", kTerrain, Stage::Vertex),
+            "in vec2 mc_Entity;\n");
+}
+
+TEST(ReservedNames, an_authors_noise_stands_in_place_of_the_old_built_in) {
+  EXPECT_EQ(sent("#version 330\nfloat noise2(vec2 p) { return p.x; }\n"
+                 "float a = noise2(vec2(1.0)) + noise4(1.0).x;\n",
+                 kFullscreen),
+            "float orris_noise2(vec2 p) { return p.x; }\n"
+            "float a = orris_noise2(vec2(1.0)) + noise4(1.0).x;\n");
+}
+
+TEST(FloatLiterals, get_a_point) {
+  EXPECT_EQ(sent("#version 330\nfloat a = 1f + 0F + 2.f + 1e3f + 3.0f + 0x1f + 7;\n", kFullscreen),
+            "float a = 1.0f + 0.0F + 2.f + 1e3f + 3.0f + 0x1f + 7;\n");
 }
 
 TEST(IrisNames, texture_matrices_have_an_index_that_is_known) {

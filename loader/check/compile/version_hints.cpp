@@ -9,6 +9,7 @@
 
 #include "check/compile/version_features.h"
 #include "check/pack/pack_texts.h"
+#include "glsl/iris/iris_names.h"
 
 namespace orris {
 namespace {
@@ -106,6 +107,12 @@ bool isNewConversion(const Diagnostic& d, int version) {
   return assigned || operands;
 }
 
+/// A uint where the author wrote int. Iris: SodiumTransformer.replaceMCEntity.
+bool isAboutEntity(const Diagnostic& d) {
+  return d.sourceLine.find("mc_Entity") != std::string::npos && says(d, "uint'") &&
+         (says(d, " int'") || says(d, "of int'"));
+}
+
 void explainSyntax(Diagnostic& d, const SentVersion& version) {
   for (const VersionFeature& keyword : newKeywords()) {
     if (keyword.since <= version.number) continue;
@@ -129,7 +136,23 @@ void moveToVersion(Diagnostic& d, const StageText& stage, const SourceLines& lin
 
 void explainVersion(Diagnostic& d, const SentVersion& version) {
   const std::string_view quoted = quotedIn(d.message);
+  if (says(d, "redefinition") || says(d, "already has a body")) {
+    if (quoted == "modelViewMatrix" || quoted == "projectionMatrix")
+      d.hint = fmt::format(
+          "write uniform mat4 {}; alone: where Sodium draws, Iris takes no other declaration of it "
+          "away for its own",
+          quoted);
+    if (isTakenByIris(quoted))
+      d.hint = fmt::format("Iris declares {} itself in this program: choose another name", quoted);
+    return;
+  }
   if (says(d, "syntax error")) return explainSyntax(d, version);
+  if (isAboutEntity(d)) {
+    d.hint =
+        "where Sodium draws, Iris makes a uint of an int mc_Entity: declare it as vec2 or vec4, "
+        "whose x is the id";
+    return;
+  }
   if (isNewConversion(d, version.number)) {
     d.hint = fmt::format(
         "GLSL makes uint of int by itself since version 400, and Iris sends this stage as {}: "

@@ -1,5 +1,6 @@
 #include "glsl/iris/iris_names.h"
 
+#include <algorithm>
 #include <array>
 
 namespace orris {
@@ -51,6 +52,9 @@ constexpr Row kRows[] = {
      {"gl_FogFragCoord", "iris_FogFragCoord", "in float iris_FogFragCoord;"}},
     {kVan, kBoth, kV, {"gl_FogFragCoord", "iris_FogFragCoord", "out float iris_FogFragCoord;"}},
     {kVan, kBoth, kF, {"gl_FogFragCoord", "iris_FogFragCoord", "in float iris_FogFragCoord;"}},
+    // Declared by the repair of interfaces where the fragment stage reads it.
+    {kFull | kTer | kDh, kOld, kBetween, {"gl_FogFragCoord", "iris_FogFragCoord", ""}},
+    {kVan, kBoth, kBetween, {"gl_FogFragCoord", "iris_FogFragCoord", ""}},
     {kFull | kTer | kDh, kOld, kV, {"gl_FrontColor", "iris_FrontColor", "vec4 iris_FrontColor;"}},
     {kVan, kBoth, kV, {"gl_FrontColor", "iris_FrontColor", "vec4 iris_FrontColor;"}},
     {kFull | kTer | kDh, kOld, kF, {"gl_TexCoord", "irs_texCoords", "in vec4 irs_texCoords[3];"}},
@@ -119,6 +123,8 @@ constexpr Row kRows[] = {
     {kTer | kDh, kOld, kV, {"gl_MultiTexCoord0", "vec4(iris_TexCoord, 0.0, 1.0)", kTexture0}},
     {kTer | kDh, kOld, kV, {"gl_MultiTexCoord1", "vec4(iris_LightCoord, 0.0, 1.0)", kLight}},
     {kTer | kDh, kOld, kV, {"gl_MultiTexCoord2", "vec4(iris_LightCoord, 0.0, 1.0)", kLight}},
+    {kFull, kOld, kV, {"Position", "", "in vec3 Position;", true}},
+    {kFull, kOld, kV, {"UV0", "", "in vec2 UV0;", true}},
     {kVan | kTer, kOld, kV, {"gl_MultiTexCoord3", "mc_midTexCoord", "in vec4 mc_midTexCoord;"}},
     {kFull | kWorld, kOld, kV, {"gl_MultiTexCoord4", "vec4(0.0, 0.0, 0.0, 1.0)", ""}},
     {kFull | kWorld, kOld, kV, {"gl_MultiTexCoord5", "vec4(0.0, 0.0, 0.0, 1.0)", ""}},
@@ -129,9 +135,53 @@ constexpr Row kRows[] = {
     {kVan, kCore, kV, {"vaUV2", "", "in vec2 vaUV2;"}},
     {kTer, kCore, kV, {"vaUV1", "ivec2(0, 10)", ""}},
     {kTer, kCore, kV, {"vaUV2", "iris_LightAndData", "in uvec2 iris_LightAndData;"}},
-    {kVan, kBoth, kAll, {"mc_chunkFade", "", "const float mc_chunkFade = -1.0;"}},
-    {kTer, kBoth, kV, {"mc_chunkFade", "", "float mc_chunkFade;"}},
+    {kVan, kBoth, kAll, {"mc_chunkFade", "", "const float mc_chunkFade = -1.0;", true}},
+    {kTer, kBoth, kV, {"mc_chunkFade", "", "float mc_chunkFade;", true}},
 };
+
+// What Iris brings along of Sodium's own shaders; members of the block are global names.
+constexpr std::string_view kGlobals =
+    "layout(std140) uniform u_Globals { mat4 u_ProjectionMatrix; mat4 u_ModelViewMatrix; "
+    "vec4 u_FogColor; vec2 u_EnvironmentFog; vec2 u_RenderFog; vec2 u_TexelSize; "
+    "vec2 u_TexCoordShrink; float u_FadePeriodInv; bool u_UseRGSS; };";
+constexpr std::array<IrisName, 10> kTerrainNames{{
+    {"u_Globals", "", kGlobals, true},
+    {"u_ProjectionMatrix", "", kGlobals, true},
+    {"u_ModelViewMatrix", "", kGlobals, true},
+    {"u_FogColor", "", kGlobals, true},
+    {"u_EnvironmentFog", "", kGlobals, true},
+    {"u_RenderFog", "", kGlobals, true},
+    {"u_TexelSize", "", kGlobals, true},
+    {"u_TexCoordShrink", "", kGlobals, true},
+    {"u_FadePeriodInv", "", kGlobals, true},
+    {"u_UseRGSS", "", kGlobals, true},
+}};
+constexpr std::array<IrisName, 24> kTerrainVertexNames{{
+    {"u_CurrentTime", "", "uniform int u_CurrentTime;", true},
+    {"u_RegionID", "", "uniform uint u_RegionID;", true},
+    {"u_SectionTimeInfo", "", "uniform isamplerBuffer u_SectionTimeInfo;", true},
+    {"_vert_position", "", "vec3 _vert_position;", true},
+    {"_vert_tex_diffuse_coord", "", "vec2 _vert_tex_diffuse_coord;", true},
+    {"_vert_tex_diffuse_coord_bias", "", "vec2 _vert_tex_diffuse_coord_bias;", true},
+    {"_vert_tex_light_coord", "", "vec2 _vert_tex_light_coord;", true},
+    {"_vert_color", "", "vec4 _vert_color;", true},
+    {"_draw_id", "", "uint _draw_id;", true},
+    {"irs_Normal", "", "vec3 irs_Normal;", true},
+    {"irs_Tangent", "", "vec4 irs_Tangent;", true},
+    {"POSITION_BITS", "", "const uint POSITION_BITS = 20u;", true},
+    {"POSITION_MAX_COORD", "", "const uint POSITION_MAX_COORD = 1048576u;", true},
+    {"POSITION_MAX_VALUE", "", "const uint POSITION_MAX_VALUE = 1048575u;", true},
+    {"TANGENT_W_BIT", "", "const uint TANGENT_W_BIT = 16u;", true},
+    {"TEXTURE_BITS", "", "const uint TEXTURE_BITS = 15u;", true},
+    {"TEXTURE_MAX_COORD", "", "const uint TEXTURE_MAX_COORD = 32768u;", true},
+    {"TEXTURE_MAX_VALUE", "", "const uint TEXTURE_MAX_VALUE = 32767u;", true},
+    {"VERTEX_SCALE", "", "const float VERTEX_SCALE = 0.0;", true},
+    {"VERTEX_OFFSET", "", "const float VERTEX_OFFSET = -8.0;", true},
+    {"MATERIAL_USE_MIP_OFFSET", "", "const uint MATERIAL_USE_MIP_OFFSET = 0u;", true},
+    {"signNotZero", "", "vec2 signNotZero(vec2 v) { return v; }", true},
+    {"decodeOct24", "", "vec3 decodeOct24(uint v) { return vec3(0.0); }", true},
+    {"decode_diamond", "", "vec2 decode_diamond(float v) { return vec2(0.0); }", true},
+}};
 
 // What EntityPatcher makes known in programs whose vertices name an entity.
 constexpr std::array<IrisName, 4> kEntityNames{{
@@ -151,8 +201,26 @@ std::vector<IrisName> irisNames(const IrisProgram& program, Stage stage, bool co
       names.push_back(row.name);
     }
   }
+  if (program.patch == IrisPatch::Terrain) {
+    names.insert(names.end(), kTerrainNames.begin(), kTerrainNames.end());
+    if (stage == Stage::Vertex)
+      names.insert(names.end(), kTerrainVertexNames.begin(), kTerrainVertexNames.end());
+  }
   if (program.entities) names.insert(names.end(), kEntityNames.begin(), kEntityNames.end());
   return names;
+}
+
+bool isIrisFunction(const IrisProgram& program, Stage stage, std::string_view name) {
+  if (program.patch != IrisPatch::Terrain || stage != Stage::Vertex) return false;
+  return std::ranges::any_of(kTerrainVertexNames, [name](const IrisName& known) {
+    return known.name == name && known.declaration.ends_with('}');
+  });
+}
+
+bool isTakenByIris(std::string_view name) {
+  const auto is = [name](const IrisName& known) { return known.taken && known.name == name; };
+  return std::ranges::any_of(kTerrainNames, is) || std::ranges::any_of(kTerrainVertexNames, is) ||
+         std::ranges::any_of(kRows, [&](const Row& row) { return is(row.name); });
 }
 
 std::optional<int> lastTextureMatrix(const IrisProgram& program, bool core) {

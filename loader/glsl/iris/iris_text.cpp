@@ -14,9 +14,10 @@ struct IrisRule {
   bool common;        ///< Iris does it only where translatesCalls()
 };
 
-constexpr std::array<IrisRule, 13> kIrisRules = {{
+constexpr std::array<IrisRule, 15> kIrisRules = {{
     {ruleIrisExtensions, false, false},
     {ruleAttributeVarying, false, true},
+    {ruleFloatLiterals, false, false},
     {ruleTextureFunctions, false, true},
     {ruleTextureName, false, false},
     {ruleReservedNames, false, false},
@@ -25,6 +26,7 @@ constexpr std::array<IrisRule, 13> kIrisRules = {{
     {ruleIrisConst, true, false},
     {ruleOutColor, true, false},
     {ruleIrisFragData, true, true},
+    {ruleIrisEntity, true, false},
     {ruleIrisNames, true, false},
     {ruleHostNames, true, false},
     {ruleIrisVersion, false, false},

@@ -34,15 +34,15 @@ bool isCoreForIris(const TokenStream& stream, const IrisProgram& program);
 inline constexpr int kLeastIrisVersion = 330;
 
 /// As rewrite(), into the text that Iris makes. The rules of rewrite() that Iris has too keep their
-/// names: attribute-varying, texture-functions, texture-name, reserved-names, stray-semicolon,
-/// unused-functions, out-color, host-names. Besides them:
-/// - iris-extensions: an #extension that a later version of GLSL contains raises the version to that,
-///   as glslang knows few of them in part only
+/// names: attribute-varying, float-literals, texture-functions, texture-name, reserved-names,
+/// (here noise1 to noise4, too), stray-semicolon, unused-functions, out-color, host-names. Others:
+/// - iris-extensions: an #extension that a later version of GLSL contains raises the version to it
 /// - iris-const: `const` is dropped where the initialiser names a const parameter, and where it calls
 ///   a function that glslang does not fold
 /// - iris-frag-data: gl_FragColor and gl_FragData[n] -> iris_FragDataN
+/// - iris-entity: an int mc_Entity of terrain becomes a uint made of an int
 /// - iris-names: built-ins of compatibility GLSL that Iris knows -> its own; others stay, and core
-///   GLSL has no such name
+///   GLSL has no such name. What Iris declares by itself and the author declares, too, is there twice
 /// - iris-version: the author's version, at least 330, and core
 RewriteResult rewriteAsIris(TokenStream& stream, Stage stage, const IrisProgram& program,
                             std::span<const HostName> moreNames = {});

@@ -70,12 +70,30 @@ class IrisNaming {
  private:
   void replace(std::size_t use) {
     const auto found = known_.find(tokens_[use].text);
-    if (found == known_.end() || declared_.tokens.contains(use)) return;
+    if (found == known_.end()) return;
     const IrisName& name = found->second;
+    if (declared_.tokens.contains(use)) {
+      if (name.taken || isKeptMatrix(use)) declare(name.declaration);
+      return;
+    }
     if (name.replacement.empty() && declared_.names.contains(name.name)) return;
     context_.fired(kRuleIrisNames, tokens_[use].origin);
     declare(name.declaration);
     if (!name.replacement.empty()) tokens_[use].text = name.replacement;
+  }
+
+  // Where Sodium draws, Iris takes "uniform mat4 modelViewMatrix;" away for a declaration of its own; one
+  // that it shares with other names stays beside that. Iris: SodiumCoreTransformer.
+  bool isKeptMatrix(std::size_t use) const {
+    const std::string& name = tokens_[use].text;
+    if (context_.iris->patch != IrisPatch::Terrain ||
+        (name != "modelViewMatrix" && name != "projectionMatrix"))
+      return false;
+    const std::size_t type = previousCode(tokens_, use);
+    const bool alone = type < tokens_.size() && isIdentifier(tokens_[type], "mat4") &&
+                       isIdentifier(tokens_[previousCode(tokens_, type)], "uniform") &&
+                       followedBy(tokens_, use, ";");
+    return !alone;
   }
 
   // "gl_TextureMatrix[1]"; another index stays, which core GLSL knows as little.
@@ -113,6 +131,33 @@ class IrisNaming {
 };
 
 }  // namespace
+
+// Sodium's vertices hold the id as a uint. Iris: SodiumTransformer.replaceMCEntity, which makes all
+// types of it that it knows as the author wrote them but this one.
+void ruleIrisEntity(RewriteContext& context) {
+  if (context.iris->patch != IrisPatch::Terrain || context.stage != Stage::Vertex) return;
+  auto& tokens = context.stream.tokens;
+  const bool named = std::ranges::any_of(
+      tokens, [](const Token& token) { return isIdentifier(token, "mc_Entity"); });
+  if (!named) return;
+  for (const OutlineItem& item : outline(tokens)) {
+    if (item.kind != OutlineItem::Kind::Declaration) continue;
+    const Declaration found = parseDeclaration(tokens, item);
+    if (found.declarators.size() != 1 || found.qualifiers.empty() ||
+        !isIdentifier(tokens[found.declarators[0].name], "mc_Entity") ||
+        !isIdentifier(tokens[found.type], "int"))
+      continue;
+    const Origin place = tokens[found.declarators[0].name].origin;
+    context.fired("iris-entity", place);
+    std::vector<Token> made = hostTokens("uint mc_Entity = int(0);", false);
+    for (Token& token : made) token.origin = place;
+    made.front().newlinesBefore = tokens[item.begin].newlinesBefore;
+    TokenEdits edits;
+    edits.insertBefore(item.begin, std::move(made));
+    edits.erase(item.begin, item.end);
+    return edits.apply(tokens);
+  }
+}
 
 void ruleIrisNames(RewriteContext& context) { IrisNaming(context).run(); }
 

@@ -50,6 +50,7 @@ const ExtensionVersion* extensionVersion(std::string_view name) {
 
 void ruleIrisExtensions(RewriteContext& context) {
   TokenStream& stream = context.stream;
+  const bool core = isCoreForIris(stream, *context.iris);
   std::erase_if(stream.extensions, [&context, &stream](const TokenStream::Extension& extension) {
     const ExtensionVersion* known = extensionVersion(extension.name);
     if (!known) return false;
@@ -60,6 +61,9 @@ void ruleIrisExtensions(RewriteContext& context) {
     }
     return true;
   });
+  // A raised version must not make core GLSL of what the author wrote in old GLSL.
+  if (!core && stream.version > context.packVersion && stream.profile.empty())
+    stream.profile = "compatibility";
 }
 
 // Without a profile a version of 150 and more is core; gbuffers_line keeps what it says.

@@ -6,7 +6,9 @@
 
 #include "core/characters.h"
 #include "glsl/tokens/file_scope.h"
+#include "glsl/tokens/outline.h"
 #include "glsl/tokens/text_edits.h"
+#include "glsl/tokens/text_tokens.h"
 
 namespace orris {
 namespace {
@@ -33,6 +35,20 @@ std::vector<std::size_t> placesOf(std::string_view text, std::string_view name) 
     if (whole && !(at > 0 && text[at - 1] == '.')) places.push_back(at);
   }
   return places;
+}
+
+/// Does the name stand for something else there: in a declaration, or as that of a function?
+bool standsAtFileScope(const StageText& stage, std::string_view name) {
+  const std::vector<Token> tokens = tokensOf(stage.text);
+  const std::vector<OutlineItem> items = outline(tokens);
+  return std::any_of(items.begin(), items.end(), [&](const OutlineItem& item) {
+    const bool function = item.kind == OutlineItem::Kind::Function;
+    const std::size_t begin = function ? item.name : item.begin;
+    const std::size_t end = function ? item.name + 1 : item.end;
+    return std::any_of(tokens.begin() + static_cast<std::ptrdiff_t>(begin),
+                       tokens.begin() + static_cast<std::ptrdiff_t>(end),
+                       [name](const Token& token) { return isIdentifier(token, name); });
+  });
 }
 
 /// One stage while it is repaired; edits keep the offsets of the text as it was.
@@ -85,8 +101,7 @@ class Repair {
 
   void declare(RepairedStage& from, const RepairedStage& to, const StageVarying& in) {
     if (placesOf(to.text(), in.name).size() < 2) return;
-    // The name may stand for something else there.
-    if (!placesOf(from.text(), in.name).empty()) return;
+    if (!placesOf(from.text(), in.name).empty() && standsAtFileScope(*from.stage, in.name)) return;
     from.edits.insert(from.scope.first, in.qualifiers + "out " + in.type + " " + in.name + "; ");
     from.edits.insert(from.scope.mainBegin, " " + in.name + " = " + in.type + "(0);");
     result_.names.push_back(in.name);

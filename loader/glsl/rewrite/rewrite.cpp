@@ -30,9 +30,10 @@ struct Rule {
 
 // In this order: names are settled before the rules that read declarations, and the version is set
 // last because the others ask for the pack's.
-constexpr std::array<Rule, 16> kRules = {{
+constexpr std::array<Rule, 17> kRules = {{
     {ruleExtensions, false},
     {ruleAttributeVarying, false},
+    {ruleFloatLiterals, false},
     {ruleTextureFunctions, false},
     {ruleTextureName, false},
     {ruleReservedNames, false},

@@ -42,7 +42,7 @@ struct HostName {
 /// Applies all rules in order; edits `stream` in place. `moreNames` are host names of this kind of
 /// program besides those that every program has. The rules, by the name reported:
 /// - extensions: #extension lines that core GLSL 4.50 contains are dropped
-/// - attribute-varying: attribute, varying -> in, out (vertex and fragment stages)
+/// - attribute-varying: attribute, varying -> in, out (in two stages); float-literals: 1f -> 1.0f
 /// - texture-functions: texture2D, shadow2D, texelFetch2D, ... -> the GLSL 4.50 names
 /// - texture-name: a sampler named texture or gcolor -> gtexture, other variables -> orris_texture
 /// - reserved-names: words newer GLSL reserves, used as names (sample) -> orris_<word>

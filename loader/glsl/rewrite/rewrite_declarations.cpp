@@ -6,6 +6,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "glsl/iris/iris_names.h"
 #include "glsl/rewrite/rewrite_rules.h"
 #include "glsl/tokens/outline.h"
 
@@ -129,7 +130,9 @@ void ruleUnusedFunctions(RewriteContext& context) {
   TokenEdits edits;
   for (const OutlineItem& item : outline(tokens)) {
     if (item.kind != OutlineItem::Kind::Function || tokens[item.name].text == "main") continue;
-    if (mentions[tokens[item.name].text] > 1) continue;
+    const std::string& name = tokens[item.name].text;
+    if (mentions[name] > 1) continue;
+    if (context.iris && isIrisFunction(*context.iris, context.stage, name)) continue;
     context.fired("unused-functions", tokens[item.name].origin);
     if (context.iris) {
       // Iris has parsed it by then, so that it is judged for itself.

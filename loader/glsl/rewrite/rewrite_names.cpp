@@ -243,6 +243,18 @@ void ruleTextureName(RewriteContext& context) {
   if (declares("texture") + declares("gcolor") + declares("gtexture") > 1) keepOneSampler(tokens);
 }
 
+/// "float noise2(vec2 p) {": drivers let an author's function stand in place of the old built-in of that
+/// name, glslang wants it to return what that did.
+bool isOwnNoise(const std::vector<Token>& tokens, std::size_t index) {
+  const std::string& name = tokens[index].text;
+  if (name.size() != 6 || !name.starts_with("noise") || name.back() < '1' || name.back() > '4')
+    return false;
+  const std::size_t type = previousCode(tokens, index);
+  return type < tokens.size() && tokens[type].kind == TokenKind::Identifier &&
+         tokens[type].text != "return" && tokens[type].text != "else" &&
+         followedBy(tokens, index, "(");
+}
+
 // A word that newer GLSL reserves, used as a name: "float sample = ...". Where it stands before
 // another word it is the qualifier and stays. Iris renames `sample` only, and sends the author's
 // version, which knows the others as names.
@@ -251,6 +263,7 @@ void ruleReservedNames(RewriteContext& context) {
   std::unordered_set<std::string> names;
   for (std::size_t i = 0; i < tokens.size(); ++i) {
     if (tokens[i].kind != TokenKind::Identifier || names.contains(tokens[i].text)) continue;
+    if (context.iris && isOwnNoise(tokens, i)) names.insert(tokens[i].text);
     if (context.iris && tokens[i].text != "sample") continue;
     if (context.packVersion < reservedSince(tokens[i].text) && isNameDeclaredHere(tokens, i)) {
       names.insert(tokens[i].text);

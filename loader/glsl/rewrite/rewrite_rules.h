@@ -69,6 +69,7 @@ std::vector<Token> hostTokens(std::string_view text, bool newLine);
 
 void ruleExtensions(RewriteContext& context);
 void ruleAttributeVarying(RewriteContext& context);
+void ruleFloatLiterals(RewriteContext& context);
 void ruleTextureFunctions(RewriteContext& context);
 void ruleTextureName(RewriteContext& context);
 void ruleReservedNames(RewriteContext& context);
@@ -88,6 +89,7 @@ void ruleVersion(RewriteContext& context);
 void ruleIrisExtensions(RewriteContext& context);
 void ruleIrisConst(RewriteContext& context);
 void ruleIrisFragData(RewriteContext& context);
+void ruleIrisEntity(RewriteContext& context);
 void ruleIrisNames(RewriteContext& context);
 void ruleIrisVersion(RewriteContext& context);
 
