@@ -30,7 +30,7 @@ TEST(Names, an_unknown_one_that_is_used_gets_the_nearest) {
                           "'frameTimeCounterr'",
                           "uniform-unknown /composite.fsh:3:19: warning: no sampler is called "
                           "'colortexx5'"));
-  EXPECT_THAT(messages(files, "mesa", true).back(),
+  EXPECT_THAT(messages(files, "iris", true).back(),
               "uniform-unknown /composite.fsh:4:15: note: no uniform is called 'unused1'");
 }
 

@@ -23,7 +23,7 @@ std::vector<std::string> found(Files files, const Version& iris, const Version& 
   if (!pack) return {"not loaded: " + formatDiagnostic(diagnostics.at(0))};
   const Schedule schedule = buildSchedule(*pack, 64, 64, {}, diagnostics);
   std::vector<std::string> messages;
-  for (const Diagnostic& d : checkFolder({*pack, schedule, *findTarget("iris")})) {
+  for (const Diagnostic& d : checkFolder({*pack, schedule, *findTarget("minimum")})) {
     if (d.id == "version-newer")
       messages.push_back(d.at.file + ":" + std::to_string(d.at.line) + " " + d.message);
   }

@@ -83,7 +83,7 @@ void addValidateCommand(CLI::App& app, int& status, const FolderConfig& folder) 
   command->add_option("--jobs", options->jobs, "processes")->check(CLI::Range(1, 256));
   std::vector<std::string> targets;
   for (const TargetLimits& target : targetTable()) targets.emplace_back(target.name);
-  command->add_option("--target", options->target, "whose limits and macros: mesa, apple, ...")
+  command->add_option("--target", options->target, "whose rules, limits and macros: iris, apple, ...")
       ->check(CLI::IsMember(targets));
   CLI::Option* log = command->add_option("--explain-log", options->explainLog,
                                          "put the compiler messages of a game log (- for standard "

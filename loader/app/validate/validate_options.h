@@ -19,7 +19,7 @@ struct ValidateOptions {
   std::vector<std::string> profiles;  ///< {"all"}, names, or none: the values as they are
   std::vector<std::string> dimensions{"all"};
   int jobs = std::max(1, int(std::thread::hardware_concurrency()));
-  std::string target = "mesa";           ///< row of targetTable()
+  std::string target = "iris";           ///< row of targetTable()
   std::optional<VersionRange> versions;  ///< nullopt: from what the pack states to the newest
   std::string patched;                   ///< folder
   std::string cache;                     ///< folder of earlier results; "": none
