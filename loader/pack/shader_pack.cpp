@@ -149,7 +149,7 @@ ShaderPack emptyPack(const PackFiles& files, const LoadRequest& request, const F
                   .entityIds = properties.entityIds,
                   .languages = files.languages,
                   .folder = build.folder(),
-                  .dimensions = files.dimensions.folders};
+                  .dimensions = files.dimensions.readFolders()};
   pack.hasItemFile = properties.hasItemFile;
   pack.disabledPrograms = build.disabled();
   pack.files = applyOptions(files.graph.files, files.options, build.values());

@@ -38,8 +38,8 @@ screen.Z = <empty>
 alphaTest.gbuffers_water = WRONG 0.1
 """
 PACK = {"shaders/final.vsh": VERTEX, "shaders/final.fsh": FRAGMENT,
-        "shaders/world0/composite.vsh": VERTEX, "shaders/world0/composite.fsh": FRAGMENT.replace("f()", "2.0 * f()"),
-        "shaders/world0/final.fsh": VERSION + "void main() { gl_FragColor = vec4(1.0); }\n",
+        "shaders/world-1/composite.vsh": VERTEX, "shaders/world-1/composite.fsh": FRAGMENT.replace("f()", "2.0 * f()"),
+        "shaders/world-1/final.fsh": VERSION + "void main() { gl_FragColor = vec4(1.0); }\n",
         "shaders/lib/my file.glsl": LIBRARY, "shaders/shaders.properties": PROPERTIES}
 FORMATS = {"json": "r.json", "sarif": "r.sarif", "junit": "r.xml", "github": "r.txt",
            "text": "r.text"}
@@ -96,7 +96,7 @@ class Json(unittest.TestCase):
     def test_names_every_program_of_a_problem(self):
         entries = Folder().report("json")["packs"][0]["diagnostics"]
         entry = next(entry for entry in entries if entry["id"] == "glsl-compile")
-        self.assertEqual(entry["programs"], ["/final", "/world0/composite"])
+        self.assertEqual(entry["programs"], ["/final", "/world-1/composite"])
         self.assertEqual(entry["uri"], "pack/shaders/lib/my file.glsl")
 
 
@@ -220,15 +220,15 @@ class Junit(unittest.TestCase):
         self.assertEqual({suite.get("name"): [case.get("name") for case in suite]
                           for suite in root},
                          {"pack": ["pack"], "pack /": ["/final"],
-                          "pack /world0": ["/world0/composite", "/world0/final"]})
+                          "pack /world-1": ["/world-1/composite", "/world-1/final"]})
 
     def test_failures_hold_the_messages(self):
         root = ElementTree.fromstring(Folder().report("junit"))
         failures = {case.get("name"): [(failure.get("type"), failure.text) for failure in case
                                        if failure.tag == "failure"] for case in root.iter("testcase")}
-        self.assertEqual(failures["/world0/final"], [])
+        self.assertEqual(failures["/world-1/final"], [])
         self.assertEqual(failures["pack"], [])
-        self.assertEqual(failures["/final"], failures["/world0/composite"])
+        self.assertEqual(failures["/final"], failures["/world-1/composite"])
         self.assertIn(LIBRARY.splitlines()[1], failures["/final"][0][1])
         remarks = root.find(".//testcase[@name='pack']/system-out").text
         self.assertIn("UNKNOWN_A", remarks)

@@ -50,5 +50,32 @@ TEST(Dimensions, other_dimensions_may_be_left_without_programs) {
                           "no programs of its own | did you mean world0?"));
 }
 
+/// The folders of a pack with programs in world0 and directly in shaders/.
+std::vector<std::string> readFolders(const MacroDefinitions& environment, const char* other,
+                                     Diagnostics& diagnostics) {
+  const auto source = memorySource({{"/final.fsh", ""}, {other, ""}});
+  return readDimensions(*source, environment, diagnostics).readFolders();
+}
+
+// Iris: the base of all dimensions is world0, so nothing reads the folder above it.
+TEST(Dimensions, programs_above_world0_are_for_no_dimension_of_iris) {
+  Diagnostics iris, optifine;
+  EXPECT_THAT(readFolders({{"IS_IRIS", ""}}, "/world0/final.fsh", iris), ElementsAre("/world0"));
+  ASSERT_EQ(iris.size(), 1u);
+  EXPECT_EQ(formatDiagnostic(iris[0]),
+            "/: note: no dimension gets the programs directly in shaders/: world0 serves all that "
+            "have no folder of their own\n"
+            "  hint: they are not checked; name them with --dimensions / to check them");
+  EXPECT_THAT(readFolders({}, "/world0/final.fsh", optifine), ElementsAre("/", "/world0"));
+  EXPECT_THAT(optifine, IsEmpty());
+}
+
+TEST(Dimensions, programs_above_the_nether_are_for_all_others) {
+  Diagnostics diagnostics;
+  EXPECT_THAT(readFolders({{"IS_IRIS", ""}}, "/world-1/final.fsh", diagnostics),
+              ElementsAre("/", "/world-1"));
+  EXPECT_THAT(diagnostics, IsEmpty());
+}
+
 }  // namespace
 }  // namespace orris

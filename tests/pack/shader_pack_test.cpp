@@ -173,7 +173,7 @@ TEST(ShaderPack, dimensions_are_chosen_by_id_or_folder) {
   EXPECT_EQ(folder("the_nether"), "/world-1");
   EXPECT_EQ(folder("world1"), "/world0");
   EXPECT_EQ(folder("/"), "/");
-  EXPECT_THAT(loadFiles(files).pack->dimensions, ElementsAre("/", "/world0", "/world-1"));
+  EXPECT_THAT(loadFiles(files).pack->dimensions, ElementsAre("/world0", "/world-1"));
 }
 
 TEST(ShaderPack, include_chain_reaches_diagnostics_of_the_preprocessor) {

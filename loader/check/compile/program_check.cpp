@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 #include <tuple>
 
@@ -71,14 +72,17 @@ void warmUp(const std::vector<ProgramUnit>& units) {
 std::vector<ProgramUnit> programUnits(const ProgramSource& program) {
   std::vector<ProgramUnit> units;
   const ModFamily* family = modFamilyOf(program.group);
+  const bool refused = std::ranges::count(program.diagnostics, Effect::RefusesProgram,
+                                          &Diagnostic::effect) > 0;
   using Stages = std::vector<const StageText*>;
   const auto add = [&](const std::string& name, Stages stages, Stages judged) {
     std::uint64_t hash = hashOf(stages);
     if (judged.empty()) judged = stages;
     // Versions that the text for drawing levels may tell texts apart.
     if (judged != stages) hash = hash * 31 + hashOf(judged);
+    hash += refused;
     units.push_back({unitName(program, name), hash, std::move(stages), std::move(judged), &program,
-                     family ? family->name : std::string_view(), program.incomplete});
+                     family ? family->name : std::string_view(), program.incomplete, refused});
   };
   // A fullscreen program and a compute shader may share their name.
   for (const ComputeSource& compute : program.computes) {
@@ -167,7 +171,7 @@ void checkWithGlslang(const ShaderPack& pack, int jobs, Verdicts& verdicts,
               });
   mergeMissingIncludes(pack, units, found);
   for (size_t i = 0; i < units.size(); ++i) {
-    verdicts[units[i].hash] = !hasErrors(found[i]) && !units[i].incomplete;
+    verdicts[units[i].hash] = !hasErrors(found[i]) && !units[i].incomplete && !units[i].refused;
     if (!units[i].mod.empty()) markAsOfMod(units[i].mod, found[i]);
     if (units[i].mod == kPatchingMod) excuseNamesOfTheMod(found[i]);
     diagnostics.insert(diagnostics.end(), found[i].begin(), found[i].end());

@@ -22,6 +22,7 @@ struct ProgramUnit {
   const ProgramSource* program = nullptr;  ///< that it is of
   std::string_view mod{};   ///< the mod that would draw with it ("Distant Horizons"), "" for none
   bool incomplete = false;  ///< an #include is missing: reported, and not to be compiled
+  bool refused = false;     ///< Iris refuses it, whatever a compiler says: reported
 };
 
 /// All units of a pack, in frame order; those of other mods last.

@@ -7,6 +7,7 @@ namespace orris {
 
 std::span<const Rule> interfaceRules() {
   static const std::vector<Rule> kRules = {
+      {"attribute-type", Severity::Error, "a vertex attribute has a type that Iris does not make"},
       {"attribute-unknown", Severity::Warning, "no host sets a vertex attribute of this name"},
       {"include-probably-missing", Severity::Error,
        "a name is unknown, and a file that defines it is not included"},

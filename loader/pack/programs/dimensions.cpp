@@ -121,7 +121,33 @@ void limitFolders(Dimensions& dimensions, Diagnostics& diagnostics) {
   folders.resize(limits::kDimensionFolders);
 }
 
+// Iris: ShaderPack.getProgramSet; with a folder for every dimension the one above is left alone.
+// OptiFine gives it to the dimensions that have no folder of their own.
+bool isRootRead(const Dimensions& dimensions, const MacroDefinitions& environment) {
+  const bool iris = std::any_of(environment.begin(), environment.end(),
+                                [](const auto& macro) { return macro.first == "IS_IRIS"; });
+  return dimensions.base == "/" || !iris;
+}
+
+void noteUnreadRoot(const Dimensions& dimensions, Diagnostics& diagnostics) {
+  if (dimensions.rootIsRead || dimensions.folders.front() != "/") return;
+  diagnostics.push_back(
+      {.severity = Severity::Note,
+       .id = "dimension-folder",
+       .at = {.file = "/"},
+       .message = fmt::format("no dimension gets the programs directly in shaders/: {} serves all "
+                              "that have no folder of their own",
+                              dimensions.base.substr(1)),
+       .hint = "they are not checked; name them with --dimensions / to check them"});
+}
+
 }  // namespace
+
+std::vector<std::string> Dimensions::readFolders() const {
+  std::vector<std::string> read = folders;
+  if (!rootIsRead) std::erase(read, "/");
+  return read;
+}
 
 std::string Dimensions::resolve(const std::string& dimension) const {
   const auto known = [&](const std::string& folder) {
@@ -158,6 +184,8 @@ Dimensions readDimensions(const FileSource& source, const MacroDefinitions& envi
   const auto& folders = dimensions.folders;
   if (std::find(folders.begin(), folders.end(), dimensions.base) == folders.end())
     dimensions.base = "/";
+  dimensions.rootIsRead = isRootRead(dimensions, environment);
+  noteUnreadRoot(dimensions, diagnostics);
   return dimensions;
 }
 

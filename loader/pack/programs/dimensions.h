@@ -15,6 +15,10 @@ struct Dimensions {
   std::vector<std::string> folders;             ///< those that hold program files, "/" first
   std::map<std::string, std::string> folderOf;  ///< dimension id -> folder
   std::string base = "/";                       ///< of every other dimension
+  bool rootIsRead = true;  ///< some dimension gets the programs directly in shaders/
+
+  /// Those of `folders` that some dimension gets.
+  std::vector<std::string> readFolders() const;
 
   /// The folder for a dimension id ("minecraft:the_nether", "the_nether") or a folder name
   /// ("world-1", "/world-1", "/"); the base folder when nothing is mapped to it.

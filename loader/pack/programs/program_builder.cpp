@@ -6,6 +6,7 @@
 #include "pack/files/text.h"
 #include "pack/mods/mods.h"
 #include "pack/mods/voxy.h"
+#include "pack/programs/attribute_types.h"
 
 namespace orris {
 namespace {
@@ -101,10 +102,12 @@ class ProgramBuild {
       built_.constSites = stream.sites;
       watchConstLines();
     }
+    if (stage == Stage::Vertex)
+      checkAttributeTypes(stream, irisProgramOf(entry_.name), built_.diagnostics);
     addIrisText(stage, stream);
     RewriteResult result = rewrite(stream, stage, context_.names);
     built_.writesFragData |= result.writesFragData;
-    addRules(result.rules);
+    addRules(result.rules, built_.rules);
     if (entry_.name.group == ProgramGroup::Voxy) keepVoxyVersion(stream);
     built_.stages.push_back({stage, print(stream)});
     addToHash(stageName(stage), built_.stages.back().text.text);
@@ -114,7 +117,7 @@ class ProgramBuild {
     const IrisProgram program = irisProgramOf(entry_.name);
     if (!context_.irisTexts || program.patch == IrisPatch::None) return;
     TokenStream own = stream;
-    rewriteAsIris(own, stage, program, context_.names);
+    addIrisRules(rewriteAsIris(own, stage, program, context_.names).rules, built_.rules);
     built_.irisStages.push_back({stage, print(own)});
   }
 
@@ -136,18 +139,24 @@ class ProgramBuild {
     compute.localSize = readLocalSize(stream.tokens);
     if (context_.irisTexts) {
       TokenStream own = stream;
-      rewriteAsIris(own, Stage::Compute, {.patch = IrisPatch::Compute});
+      addIrisRules(rewriteAsIris(own, Stage::Compute, {.patch = IrisPatch::Compute}).rules,
+                   compute.rules);
       compute.irisText = {Stage::Compute, print(own)};
     }
-    compute.rules = rewrite(stream, Stage::Compute).rules;
+    addRules(rewrite(stream, Stage::Compute).rules, compute.rules);
     compute.text = {Stage::Compute, print(stream)};
     addToHash(name, compute.text.text.text);
     built_.computes.push_back(std::move(compute));
   }
 
-  void addRules(const std::vector<AppliedRule>& rules) {
+  // The other rules are those of the text for drawing, and counted there.
+  static void addIrisRules(std::vector<AppliedRule> rules, std::vector<AppliedRule>& all) {
+    std::erase_if(rules, [](const AppliedRule& r) { return !r.rule.starts_with("iris-"); });
+    addRules(rules, all);
+  }
+
+  static void addRules(const std::vector<AppliedRule>& rules, std::vector<AppliedRule>& all) {
     for (const AppliedRule& rule : rules) {
-      auto& all = built_.rules;
       const auto same =
           std::find_if(all.begin(), all.end(), [&](auto& r) { return r.rule == rule.rule; });
       if (same == all.end()) {

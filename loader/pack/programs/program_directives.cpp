@@ -134,6 +134,8 @@ class ProgramReader {
     } else if (line.name == "workGroups" && line.type == "ivec3") {
       constexpr float kMostGroups = 65535;
       if (const auto groups = readVector(line, 3); !groups.empty()) {
+        if (std::ranges::any_of(groups, [](float count) { return count > kMostGroups; }))
+          warnOfConst(line, "drivers run at most 65535 work groups in a direction, or none at all");
         std::array<int, 3> counts;
         for (size_t i = 0; i < counts.size(); ++i)
           counts[i] = static_cast<int>(std::clamp(groups[i], 0.0f, kMostGroups));
@@ -143,6 +145,16 @@ class ProgramReader {
       if (const auto scale = readVector(line, 2); !scale.empty())
         out_.workGroupsRender = {scale[0], scale[1]};
     }
+  }
+
+  void warnOfConst(const ConstLine& line, std::string hint) {
+    diagnostics_.push_back({.severity = Severity::Warning,
+                            .id = "directive-value",
+                            .at = locate(stream_.sites, line.origin),
+                            .message = fmt::format("{} is {}", line.name, line.value),
+                            .includedFrom = includedFrom(stream_.sites, line.origin.site),
+                            .sourceLine = line.sourceLine,
+                            .hint = std::move(hint)});
   }
 
   /// Empty and a diagnostic when Iris does not take it.

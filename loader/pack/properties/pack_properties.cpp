@@ -8,6 +8,7 @@
 #include "pack/ids/legacy_ids.h"
 #include "pack/options/auto_properties.h"
 #include "pack/properties/counter_warning.h"
+#include "pack/properties/latin_text.h"
 #include "pack/properties/resource_check.h"
 #include "pack/versions/features.h"
 
@@ -36,8 +37,9 @@ void readIds(const PackFiles& files, const MacroDefinitions& macros, NameWatch& 
              PackProperties& out) {
   const auto read = [&](const std::string& file, auto parse) {
     const auto text = readText(*files.source, file, out.diagnostics);
-    if (text)
-      parse(file, preprocessProperties(file, *text, macros, out.diagnostics, &watch), *text);
+    if (!text) return;
+    const std::string active = preprocessProperties(file, *text, macros, out.diagnostics, &watch);
+    parse(file, upToForeignCharacter(file, *text, active, out.diagnostics), *text);
   };
   const auto version =
       std::ranges::find(macros, "MC_VERSION", &MacroDefinitions::value_type::first);

@@ -31,6 +31,9 @@ struct PropertyContext {
               std::string_view word = {}) const;
 };
 
+/// Does a host read keys of this name from shaders.properties?
+bool isKnownPropertyKey(std::string_view key);
+
 /// `rest` is the key without the prefix that chose the reader.
 using PropertyReader = void (*)(const PropertyContext& context, std::string_view rest);
 

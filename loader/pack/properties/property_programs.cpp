@@ -145,6 +145,15 @@ bool hasBufferNumber(std::string_view name) {
   return name.starts_with(kPrefix) && parseInteger(name.substr(kPrefix.size()));
 }
 
+/// Of "world1/program.begin.enabled" the key that the author means.
+std::string meantProgram(std::string_view rest) {
+  constexpr std::string_view kAgain = "/program.", kEnd = ".enabled";
+  const size_t again = rest.find(kAgain);
+  if (again == std::string_view::npos || !rest.ends_with(kEnd)) return "write .enabled";
+  return fmt::format("write program.{}/{}", rest.substr(0, again),
+                     rest.substr(again + kAgain.size()));
+}
+
 }  // namespace
 
 void readProgramEnabled(const PropertyContext& context, std::string_view rest) {
@@ -159,7 +168,7 @@ void readProgramEnabled(const PropertyContext& context, std::string_view rest) {
   if (rest.substr(dot) != ".enabled") {
     context.warn("property-value",
                  fmt::format("Iris takes {} for program.{}.enabled", context.entry.key, program),
-                 "write .enabled");
+                 meantProgram(rest));
   }
   if (hasSingleOperator(context.entry.value)) {
     context.warn("program-condition",

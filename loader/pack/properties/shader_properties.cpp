@@ -9,6 +9,7 @@
 #include "core/message_limits.h"
 #include "pack/files/text.h"
 #include "pack/programs/directives.h"
+#include "pack/properties/latin_text.h"
 #include "pack/properties/property_keys.h"
 #include "pack/properties/property_limits.h"
 
@@ -160,7 +161,7 @@ std::string nearestByPrefix(const std::string& key) {
 void reportUnknown(const PropertyContext& context) {
   static const std::vector<std::string> kNames = settingNames();
   const std::string& key = context.entry.key;
-  if (key.size() <= 4) return;
+  if (key.size() <= 4 || key.starts_with("//")) return;
   const size_t dot = key.find('.');
   const std::string head = key.substr(0, dot);
   const bool setting =
@@ -170,18 +171,6 @@ void reportUnknown(const PropertyContext& context) {
   if (nearest.empty() || nearest == key) return;
   context.warn("property-unknown", fmt::format("unknown key {}", key),
                fmt::format("did you mean {}?", nearest));
-}
-
-bool isKnownKey(std::string_view key) {
-  const auto& names = settings();
-  return key == "screen" || key.starts_with("screen.") || key.starts_with("profile.") ||
-         key.starts_with("auto.") || key.starts_with("warn.") ||
-         std::any_of(kOwnReaders.begin(), kOwnReaders.end(),
-                     [&](auto& reader) { return reader.prefix == key; }) ||
-         std::any_of(names.begin(), names.end(),
-                     [&](auto& setting) { return setting.key == key; }) ||
-         std::any_of(kReaders.begin(), kReaders.end(),
-                     [&](auto& reader) { return key.starts_with(reader.prefix); });
 }
 
 void readEntry(const PropertyContext& context) {
@@ -268,11 +257,24 @@ std::string knownBuffer(std::string_view name) {
   return exists && std::to_string(*index) == digits ? canonical : "";
 }
 
+bool isKnownPropertyKey(std::string_view key) {
+  const auto& names = settings();
+  return key == "screen" || key.starts_with("screen.") || key.starts_with("profile.") ||
+         key.starts_with("auto.") || key.starts_with("warn.") ||
+         std::any_of(kOwnReaders.begin(), kOwnReaders.end(),
+                     [&](auto& reader) { return reader.prefix == key; }) ||
+         std::any_of(names.begin(), names.end(),
+                     [&](auto& setting) { return setting.key == key; }) ||
+         std::any_of(kReaders.begin(), kReaders.end(),
+                     [&](auto& reader) { return key.starts_with(reader.prefix); });
+}
+
 ShaderProperties parseShaderProperties(const std::string& file, const std::string& text,
                                        const MacroDefinitions& macros, const OptionSet& options,
                                        Diagnostics& diagnostics, NameWatch* watch) {
   ShaderProperties properties;
-  const std::string preprocessed = preprocessProperties(file, text, macros, diagnostics, watch);
+  const std::string preprocessed = upToForeignCharacter(
+      file, text, preprocessProperties(file, text, macros, diagnostics, watch), diagnostics);
   auto entries = lastValues(parseProperties(file, preprocessed, Continuation::Preprocessed, text));
   limitProperties(entries, diagnostics);
   for (const PropertyEntry& entry : entries) {
@@ -282,7 +284,7 @@ ShaderProperties parseShaderProperties(const std::string& file, const std::strin
   limitProperties(original, diagnostics);
   // In inactive branches, too: other options make them active.
   for (const PropertyEntry& entry : original) {
-    if (!isKnownKey(entry.key)) reportUnknown({properties, entry, options, diagnostics});
+    if (!isKnownPropertyKey(entry.key)) reportUnknown({properties, entry, options, diagnostics});
   }
   readProfiles(original, properties, options, diagnostics);
   const Version iris = irisVersionOf(macros).value_or(HostVersions().iris);
