@@ -123,9 +123,16 @@ TEST(Varyings, never_written_in_any_branch) {
 TEST(Varyings, one_that_nobody_reads_is_a_note) {
   EXPECT_THAT(messages(packOf("out vec3 a;\nvoid main() { a = vec3(1); }",
                               "void main() { gl_FragColor = vec4(1); }"),
-                       "mesa", true),
+                       "iris", true),
               ElementsAre("varying-unread /composite.vsh:2:10: note: 'a' is written, and the "
                           "fragment stage does not read it"));
+}
+
+TEST(Varyings, of_the_hosts_own_vertex_stage_are_none_of_the_authors) {
+  EXPECT_THAT(messages({{"/gbuffers_basic.fsh",
+                         kVersion + "in vec4 mine;\nvoid main() { gl_FragColor = mine; }\n"}},
+                       "iris", true),
+              ElementsAre(testing::StartsWith("varying-missing /gbuffers_basic.fsh:2:9: ")));
 }
 
 TEST(Varyings, one_renamed_in_one_stage_is_told_in_both) {

@@ -74,6 +74,7 @@ TEST(OptionUse, any_mention_counts) {
       {{"/settings.glsl", define}, {"/shaders.properties", "#if STEPS > 2\n#endif\n"}},
       {{"/settings.glsl", define}, {"/shaders.properties", "uniform.int.n = STEPS\n"}},
       {{"/settings.glsl", define}, {"/block.properties", "#if STEPS > 2\nblock.1=dirt\n#endif\n"}},
+      {{"/settings.glsl", define}, {"/ray0.rgen", kUse}},
       {{"/settings.glsl", define + "#define JOIN(a) a##EPS\n"}}};
   for (const PackFilesByPath& files : uses) {
     EXPECT_THAT(found(checkOptionUse, files), IsEmpty()) << files.rbegin()->second;

@@ -94,6 +94,7 @@ TEST(PropertiesTwice, the_earlier_value_is_lost) {
 TEST(PropertiesTwice, branches_tell_values_apart) {
   EXPECT_THAT(properties("#ifdef A\nsun=true\n#else\nsun=false\n#endif\n"), IsEmpty());
   EXPECT_THAT(properties("sun=true\n#ifdef MC_VERSION\nsun=false\n#endif\n"), IsEmpty());
+  EXPECT_THAT(properties("notes=1\nnotes=2\n"), IsEmpty()) << "nobody reads it";
   EXPECT_THAT(properties("#ifdef MC_VERSION\nsun=true\n#endif\nsun=false\n"), testing::SizeIs(1));
 }
 
@@ -110,6 +111,14 @@ TEST(StrayLines, follow_a_list_without_a_backslash) {
                           testing::StartsWith("property-stray-line /shaders.properties:4:3: ")));
   EXPECT_THAT(stray("profile.LOW = A=1\n  B=2\nprogram.x.enabled=A\n"), testing::SizeIs(1));
   EXPECT_THAT(stray("screen = A\nsun = false\nscreen.X = B\n\nA = 2\nsliders = A B\n"), IsEmpty());
+}
+
+TEST(PropertiesTwice, lines_that_are_meant_as_comments_are_told_once) {
+  const std::string text = "// sun=true\nmoon=true\n// sun = false\n//scale.composite1 = 0.5\n";
+  EXPECT_THAT(properties(text), IsEmpty());
+  EXPECT_THAT(found(checkStrayLines, {{"/shaders.properties", text}}),
+              ElementsAre("property-comment /shaders.properties:1:1: note: 3 lines begin with //, "
+                          "which is a key that nothing reads, and no comment | # begins a comment"));
 }
 
 TEST(PropertiesTwice, screens_and_profiles_know_no_branches) {

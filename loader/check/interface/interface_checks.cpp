@@ -206,6 +206,9 @@ class StagePair {
     if (out.storage != Storage::Out || isBuiltin(out) || !out.used) return;
     const StageGlobal* in = find(to_, Storage::In, out);
     if (in && in->used) return;
+    // Nobody can change the stage that the host makes for a lone fragment stage.
+    const auto& sites = from_.stage->text.sites;
+    if (sites.empty() || !report_.folder.pack.files.contains(sites.front().file)) return;
     const StageGlobal* meant = in ? nullptr : missingLike(out);
     const char* to = stageName(to_.stage->stage);
     report_.add(from_, out.place,

@@ -25,6 +25,14 @@ struct Slots {
   int count = 1;
 };
 
+/// As the author wrote it: the host gives gl_FragData beside outputs a name of its own.
+std::string spokenOutput(const StageGlobal& output) {
+  constexpr std::string_view kOfHost = "orris_FragData";
+  return output.name.starts_with(kOfHost)
+             ? fmt::format("gl_FragData[{}]", output.name.substr(kOfHost.size()))
+             : std::string(output.name);
+}
+
 class FragmentOutputs {
  public:
   FragmentOutputs(const ProgramInterface& program, const StageInterface& stage,
@@ -75,10 +83,10 @@ class FragmentOutputs {
     report_.add(stage_, later.place,
                 {Severity::Error,
                  "output-overlap",
-                 fmt::format("'{}' has the location {}, which '{}' has too", later.name,
-                             later.layout.location, earlier.name),
+                 fmt::format("'{}' has the location {}, which '{}' has too", spokenOutput(later),
+                             later.layout.location, spokenOutput(earlier)),
                  "give each output a location of its own",
-                 {fmt::format("'{}' is declared at {}", earlier.name,
+                 {fmt::format("'{}' is declared at {}", spokenOutput(earlier),
                               DeclarationReport::placeName(stage_, earlier.place))}});
   }
 
@@ -92,7 +100,7 @@ class FragmentOutputs {
     for (int slot = slots->first; slot <= std::min(last, kMostOutputs); ++slot)
       written_.insert(slot);
     if (last < static_cast<int>(buffers().size())) return;
-    reportUnlisted(output.place, fmt::format("'{}' at location {}", output.name, last));
+    reportUnlisted(output.place, fmt::format("'{}' at location {}", spokenOutput(output), last));
   }
 
   void checkListed(const FragDataUse& use) {

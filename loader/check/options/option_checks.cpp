@@ -200,6 +200,17 @@ void addProperties(const ShaderPack& pack, Mentions& mentions) {
   }
 }
 
+/// Programs of a mod that traces rays, which no other host reads.
+void addRayPrograms(const ShaderPack& pack, Mentions& mentions) {
+  constexpr std::array<std::string_view, 4> kEndings = {".rgen", ".rchit", ".rmiss", ".rahit"};
+  for (const std::string& path : pack.source->files()) {
+    const bool traces = std::ranges::any_of(
+        kEndings, [&](std::string_view ending) { return path.ends_with(ending); });
+    const auto text = traces ? readText(*pack.source, path) : std::nullopt;
+    if (text) forEachWord(*text, [&](std::string_view word) { mentions.add(word); });
+  }
+}
+
 }  // namespace
 
 ShownOptions::ShownOptions(const ShaderPack& pack) {
@@ -225,6 +236,7 @@ void checkOptionUse(std::span<const ShaderPack> folders, Diagnostics& diagnostic
   Mentions mentions(pack.options);
   AuthorLines lines(pack);
   for (const auto& entry : pack.files) mentions.addFile(entry.first, lines.file(entry.first));
+  addRayPrograms(pack, mentions);
   addProperties(pack, mentions);
   const ShownOptions shown(pack);
   for (const auto& [name, option] : pack.options.all()) {

@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 #include "check/pack/pack_texts.h"
 #include "core/text_file.h"
 #include "glsl/preprocess/preprocessor.h"
 #include "pack/files/text.h"
+#include "pack/properties/property_keys.h"
 
 namespace orris {
 namespace {
@@ -20,11 +22,27 @@ bool ignoresConditions(std::string_view key) {
          key.starts_with("iris.features.") || key.starts_with("orris.features.");
 }
 
+/// "// text": Iris takes it for a key, which nobody reads.
+bool isMeantAsComment(const PropertyEntry& entry) { return entry.key.starts_with("//"); }
+
+void reportSlashes(const std::vector<PropertyEntry>& entries, Diagnostics& diagnostics) {
+  const auto first = std::ranges::find_if(entries, isMeantAsComment);
+  if (first == entries.end()) return;
+  const auto lines = std::ranges::count_if(entries, isMeantAsComment);
+  diagnostics.push_back(propertyDiagnostic(
+      Severity::Note, "property-comment", *first,
+      fmt::format("{} line{} begin{} with //, which is a key that nothing reads, and no comment",
+                  lines, lines == 1 ? "" : "s", lines == 1 ? "s" : ""),
+      "# begins a comment"));
+}
+
 void reportTwice(const std::vector<PropertyEntry>& entries, const Branches& branches,
                  bool unconditional, Diagnostics& diagnostics) {
   std::map<std::string_view, const PropertyEntry*> last;
   for (const PropertyEntry& entry : entries) {
     if (ignoresConditions(entry.key) != unconditional) continue;
+    // Nothing is lost of what nobody reads.
+    if (!unconditional && !isKnownPropertyKey(entry.key)) continue;
     const auto [before, isNew] = last.try_emplace(entry.key, &entry);
     if (isNew) continue;
     const PropertyEntry& first = *before->second;
@@ -85,8 +103,11 @@ void reportStray(const std::vector<PropertyEntry>& entries, const OptionSet& opt
 
 void checkStrayLines(std::span<const ShaderPack> folders, Diagnostics& diagnostics) {
   const ShaderPack& pack = folders.front();
-  if (const auto text = pack.source->read(kFile))
-    reportStray(parseProperties(kFile, *text, Continuation::Java), pack.options, diagnostics);
+  const auto text = pack.source->read(kFile);
+  if (!text) return;
+  const std::vector<PropertyEntry> entries = parseProperties(kFile, *text, Continuation::Java);
+  reportStray(entries, pack.options, diagnostics);
+  reportSlashes(entries, diagnostics);
 }
 
 void checkPropertiesTwice(std::span<const ShaderPack> folders, Diagnostics& diagnostics) {
