@@ -10,6 +10,13 @@ A folder holds packs: folders with shaders/ in them, or zips. Nothing is downloa
 
 Without it a pack has the name of its folder; its revision is the git commit of the folder if it is a
 checkout, else the first digits of a hash of its shaders. Exit status: 1 when a pack has an error.
+
+    tests/known_packs/known_packs.py --list packs.tsv --keep results --out docs/known-packs.md
+
+takes the packs from a list instead, one a line, cells separated by tabs: folder, public name, revision,
+and what a reader of the sources found about the errors. They are validated with default options, not
+drawn, and a table of them replaces that below the last heading of the page. --keep keeps the JSON of
+each; what is there already is not run again.
 """
 import argparse
 import hashlib
@@ -118,7 +125,13 @@ def validate(args, path, profile=None):
         flags += ["--profile", profile]
     begin = time.monotonic()
     answer = orris(args, "validate", path, *flags)
-    result = Result(seconds=time.monotonic() - begin)
+    result = read_answer(answer)
+    result.seconds = time.monotonic() - begin
+    return result
+
+
+def read_answer(answer):
+    result = Result()
     if isinstance(answer, str):
         result.crashed = answer
         return result
@@ -174,10 +187,44 @@ def row(name, rev, default, profiles, draw):
     return "| " + " | ".join(cells) + " |"
 
 
+def listed_row(args, line):
+    """Validates a pack of the list; the row of its table, and whether it has errors."""
+    path, name, rev, word = (line.rstrip("\n").split("\t") + [""] * 3)[:4]
+    kept = pathlib.Path(args.keep, name.replace("/", "+") + ".json") if args.keep else None
+    if kept and kept.exists():
+        answer = json.loads(kept.read_text())
+    else:
+        answer = orris(args, "validate", path)
+        if kept and not isinstance(answer, str):
+            kept.write_text(json.dumps(answer))
+    result = read_answer(answer)
+    errors = len(result.errors) if not result.crashed else 1
+    text = [result.crashed or (result.errors[0] if errors else "")] + [word] * bool(word)
+    cells = [name, f"`{rev[:12]}`", counts(result), "passes" if result.clean else "fails",
+             str(errors), str(result.warnings), "; ".join(filter(None, text)).replace("|", "\\|")]
+    print(f"{name}: {counts(result)}, {errors} errors", flush=True)
+    return "| " + " | ".join(cells) + " |", not result.clean
+
+
+def write_list(args):
+    lines = pathlib.Path(args.list).read_text().splitlines()
+    rows = [listed_row(args, line) for line in lines if line.strip()]
+    table = ["| pack | revision | programs | status | errors | warnings | the first error, and what it is |",
+             "| --- | --- | --- | --- | --- | --- | --- |", *(row for row, _ in rows)]
+    if args.out:
+        page = pathlib.Path(args.out).read_text()
+        start = page.index("\n| ", page.rindex("\n## "))
+        pathlib.Path(args.out).write_text(page[:start + 1] + "\n".join(table) + "\n")
+    print(f"{sum(bad for _, bad in rows)} of {len(rows)} packs have errors")
+    return 1 if any(bad for _, bad in rows) else 0
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("folders", nargs="+", metavar="FOLDER", help="folder that holds packs")
+    parser.add_argument("folders", nargs="*", metavar="FOLDER", help="folder that holds packs")
+    parser.add_argument("--list", help="file of packs, see above")
+    parser.add_argument("--keep", help="folder for the JSON of the packs of a list")
     parser.add_argument("--orris", default=ROOT / "build/release/orris", help="the program to run")
     parser.add_argument("--names", help="file of public names and revisions")
     parser.add_argument("--out", help="Markdown file to write")
@@ -187,6 +234,8 @@ def main():
                         help="default options only")
     parser.add_argument("--timeout", type=int, default=900, help="seconds that one run may take")
     args = parser.parse_args()
+    if args.list:
+        return write_list(args)
 
     names = read_names(args.names)
     rows, failed = [], 0
