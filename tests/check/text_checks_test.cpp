@@ -110,6 +110,9 @@ TEST(StrayLines, follow_a_list_without_a_backslash) {
                           "ignores this line | end the line before it with a backslash",
                           testing::StartsWith("property-stray-line /shaders.properties:4:3: ")));
   EXPECT_THAT(stray("profile.LOW = A=1\n  B=2\nprogram.x.enabled=A\n"), testing::SizeIs(1));
+  EXPECT_THAT(stray("uniform.float.x = if(a == 1, 2.0, \\\n a == 2, 3.0,\n  4.0)\nsun = false\n"),
+              ElementsAre(testing::StartsWith("property-stray-line /shaders.properties:3:3: ")));
+  EXPECT_THAT(stray("uniform.float.x = if(a, 2.0, 3.0)\nuniform.float.y = x\n"), IsEmpty());
   EXPECT_THAT(stray("screen = A\nsun = false\nscreen.X = B\n\nA = 2\nsliders = A B\n"), IsEmpty());
 }
 

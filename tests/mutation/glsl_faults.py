@@ -233,8 +233,13 @@ def brace_extra(view):
 
 
 def varying_removed(view):
+    """Any line that names it is the place of a declaration that is gone."""
     for file, source, number, match in varyings(view):
-        yield edit("varying-removed", file, source, number, 0, len(source.lines[number - 1]), "")
+        name = re.compile(rf"\b{match.group(3)}\b")
+        uses = tuple((other, line) for other, more in view.sources.items()
+                     if view.reach.programs[other] & view.reach.programs[file]
+                     for line, code in enumerate(more.code, 1) if name.search(code))
+        yield edit("varying-removed", file, source, number, 0, len(source.lines[number - 1]), "", ends=uses)
 
 
 KINDS = dict([

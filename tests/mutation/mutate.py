@@ -9,6 +9,7 @@ import argparse
 import json
 import queue
 import random
+import re
 import sys
 import time
 from collections import Counter
@@ -16,6 +17,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
+import contract_faults
 import directive_faults
 import glsl_faults
 import properties_faults
@@ -23,6 +25,8 @@ from pack_view import (Orris, PackView, Reach, copy_pack, find_packs, read_lines
                        temporary_folder)
 
 KINDS = {**glsl_faults.KINDS, **directive_faults.KINDS, **properties_faults.KINDS}
+# The score stays comparable without these; --once and --kind have them too.
+MORE_KINDS = contract_faults.KINDS
 VERDICTS = ("found", "missed", "equivalent", "no answer")
 
 
@@ -44,7 +48,9 @@ class Result:
 
 
 def key(diagnostic):
-    return tuple(diagnostic[part] for part in ("severity", "id", "file", "line", "message"))
+    """A finding that counts one line more is no new one."""
+    message = re.sub(r"\d+ more", "more", diagnostic["message"])
+    return (*(diagnostic[part] for part in ("severity", "id", "file", "line")), message)
 
 
 def new_messages(before, after):
@@ -68,12 +74,16 @@ def apply(view, fault, root):
         end = "\r" if lines[number - 1].endswith("\r") else ""
         lines[number - 1] = text.rstrip("\r") + end
     path.write_bytes("\n".join(lines).encode("latin-1"))
+    if fault.moved:
+        path.rename(Path(root) / "shaders" / fault.moved.lstrip("/"))
     return before.rstrip("\r")
 
 
 def restore(view, fault, root):
     path = Path(root) / "shaders" / fault.file.lstrip("/")
     path.write_bytes(view.path(fault.file).read_bytes())
+    if fault.moved:
+        (Path(root) / "shaders" / fault.moved.lstrip("/")).unlink()
 
 
 def keeps_all_but_declarations(before, after):
@@ -96,7 +106,7 @@ def keeps_all_but_declarations(before, after):
 def equivalence(view, fault, root):
     """Why nothing could be found, or "": only texts that reach the driver prove it."""
     nowhere = properties_faults.names_nothing(view, fault)
-    in_texts = fault.kind not in (*properties_faults.KINDS, *directive_faults.IN_COMMENTS)
+    in_texts = fault.kind not in (*properties_faults.KINDS, *directive_faults.IN_COMMENTS, *MORE_KINDS)
     if not nowhere and not in_texts:
         return ""
     with temporary_folder() as folder:
@@ -139,36 +149,37 @@ def heals(view, fault, root, fresh):
 def judge(view, fault, root):
     """One folder is quicker; all are asked when it does not show the fault at its place."""
     result = Result(view.name, fault, apply(view, fault, root))
-    places = (fault.line, *fault.ends)
+    file, places = fault.moved or fault.file, (fault.line, *fault.ends)
     folder = view.folder_of(fault.file)
     try:
         fresh = []
         if folder:
             result.verdict, fresh = compare(view, fault, root, folder)
-        if not any(near(message, fault.file, places) for message in fresh):
+        if not any(near(message, file, places) for message in fresh):
             result.verdict, fresh = compare(view, fault, root, None)
         if result.verdict == "missed":
             result.reason = equivalence(view, fault, root)
             result.verdict = "equivalent" if result.reason else "missed"
-        at_place = any(near(message, fault.file, places) for message in fresh)
+        at_place = any(near(message, file, places) for message in fresh)
         result.healed = bool(fresh) and not at_place and heals(view, fault, root, fresh)
     finally:
         restore(view, fault, root)
     if fresh:
-        result.exact = any(near(message, fault.file, (fault.line,)) for message in fresh)
-        result.located = any(near(message, fault.file, places) for message in fresh)
+        result.exact = any(near(message, file, (fault.line,)) for message in fresh)
+        result.located = any(near(message, file, places) for message in fresh)
         result.rank = next((i for i, message in enumerate(fresh, 1)
-                            if near(message, fault.file, places)), 0)
+                            if near(message, file, places)), 0)
         result.first, result.unfolded = result.rank == 1, len(fresh)
         result.messages = tuple("{file}:{line}: {severity}: {message} [{id}]".format(**message)
                                 for message in fresh[:4])
     return result
 
 
-def near(diagnostic, file, lines):
-    """Is one of the places of the message there?"""
-    return any(place["file"] == file and any(abs(place["line"] - line) <= 1 for line in lines)
-               for place in (diagnostic, *diagnostic["related"]))
+def near(diagnostic, file, places):
+    """Is one of the places of the message there? A number is a line of the file."""
+    there = [place if isinstance(place, tuple) else (file, place) for place in places]
+    return any(place["file"] == name and abs(place["line"] - line) <= 1
+               for place in (diagnostic, *diagnostic["related"]) for name, line in there)
 
 
 def choose(views, kinds, count, seed):
@@ -176,7 +187,7 @@ def choose(views, kinds, count, seed):
     places = {}
     for view in views:
         for kind in kinds:
-            found = list(KINDS[kind](view))
+            found = list((KINDS | MORE_KINDS)[kind](view))
             random.Random(f"{seed} {view.name} {kind}").shuffle(found)
             if found:
                 places[kind, view.name] = found
@@ -276,13 +287,15 @@ def meets_bar(result):
     return result.verdict == "equivalent" or (0 < result.rank <= 3 and result.unfolded <= 3)
 
 
-def run_once(results, least):
+def run_once(results, skipped, least):
     bad = [result for result in results if not meets_bar(result)]
     print(once_table(results))
     report(bad)
     good = len(results) - len(bad)
     print(f"\n{len(results)} mistakes, one of each kind: {good} are reported at their line among the "
           f"first three messages, with at most three in all")
+    if skipped:
+        print(f"The pack has no line for: {', '.join(skipped)}")
     return 0 if good >= least else 1
 
 
@@ -306,7 +319,7 @@ def parse_arguments():
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--budget", type=float, default=86400, help="seconds; begin none after")
     parser.add_argument("--pack", action="append", help="only this pack; may be repeated")
-    parser.add_argument("--kind", action="append", choices=sorted(KINDS), metavar="KIND")
+    parser.add_argument("--kind", action="append", choices=sorted(KINDS | MORE_KINDS), metavar="KIND")
     parser.add_argument("--once", type=int, metavar="LEAST",
                         help="one fault of each kind in one --pack; how many must be reported at "
                         "their line, among the first three messages and with at most three in all")
@@ -323,20 +336,22 @@ def main():
                if not arguments.pack or name in arguments.pack}
     with ThreadPoolExecutor(arguments.jobs) as pool:
         views = list(pool.map(lambda item: PackView(*item, orris), sources.items()))
-        kinds = arguments.kind or list(KINDS)
-        count = len(kinds) if arguments.once is not None else arguments.faults
+        once = arguments.once is not None
+        kinds = arguments.kind or list(KINDS | MORE_KINDS if once else KINDS)
+        count = len(kinds) if once else arguments.faults
         jobs = choose(views, kinds, count, arguments.seed)
-        if arguments.once is not None:
+        if once:
             jobs = list({fault.kind: (view, fault) for view, fault in reversed(jobs)}.values())
         with temporary_folder() as folder:
             copies = Copies(folder, arguments.budget)
             results = [result for result in pool.map(copies.judge, jobs) if result]
-    if arguments.once is None:
+    if not once:
         report(results)
     if arguments.json:
         Path(arguments.json).write_text(json.dumps([asdict(r) for r in results], indent=1))
-    if arguments.once is not None:
-        return run_once(results, arguments.once)
+    if once:
+        skipped = sorted(set(kinds) - {result.fault.kind for result in results})
+        return run_once(results, skipped, arguments.once)
     found, located, healed = score(results)
     print(f"\n{len(results)} faults in {len(views)} packs, seed {arguments.seed}: "
           f"{found:.1f} % found, {located:.1f} % of those located, {healed:.1f} % located or healed")

@@ -22,8 +22,8 @@ class Fault:
     """One line replaced, so that no other line changes its number.
 
     `also` are further lines of the same edit (a name changed throughout a file); `ends` are lines
-    that name the same place as well (the other brace, the other #endif); `options` are settings
-    under which the fault shows.
+    that name the same place as well (the other brace, the other #endif), or pairs of file and line
+    elsewhere; `options` are settings under which the fault shows; `moved` is a new name of the file.
     """
     kind: str
     file: str
@@ -32,6 +32,7 @@ class Fault:
     also: tuple = ()
     ends: tuple = ()
     options: tuple = ()
+    moved: str = ""
 
 
 class Orris:

@@ -6,9 +6,9 @@
 #include <set>
 #include <tuple>
 
-#include "check/hints/compile_hints.h"
+#include "app/report/unrepaired_consequences.h"
+#include "check/pack/pack_texts.h"
 #include "core/characters.h"
-#include "pack/files/include_graph.h"
 #include "pack/files/text.h"
 
 namespace orris {
@@ -17,20 +17,18 @@ namespace {
 struct RepairStage {
   std::array<std::string_view, 2> ids;
   bool misread = true;  ///< the compiler misreads the rest of a program, whatever it says of it
+  bool named =
+      false;  ///< only where another finding names what was meant: checking again takes time
 };
 
 // A comment may swallow an #endif, and that a brace: what comes first is repaired first.
-constexpr std::array<RepairStage, 4> kStages = {
-    {{{"comment-nested", "comment-unclosed"}},
+constexpr std::array<RepairStage, 6> kStages = {
+    {{{"include-missing"}},
+     {{"comment-nested", "comment-unclosed"}},
      {{"conditional-unbalanced"}},
      {{"brace-unbalanced"}},
-     {{"include-probably-missing", "name-misspelt"}, false}}};
-
-// The repaired pack is not drawn.
-constexpr std::array<std::string_view, 2> kOfDrawing = {"draw-timeout", "gl-error"};
-
-// "i" and "uv" of two functions are two names.
-constexpr std::size_t kLongestLocal = 3;
+     {{"include-probably-missing", "name-misspelt"}, false},
+     {{"directive-misspelt", "property-unknown"}, false, true}}};
 
 /// The files of a pack, some of them edited.
 class EditedFiles : public FileSource {
@@ -102,33 +100,50 @@ class ConsequenceSearch {
  public:
   ConsequenceSearch(const PackVerdict& verdict, const ValidateOptions& options,
                     const Checker& checker, CheckAgain check, Report& report)
-      : verdict_(verdict), options_(options), checker_(checker), check_(check), report_(report) {}
+      : verdict_(verdict),
+        options_(options),
+        checker_(checker),
+        check_(check),
+        report_(report),
+        folds_(verdict, report) {}
 
   void run() {
+    foldTwins(folds_);
     for (const RepairStage& stage : kStages) {
-      const std::vector<std::size_t> causes = causesOf(stage.ids);
+      const std::vector<std::size_t> causes = causesOf(stage);
       if (causes.empty()) continue;
       for (const std::size_t cause : causes) edits_.add(*report_.all()[cause].repair);
       settle(causes, stage.misread);
     }
-    foldVaryings();
-    foldNames();
+    foldByNames(folds_);
   }
 
  private:
-  bool isOpen(std::size_t i) const {
-    return !report_.cause(i) && !verdict_.ofMatrix.contains(i) &&
-           std::ranges::find(kOfDrawing, report_.all()[i].id) == kOfDrawing.end();
-  }
-
-  std::vector<std::size_t> causesOf(const std::array<std::string_view, 2>& ids) const {
+  std::vector<std::size_t> causesOf(const RepairStage& stage) const {
     std::vector<std::size_t> causes;
     for (std::size_t i = 0; i < report_.all().size(); ++i) {
       const Diagnostic& d = report_.all()[i];
-      const bool listed = std::ranges::find(ids, d.id) != ids.end();
-      if (listed && d.repair && d.severity != Severity::Note && isOpen(i)) causes.push_back(i);
+      const bool listed = std::ranges::find(stage.ids, d.id) != stage.ids.end();
+      if (listed && d.repair && d.severity != Severity::Note && folds_.isOpen(i) &&
+          (!stage.named || isNamed(i)))
+        causes.push_back(i);
     }
     return causes;
+  }
+
+  /// Does another finding have the longest word of the hint, "did you mean screen.LIGHT?"
+  bool isNamed(std::size_t cause) const {
+    std::string_view meant;
+    forEachWord(report_.all()[cause].hint,
+                [&](std::string_view word) { meant = word.size() > meant.size() ? word : meant; });
+    for (std::size_t i = 0; i < report_.all().size(); ++i) {
+      const Diagnostic& d = report_.all()[i];
+      const auto names = [&](const std::string& text) { return text.find(meant) != text.npos; };
+      if (i != cause && d.severity != Severity::Note && folds_.isOpen(i) &&
+          (names(d.message) || names(d.hint) || std::ranges::any_of(d.notes, names)))
+        return true;
+    }
+    return false;
   }
 
   void settle(const std::vector<std::size_t>& causes, bool misread) {
@@ -142,48 +157,13 @@ class ConsequenceSearch {
       return d.severity == Severity::Error && !known.contains(positionKey(d, edits_));
     });
     for (std::size_t i = 0; i < report_.all().size(); ++i) {
-      if (!isOpen(i) || std::ranges::find(causes, i) != causes.end()) continue;
+      if (!folds_.isOpen(i) || std::ranges::find(causes, i) != causes.end()) continue;
       const bool gone = --left[positionKey(report_.all()[i], {})] < 0;
       const auto cause = gone   ? nearestCause(causes, i)
                          : fits ? std::nullopt
                                 : causeRead(causes, i);
-      if (cause) fold(i, *cause);
+      if (cause) folds_.fold(i, *cause);
     }
-  }
-
-  /// What a stage that several programs share does not declare, none of their next stages gets.
-  void foldVaryings() {
-    std::map<std::string, std::size_t> causes;
-    for (std::size_t i = 0; i < report_.all().size(); ++i) {
-      const Diagnostic& d = report_.all()[i];
-      const std::string name = unknownName(d.message);
-      if (!name.empty() && !d.related.empty() && d.severity == Severity::Error && isOpen(i))
-        causes.try_emplace("'" + name + "' ", i);
-    }
-    for (std::size_t i = 0; i < report_.all().size(); ++i) {
-      const Diagnostic& d = report_.all()[i];
-      if (d.id != "varying-missing" || !isOpen(i)) continue;
-      for (const auto& [name, cause] : causes) {
-        if (d.message.starts_with(name)) fold(i, cause);
-      }
-    }
-  }
-
-  /// Errors about one unknown name are one mistake, the first of them.
-  void foldNames() {
-    std::map<std::string, std::size_t> first;
-    for (std::size_t i = 0; i < report_.all().size(); ++i) {
-      const Diagnostic& d = report_.all()[i];
-      const std::string name = unknownName(d.message);
-      if (name.size() < kLongestLocal || d.severity != Severity::Error || !isOpen(i)) continue;
-      const auto [known, isNew] = first.try_emplace(name, i);
-      if (!isNew) fold(i, known->second);
-    }
-  }
-
-  void fold(std::size_t i, std::size_t cause) {
-    report_.setCause(i, cause);
-    if (report_.all()[i].severity == Severity::Error) report_.setSeverity(cause, Severity::Error);
   }
 
   /// Of a file that the finding was met through, else the first.
@@ -204,21 +184,10 @@ class ConsequenceSearch {
     if (report_.all()[i].severity != Severity::Error) return std::nullopt;
     for (const std::size_t cause : causes) {
       for (const std::string& entry : report_.entryFiles(i)) {
-        if (filesOf(entry).contains(report_.all()[cause].at.file)) return cause;
+        if (folds_.filesOf(entry).contains(report_.all()[cause].at.file)) return cause;
       }
     }
     return std::nullopt;
-  }
-
-  /// All files that the file reads, itself among them.
-  const std::set<std::string>& filesOf(const std::string& entry) {
-    const auto [known, isNew] = files_.try_emplace(entry);
-    if (isNew && verdict_.files->contains(entry)) {
-      Diagnostics ignored;  // reported when the pack was read
-      for (const auto& file : readIncludeGraph(*verdict_.files, {entry}, ignored).files)
-        known->second.insert(file.first);
-    }
-    return known->second;
   }
 
   const PackVerdict& verdict_;
@@ -226,8 +195,8 @@ class ConsequenceSearch {
   const Checker& checker_;
   CheckAgain check_;
   Report& report_;
+  Folds folds_;
   Edits edits_;
-  std::map<std::string, std::set<std::string>> files_;
 };
 
 }  // namespace

@@ -137,6 +137,11 @@ Diagnostic lostJob(const JobOutcome& outcome, std::string_view tool, const std::
   return diagnostic;
 }
 
+bool hasUnclosedComment(const ProgramSource& program) {
+  return std::ranges::any_of(program.diagnostics,
+                             [](const Diagnostic& d) { return d.id == "comment-unclosed"; });
+}
+
 void checkWithGlslang(const ShaderPack& pack, int jobs, Verdicts& verdicts,
                       Diagnostics& diagnostics) {
   const std::vector<ProgramUnit> units = unitsWithoutVerdict(pack, verdicts);
@@ -151,7 +156,8 @@ void checkWithGlslang(const ShaderPack& pack, int jobs, Verdicts& verdicts,
     Diagnostics messages;
     validateWithGlslang(units[i].judged, lines, messages);
     for (const StageText* stage : units[i].judged) checkUnusedSyntax(pack, *stage, messages);
-    if (hasErrors(messages)) {
+    // What the comment swallows is not looked for elsewhere.
+    if (hasErrors(messages) && !hasUnclosedComment(*units[i].program)) {
       if (units[i].judged != units[i].stages) explainVersions(units[i].judged, lines, messages);
       const Diagnostics errors = messages;
       const IncludeTrial trial = [&](const MissingInclude& added) {

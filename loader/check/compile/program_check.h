@@ -28,6 +28,8 @@ struct ProgramUnit {
 /// All units of a pack, in frame order; those of other mods last.
 std::vector<ProgramUnit> programUnits(const ShaderPack& pack);
 std::vector<ProgramUnit> programUnits(const ProgramSource& program);
+/// Does a comment swallow the rest of one of its stages? It is reported, and what it hides is not there.
+bool hasUnclosedComment(const ProgramSource& program);
 
 /// Verdicts by hash, so that a text shared by dimensions or profiles is checked once.
 using Verdicts = std::map<std::uint64_t, bool>;

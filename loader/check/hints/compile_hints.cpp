@@ -7,13 +7,13 @@
 #include <optional>
 #include <set>
 
+#include "check/compile/stage_files.h"
 #include "check/hints/glsl_functions.h"
 #include "check/interface/glsl_types.h"
 #include "check/interface/known_names.h"
-#include "check/pack/pack_texts.h"
-#include "check/compile/stage_files.h"
 #include "check/interface/stage_interface.h"
 #include "check/interface/unused_declarations.h"
+#include "check/pack/pack_texts.h"
 #include "glsl/tokens/outline.h"
 #include "pack/files/text.h"
 
@@ -99,7 +99,7 @@ class StageHints {
 
   /// The stage before hands the name over, or the one behind reads it.
   bool explainVarying(std::size_t index, const std::string& name) {
-    if (!found_[index].hint.empty()) return false;
+    if (!found_[index].hint.empty() || declaresNearly(name)) return false;
     using Storage = StageGlobal::Storage;
     for (const StageText* other : stages_) {
       if (other == &stage_) continue;
@@ -120,6 +120,17 @@ class StageHints {
     return false;
   }
 
+  /// Is there a varying of this stage that it does not use, a slip away from the name?
+  bool declaresNearly(const std::string& name) {
+    std::vector<std::string> unused;
+    for (const StageGlobal& global : readStageInterface(stage_).globals) {
+      const bool varying =
+          global.storage == StageGlobal::Storage::In || global.storage == StageGlobal::Storage::Out;
+      if (varying && unusedDeclarations().contains(global.name)) unused.emplace_back(global.name);
+    }
+    return !likelyMeant(name, unused).empty();
+  }
+
   /// The function exists with other parameters.
   bool explainParameters(std::size_t index, const std::string& name) {
     if (!functions_) functions_ = definedFunctions(stage_.text);
@@ -131,7 +142,8 @@ class StageHints {
     const std::vector<std::string>& builtIn = builtInFunctions();
     const bool exists = std::ranges::find(builtIn, name) != builtIn.end();
     // What a version lacks has been said.
-    if (exists && found_[index].hint.empty()) found_[index].hint = "the function exists, but takes other arguments";
+    if (exists && found_[index].hint.empty())
+      found_[index].hint = "the function exists, but takes other arguments";
     return exists;
   }
 
@@ -148,8 +160,9 @@ class StageHints {
         if (type.empty() || name.empty() || type == "return" || type == "else" || name == kMain ||
             !trim(rest.substr(name.size())).starts_with('('))
           continue;
-        functions_->try_emplace(std::string(name),
-                                SourceLocation{file, int(i) + 1, int(name.data() - line.data()) + 1});
+        functions_->try_emplace(
+            std::string(name),
+            SourceLocation{file, int(i) + 1, int(name.data() - line.data()) + 1});
       }
     }
   }
@@ -285,14 +298,26 @@ class StageHints {
     add(std::move(companion));
   }
 
-  // A type or macro that is not there reads as a syntax error: some word of the line is the cause.
+  // A type or macro that is not there reads as a syntax error: some word of the line is the cause, and
+  // none that the text has before, as a compiler ends at the first syntax error.
   void explainSyntax(std::size_t index) {
     if (!found_[index].hint.empty()) return;
     const std::string line = found_[index].sourceLine;
+    std::set<std::string, std::less<>> before;
+    forEachWord(textBefore(lineOf(stage_, found_[index].at)),
+                [&](std::string_view word) { before.emplace(word); });
     bool done = false;
     forEachWord(line, [&](std::string_view word) {
-      if (!done && isOwnName(word)) done = explainInclude(index, std::string(word));
+      if (!done && isOwnName(word) && !before.contains(word))
+        done = explainInclude(index, std::string(word));
     });
+  }
+
+  std::string_view textBefore(std::size_t line) const {
+    std::size_t end = 0;
+    for (std::size_t i = 1; i < line && end != std::string::npos; ++i)
+      end = stage_.text.text.find('\n', end + 1);
+    return std::string_view(stage_.text.text).substr(0, end);
   }
 
   // A stage without main is a stub whose only #include is missing.

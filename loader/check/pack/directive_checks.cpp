@@ -129,12 +129,15 @@ std::map<std::string, size_t, std::less<>> countWords(
 }
 
 void report(const NearlyDirective& candidate, const std::string& name, Diagnostics& diagnostics) {
+  std::string repaired = candidate.sourceLine;
+  repaired.replace(std::size_t(candidate.at.column - 1), name.size(), candidate.meant);
   diagnostics.push_back({.severity = Severity::Warning,
                          .id = "directive-misspelt",
                          .at = candidate.at,
                          .message = fmt::format("nothing reads {}, which is no directive", name),
                          .sourceLine = candidate.sourceLine,
-                         .hint = fmt::format("did you mean {}?", candidate.meant)});
+                         .hint = fmt::format("did you mean {}?", candidate.meant),
+                         .repair = LineEdit{candidate.at.file, candidate.at.line, repaired, true}});
 }
 
 /// "/* RENDERTAGETS: 0,3 */" on one line.

@@ -6,10 +6,10 @@
 #include <set>
 
 #include "check/hints/compile_hints.h"
-#include "check/workers/diagnostic_codec.h"
-#include "check/workers/isolated_jobs.h"
 #include "check/hints/line_trial.h"
 #include "check/pack/pack_texts.h"
+#include "check/workers/diagnostic_codec.h"
+#include "check/workers/isolated_jobs.h"
 #include "pack/files/pack_files.h"
 #include "pack/files/text.h"
 
@@ -50,7 +50,8 @@ class CommentScan {
         close();
         ++i;
       } else if (inside_ && two == "/*" && isNested(line, i)) {
-        if (current_.nestedLine == 0) current_.nestedLine = number_, current_.nestedColumn = int(i) + 1;
+        if (current_.nestedLine == 0)
+          current_.nestedLine = number_, current_.nestedColumn = int(i) + 1;
       }
     }
   }
@@ -120,7 +121,8 @@ class Lacking {
     for (int number = comment.line; number < comment.nestedLine && !found; ++number) {
       const std::string& line = lines[std::size_t(number) - 1];
       found = braces_ && line.find_first_of("{}") != std::string::npos;
-      if (number > comment.line && trim(line).starts_with('#') && trim(line).size() > 1) found = true;
+      if (number > comment.line && trim(line).starts_with('#') && trim(line).size() > 1)
+        found = true;
       forEachWord(line, [&](std::string_view word) { found = found || names_.contains(word); });
     }
     return found;
@@ -139,12 +141,14 @@ std::vector<CommentInFile> commentsOfFailing(const ShaderPack& folder, const Ver
     const auto verdict = verdicts.find(unit.hash);
     const FolderBuild* build = buildOf(folder, *unit.program);
     if (!build || unit.incomplete || verdict == verdicts.end() || verdict->second) continue;
+    if (hasUnclosedComment(*unit.program)) continue;  // reported at its place
     for (const std::string& file : filesRead(*build, unit)) {
       const auto [comments, isNew] = scanned.try_emplace(file);
       if (isNew && build->lines(file)) comments->second = findOpenComments(*build->lines(file));
       for (const OpenComment& comment : comments->second) {
         const bool known = found.contains({file, comment.line});
-        if (!known && (found.size() >= kMostComments || !lacking.isIn(comment, *build->lines(file))))
+        if (!known &&
+            (found.size() >= kMostComments || !lacking.isIn(comment, *build->lines(file))))
           continue;
         CommentInFile& entry = found[{file, comment.line}];
         entry.file = file;
@@ -199,13 +203,20 @@ Diagnostics trySwallowing(const ShaderPack& folder, const CommentInFile& in) {
   if (least * 2 > before || before == 0) return {};
   Diagnostic d = describeNested(in.file, in.comment);
   d.severity = Severity::Error;
-  d.message = in.comment.nestedColumn > 0
-                  ? fmt::format("this comment swallows code: it has no \"*/\" before the \"/*\" in line {}",
-                                in.comment.nestedLine)
-                  : "this comment swallows code: it has no \"*/\" in this file";
+  d.message =
+      in.comment.nestedColumn > 0
+          ? fmt::format("this comment swallows code: it has no \"*/\" before the \"/*\" in line {}",
+                        in.comment.nestedLine)
+          : "this comment swallows code: it has no \"*/\" in this file";
   d.sourceLine = folder.sourceLine(in.file, in.comment.line);
   d.hint = "write // for a comment of one line, or close it with */";
   d.repair = best;
+  // Behind an option the list of its values is to be read, too.
+  if (in.comment.ofOption && best.line == in.comment.line + 1) {
+    std::string line = d.sourceLine;
+    d.repair = LineEdit{in.file, in.comment.line,
+                        line.replace(std::size_t(in.comment.column - 1), 2, "//"), true};
+  }
   return {d};
 }
 

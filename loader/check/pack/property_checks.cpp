@@ -14,6 +14,10 @@
 namespace orris {
 namespace {
 
+bool isExpression(std::string_view key) {
+  return key.starts_with("uniform.") || key.starts_with("variable.");
+}
+
 constexpr const char* kFile = "/shaders.properties";
 
 /// Read without preprocessing, so that every branch counts. Contract: profile.nocond.
@@ -51,7 +55,7 @@ void reportTwice(const std::vector<PropertyEntry>& entries, const Branches& bran
     // A default before the #if that changes it is no slip.
     if (!unconditional && !branches.implies(first.at.line, entry.at.line)) continue;
     // Custom uniforms have a diagnostic of their own, as the first of two counts.
-    if (entry.key.starts_with("uniform.") || entry.key.starts_with("variable.")) continue;
+    if (isExpression(entry.key)) continue;
     diagnostics.push_back(propertyDiagnostic(
         Severity::Warning, "property-twice", entry,
         fmt::format("{} is given again, so its value in line {} is lost", entry.key, first.at.line),
@@ -61,11 +65,15 @@ void reportTwice(const std::vector<PropertyEntry>& entries, const Branches& bran
 }
 
 bool isList(std::string_view key) {
-  return key == "sliders" || key.starts_with("profile.") || isScreenKey(key);
+  return key == "sliders" || key.starts_with("profile.") || isScreenKey(key) || isExpression(key);
 }
 
 /// Is the line a piece of `list` rather than a key: options, links, marks of screens?
 bool isPieceOf(const PropertyEntry& list, std::string_view line, const OptionSet& options) {
+  // No expression ends so.
+  constexpr std::string_view kOpenEnds = ",(+-*/%&|<>=!";
+  const std::string_view value = trim(list.value);
+  if (isExpression(list.key)) return !value.empty() && kOpenEnds.find(value.back()) != value.npos;
   std::string_view word = trim(line);
   word = word.substr(0, word.find_first_of(" \t"));
   if (word.starts_with('<') || word.starts_with('[') || word == "*") return true;
@@ -95,6 +103,7 @@ void reportStray(const std::vector<PropertyEntry>& entries, const OptionSet& opt
                                          list->key),
                              "end the line before it with a backslash"),
           Effect::IgnoresLine));
+      if (isExpression(list->key)) list = nullptr;
     }
   }
 }

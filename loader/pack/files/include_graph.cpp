@@ -114,18 +114,22 @@ class Reader {
       return works ? target : std::nullopt;
     }
     if (!source_.contains(*target)) {
-      report("include-missing", text, fmt::format("no such file: {}", *target),
-             nearestFile(*target));
+      reportMissing(*target, text);
     } else {
       return target;
     }
     return std::nullopt;
   }
 
-  std::string nearestFile(const std::string& path) {
-    const std::string hint = hints_++ < limits::kSuggestions ? suggest(path, source_.files()) : "";
-    return hint.empty() ? "a missing #include refuses the whole pack, even in an inactive branch"
-                        : hint;
+  void reportMissing(const std::string& target, const std::string& text) {
+    const std::string nearest =
+        hints_++ < limits::kSuggestions ? nearestName(target, source_.files()) : "";
+    report("include-missing", text, fmt::format("no such file: {}", target),
+           nearest.empty() ? "a missing #include refuses the whole pack, even in an inactive branch"
+                           : fmt::format("did you mean {}?", nearest));
+    if (nearest.empty()) return;
+    diagnostics_.back().repair = LineEdit{open_.back().file, open_.back().line,
+                                          fmt::format("#include \"{}\"", nearest), true};
   }
 
   void reportCycle(const std::string& target, const std::string& text) {

@@ -171,6 +171,12 @@ void reportUnknown(const PropertyContext& context) {
   if (nearest.empty() || nearest == key) return;
   context.warn("property-unknown", fmt::format("unknown key {}", key),
                fmt::format("did you mean {}?", nearest));
+  std::string line = context.entry.lines.front();
+  const size_t at = line.find(key);
+  if (at == std::string::npos) return;
+  const SourceLocation& place = context.entry.at;
+  context.diagnostics.back().repair =
+      LineEdit{place.file, place.line, line.replace(at, key.size(), nearest), true};
 }
 
 void readEntry(const PropertyContext& context) {

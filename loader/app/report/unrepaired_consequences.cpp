@@ -1,0 +1,126 @@
+#include "app/report/unrepaired_consequences.h"
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+#include "check/hints/compile_hints.h"
+#include "pack/files/include_graph.h"
+
+namespace orris {
+namespace {
+
+// Of the stages of one program.
+constexpr std::array<std::string_view, 5> kProgramEndings = {".vsh", ".tcs", ".tes", ".gsh", ".fsh"};
+
+// The repaired pack is not drawn.
+constexpr std::array<std::string_view, 2> kOfDrawing = {"draw-timeout", "gl-error"};
+
+// "i" and "uv" of two functions are two names.
+constexpr std::size_t kLongestLocal = 3;
+
+/// What a program without one of its files is found to lack.
+void foldLackingFiles(Folds& folds) {
+  for (std::size_t cause = 0; cause < folds.all().size(); ++cause) {
+    const Diagnostic& missing = folds.all()[cause];
+    if (missing.id != "include-missing" || !folds.isOpen(cause)) continue;
+    for (std::size_t i = 0; i < folds.all().size(); ++i) {
+      const Severity severity = folds.all()[i].severity;
+      if (folds.all()[i].id != missing.id && severity != Severity::Note && folds.isOpen(i) &&
+          folds.isOfProgramsWith(missing.at.file, i))
+        folds.fold(i, cause);
+    }
+  }
+}
+
+/// A custom uniform that is dropped takes those along that use it.
+void foldUniforms(Folds& folds) {
+  const auto droppedBy = [&](std::size_t i, std::string_view before, std::string_view behind) {
+    const std::string_view message = folds.all()[i].message;
+    const std::size_t begin = message.find(before), end = message.find(behind, begin);
+    if (folds.all()[i].id != "uniform-dropped" || begin == message.npos || end == message.npos)
+      return std::string_view();
+    return message.substr(begin + before.size(), end - begin - before.size());
+  };
+  std::map<std::string_view, std::size_t> dropped;
+  for (std::size_t i = 0; i < folds.all().size(); ++i) {
+    const std::string_view name = droppedBy(i, "custom uniform ", " is dropped");
+    if (!name.empty() && folds.isOpen(i)) dropped.emplace(name, i);
+  }
+  for (const auto& [name, i] : dropped) {
+    std::size_t cause = i;
+    for (std::size_t step = 0; step < dropped.size(); ++step) {
+      const auto next = dropped.find(droppedBy(cause, "it uses ", ", which is dropped"));
+      if (next == dropped.end()) break;
+      cause = next->second;
+    }
+    if (cause != i) folds.fold(i, cause);
+  }
+}
+
+/// Errors about one unknown name are one mistake, the first of them.
+void foldNames(Folds& folds) {
+  std::map<std::string, std::size_t> first;
+  for (std::size_t i = 0; i < folds.all().size(); ++i) {
+    const Diagnostic& d = folds.all()[i];
+    const std::string name = unknownName(d.message);
+    if (name.size() < kLongestLocal || d.severity != Severity::Error || !folds.isOpen(i)) continue;
+    const auto [known, isNew] = first.try_emplace(name, i);
+    if (!isNew) folds.fold(i, known->second);
+  }
+}
+
+}  // namespace
+
+bool Folds::isOpen(std::size_t i) const {
+  return !report_.cause(i) && !verdict_.ofMatrix.contains(i) &&
+         std::ranges::find(kOfDrawing, report_.all()[i].id) == kOfDrawing.end();
+}
+
+void Folds::fold(std::size_t i, std::size_t cause) {
+  report_.setCause(i, cause);
+  if (report_.all()[i].severity == Severity::Error) report_.setSeverity(cause, Severity::Error);
+}
+
+const std::set<std::string>& Folds::filesOf(const std::string& entry) {
+  const auto [known, isNew] = files_.try_emplace(entry);
+  if (isNew && verdict_.files->contains(entry)) {
+    Diagnostics ignored;  // reported when the pack was read
+    for (const auto& file : readIncludeGraph(*verdict_.files, {entry}, ignored).files)
+      known->second.insert(file.first);
+  }
+  return known->second;
+}
+
+bool Folds::isOfProgramsWith(const std::string& file, std::size_t i) {
+  const std::set<std::string>& entries = report_.entryFiles(i);
+  return !entries.empty() && std::ranges::all_of(entries, [&](const std::string& entry) {
+    const std::string program = entry.substr(0, entry.rfind('.'));
+    return std::ranges::any_of(kProgramEndings, [&](std::string_view ending) {
+      return filesOf(program + std::string(ending)).contains(file);
+    });
+  });
+}
+
+void foldTwins(Folds& folds) {
+  std::map<std::tuple<std::string, int, std::string>, std::size_t> first;
+  for (const Severity severity : {Severity::Error, Severity::Warning}) {
+    for (std::size_t i = 0; i < folds.all().size(); ++i) {
+      const Diagnostic& d = folds.all()[i];
+      if (d.severity != severity || !folds.isOpen(i)) continue;
+      const bool comment = d.id.starts_with("comment-");
+      const auto [known, isNew] =
+          first.try_emplace({d.at.file, d.at.line, comment ? "" : d.message}, i);
+      const bool milder = folds.all()[known->second].severity != severity;
+      if (!isNew && (comment || milder)) folds.fold(i, known->second);
+    }
+  }
+}
+
+void foldByNames(Folds& folds) {
+  foldLackingFiles(folds);
+  foldUniforms(folds);
+  foldNames(folds);
+}
+
+}  // namespace orris

@@ -1,0 +1,40 @@
+// Consequences that need no second check: found by names and places that findings share.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+
+#include "app/report/report.h"
+#include "app/validate/validate_run.h"
+
+namespace orris {
+
+/// The findings of a pack while they are folded under each other.
+class Folds {
+ public:
+  Folds(const PackVerdict& verdict, Report& report) : verdict_(verdict), report_(report) {}
+
+  const Diagnostics& all() const { return report_.all(); }
+  /// Follows from nothing yet, and is one that a second check would meet.
+  bool isOpen(std::size_t i) const;
+  /// A mistake that errors follow from is an error.
+  void fold(std::size_t i, std::size_t cause);
+  /// All files that a program file reads, itself among them.
+  const std::set<std::string>& filesOf(const std::string& entry);
+  /// Is the problem met only in programs that read `file` in one of their stages?
+  bool isOfProgramsWith(const std::string& file, std::size_t i);
+
+ private:
+  const PackVerdict& verdict_;
+  Report& report_;
+  std::map<std::string, std::set<std::string>> files_;
+};
+
+/// The same said of one line as an error and as a warning, and of one comment by several programs.
+void foldTwins(Folds& folds);
+/// What follows from files, custom uniforms and other names that are not there.
+void foldByNames(Folds& folds);
+
+}  // namespace orris
