@@ -22,6 +22,26 @@ constexpr BackendName kBackendNames[] = {{"auto", Backend::Auto},
                                          {"egl", Backend::Egl},
                                          {"glfw", Backend::Glfw}};
 
+struct ContextProfileName {
+  std::string_view name;
+  ContextProfile profile;
+};
+constexpr ContextProfileName kContextProfiles[] = {
+    {"auto", ContextProfile::Auto},
+    {"compatibility", ContextProfile::Compatibility},
+    {"core", ContextProfile::Core}};
+
+class ForeignContext final : public Context {
+ public:
+  ~ForeignContext() override {
+    if (DebugMessageCallback != nullptr) DebugMessageCallback(nullptr, nullptr);
+  }
+  Backend backend() const override { return Backend::Auto; }
+  bool take(const GetProcAddress& getProcAddress, Diagnostics& diagnostics) {
+    return initialise(getProcAddress, diagnostics);
+  }
+};
+
 // What the loader calls beyond OpenGL 4.3; all are part of 4.5.
 constexpr const char* kExtensionsBelow45[] = {"GL_ARB_direct_state_access", "GL_ARB_clear_texture",
                                               "GL_ARB_buffer_storage"};
@@ -91,6 +111,7 @@ DriverInfo readDriver() {
   driver.maxTextureUnits = getInteger(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS);
   driver.maxImageUnits = getInteger(GL_MAX_IMAGE_UNITS);
   driver.maxTextureSize = getInteger(GL_MAX_TEXTURE_SIZE);
+  driver.coreProfile = isCoreProfile();
   return driver;
 }
 
@@ -144,6 +165,25 @@ std::string_view backendName(Backend backend) {
   return "auto";
 }
 
+std::optional<ContextProfile> parseContextProfile(std::string_view name) {
+  for (const ContextProfileName& known : kContextProfiles) {
+    if (known.name == name) return known.profile;
+  }
+  return std::nullopt;
+}
+
+std::vector<ContextProfile> profilesToTry(ContextProfile asked) {
+  if (asked != ContextProfile::Auto) return {asked};
+  return {ContextProfile::Compatibility, ContextProfile::Core};
+}
+
+std::string describeWanted(ContextProfile asked) {
+  return fmt::format("{}context of OpenGL 4.3 or newer",
+                     asked == ContextProfile::Core            ? "core "
+                     : asked == ContextProfile::Compatibility ? "compatibility "
+                                                              : "");
+}
+
 bool Context::initialise(const GetProcAddress& getProcAddress, Diagnostics& diagnostics) {
   const std::vector<std::string> missing = loadFunctions(getProcAddress);
   if (GetString != nullptr && GetStringi != nullptr && GetIntegerv != nullptr) {
@@ -191,6 +231,13 @@ std::unique_ptr<Context> createContext(const ContextRequest& request, Diagnostic
       break;
   }
   return createHeadless(request, diagnostics);
+}
+
+std::unique_ptr<Context> useCurrentContext(const GetProcAddress& getProcAddress,
+                                           Diagnostics& diagnostics) {
+  auto context = std::make_unique<ForeignContext>();
+  if (!context->take(getProcAddress, diagnostics)) return nullptr;
+  return context;
 }
 
 void addContextError(Diagnostics& diagnostics, std::string id, std::string message,

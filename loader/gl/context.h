@@ -19,8 +19,14 @@ enum class Backend { Auto, OSMesa, Egl, Glfw };
 std::optional<Backend> parseBackend(std::string_view name);  ///< "auto", "osmesa", "egl", "glfw"
 std::string_view backendName(Backend backend);               ///< what parseBackend accepts
 
+/// Of a context. Core has none of the old fixed functions: programs get another text there
+/// (glsl/rewrite/core_text.h), and the same picture.
+enum class ContextProfile { Auto, Compatibility, Core };
+std::optional<ContextProfile> parseContextProfile(std::string_view name);  ///< "auto", "core", ...
+
 struct ContextRequest {
   Backend backend = Backend::Auto;  ///< Auto: OSMesa, else EGL
+  ContextProfile profile = ContextProfile::Auto;  ///< Auto: compatibility, else core
   int width = 1, height = 1;        ///< window size, GLFW only
   std::string title = "orris";
   bool visible = true;
@@ -37,11 +43,12 @@ struct DriverInfo {
   int maxDrawBuffers = 8;
   int maxTextureUnits = 32;  ///< of all stages together: the units that can be bound to
   int maxImageUnits = 8, maxTextureSize = 0;
+  bool coreProfile = false;
 };
 
 using GetProcAddress = std::function<void*(const char*)>;
 
-/// A compatibility-profile context (>= 4.3 with direct state access), made current on the creating
+/// A context (>= 4.3 with direct state access) of either profile, made current on the creating
 /// thread. One is current at a time: a new one takes over the GL functions of functions.h, and GL
 /// objects must be destroyed before their context.
 class Context {
@@ -70,5 +77,11 @@ class Context {
 
 /// nullptr and one diagnostic that says what was tried, what failed and what to install.
 std::unique_ptr<Context> createContext(const ContextRequest& request, Diagnostics& diagnostics);
+
+/// The context that an engine of its own made current, of either profile; it stays the engine's.
+/// GL state that drawing needs is set by each frame and left as it is then; debug messages are
+/// taken over. nullptr and a diagnostic when it lacks something. Its backend() is Auto.
+std::unique_ptr<Context> useCurrentContext(const GetProcAddress& getProcAddress,
+                                           Diagnostics& diagnostics);
 
 }  // namespace orris::gl

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "gl/context.h"
 
@@ -13,6 +14,10 @@ struct GlVersion {
   int major, minor;
 };
 inline constexpr GlVersion kVersions[] = {{4, 5}, {4, 4}, {4, 3}};
+
+std::vector<ContextProfile> profilesToTry(ContextProfile asked);  ///< best first
+/// "core context of OpenGL 4.3 or newer", for messages.
+std::string describeWanted(ContextProfile asked);
 
 std::unique_ptr<Context> createOsmesaContext(const ContextRequest&, Diagnostics&);
 std::unique_ptr<Context> createEglContext(const ContextRequest&, Diagnostics&);

@@ -24,6 +24,7 @@ constexpr EglInt kOpenglBit = 0x0008;
 constexpr EglInt kEglMajor = 0x3098;
 constexpr EglInt kEglMinor = 0x30FB;
 constexpr EglInt kProfileMask = 0x30FD;
+constexpr EglInt kCoreProfileBit = 0x0001;
 constexpr EglInt kCompatibilityProfile = 0x0002;
 constexpr unsigned kOpenglApi = 0x30A2;
 constexpr unsigned kPlatformDevice = 0x313F;
@@ -97,7 +98,7 @@ std::vector<EglDisplay> candidateDisplays(const EglApi& api) {
 
 class EglContext final : public Context {
  public:
-  explicit EglContext(const EglApi& api) : api_(api) {}
+  EglContext(const EglApi& api, ContextProfile profile) : api_(api), profile_(profile) {}
   ~EglContext() override {
     // The display is one per process and platform; terminating it would end other contexts too.
     if (handle_ == nullptr) return;
@@ -140,19 +141,28 @@ class EglContext final : public Context {
         return fail("find an OpenGL configuration");
       }
     }
-    for (const GlVersion& version : kVersions) {
-      const EglInt attributes[] = {kEglMajor,    version.major,         kEglMinor, version.minor,
-                                   kProfileMask, kCompatibilityProfile, kNone};
-      EglHandle handle = api_.createContext(display, config, nullptr, attributes);
-      if (handle == nullptr) continue;
-      if (api_.makeCurrent(display, nullptr, nullptr, handle) != 0) {
-        display_ = display;
-        handle_ = handle;
-        return true;
+    for (const ContextProfile profile : profilesToTry(profile_)) {
+      for (const GlVersion& version : kVersions) {
+        if (createOne(display, config, profile, version)) return true;
       }
-      api_.destroyContext(display, handle);
     }
-    return fail("create a compatibility context of OpenGL 4.3 or newer");
+    return fail(("create a " + describeWanted(profile_)).c_str());
+  }
+
+  bool createOne(EglDisplay display, EglConfig config, ContextProfile profile,
+                 const GlVersion& version) {
+    const EglInt mask = profile == ContextProfile::Core ? kCoreProfileBit : kCompatibilityProfile;
+    const EglInt attributes[] = {kEglMajor,    version.major, kEglMinor, version.minor,
+                                 kProfileMask, mask,          kNone};
+    EglHandle handle = api_.createContext(display, config, nullptr, attributes);
+    if (handle == nullptr) return false;
+    if (api_.makeCurrent(display, nullptr, nullptr, handle) != 0) {
+      display_ = display;
+      handle_ = handle;
+      return true;
+    }
+    api_.destroyContext(display, handle);
+    return false;
   }
 
   bool fail(const char* action) {
@@ -161,6 +171,7 @@ class EglContext final : public Context {
   }
 
   EglApi api_;
+  ContextProfile profile_;
   EglDisplay display_ = nullptr;
   EglHandle handle_ = nullptr;
   std::string failure_ = "no display is offered";
@@ -178,7 +189,7 @@ std::unique_ptr<Context> createEglContext(const ContextRequest& request, Diagnos
         "install libegl1 with libegl-mesa0, or run with --backend osmesa");
     return nullptr;
   }
-  auto context = std::make_unique<EglContext>(api);
+  auto context = std::make_unique<EglContext>(api, request.profile);
   if (!context->makeCurrent()) {
     addContextError(diagnostics, "gl-context-refused",
                     "EGL gives no context: " + context->lastFailure(),

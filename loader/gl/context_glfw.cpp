@@ -34,15 +34,10 @@ class GlfwContext final : public Context {
 
   bool create(const ContextRequest& request, Diagnostics& diagnostics) {
     if (glfwInit() != GLFW_TRUE) return refuse(diagnostics, "start GLFW");
-    for (const GlVersion& version : kVersions) {
-      glfwDefaultWindowHints();
-      glfwWindowHint(GLFW_VISIBLE, request.visible ? GLFW_TRUE : GLFW_FALSE);
-      glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, version.major);
-      glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, version.minor);
-      glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_COMPAT_PROFILE);
-      window_ =
-          glfwCreateWindow(request.width, request.height, request.title.c_str(), nullptr, nullptr);
-      if (window_ != nullptr) break;
+    for (const ContextProfile profile : profilesToTry(request.profile)) {
+      for (const GlVersion& version : kVersions) {
+        if (window_ == nullptr) window_ = openWindow(request, profile, version);
+      }
     }
     if (window_ == nullptr) return refuse(diagnostics, "open a window");
     glfwMakeContextCurrent(window_);
@@ -53,6 +48,18 @@ class GlfwContext final : public Context {
   }
 
  private:
+  static GLFWwindow* openWindow(const ContextRequest& request, ContextProfile profile,
+                                const GlVersion& version) {
+    glfwDefaultWindowHints();
+    glfwWindowHint(GLFW_VISIBLE, request.visible ? GLFW_TRUE : GLFW_FALSE);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, version.major);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, version.minor);
+    const bool core = profile == ContextProfile::Core;
+    glfwWindowHint(GLFW_OPENGL_PROFILE,
+                   core ? GLFW_OPENGL_CORE_PROFILE : GLFW_OPENGL_COMPAT_PROFILE);
+    return glfwCreateWindow(request.width, request.height, request.title.c_str(), nullptr, nullptr);
+  }
+
   GLFWwindow* window_ = nullptr;
 };
 

@@ -15,6 +15,7 @@ using OsmesaHandle = void*;
 constexpr int kFormat = 0x22;
 constexpr int kDepthBits = 0x30;
 constexpr int kProfile = 0x33;
+constexpr int kCoreProfile = 0x34;
 constexpr int kCompatProfile = 0x35;
 constexpr int kOsMesaMajor = 0x36;
 constexpr int kOsMesaMinor = 0x37;
@@ -48,19 +49,17 @@ class OsmesaContext final : public Context {
   }
   Backend backend() const override { return Backend::OSMesa; }
 
-  bool create(Diagnostics& diagnostics) {
-    for (const GlVersion& version : kVersions) {
-      const int attributes[] = {
-          kFormat,       GL_RGBA,      kDepthBits,    24, kProfile, kCompatProfile, kOsMesaMajor,
-          version.major, kOsMesaMinor, version.minor, 0};
-      handle_ = api_.createContextAttribs(attributes, nullptr);
-      if (handle_ != nullptr) break;
+  bool create(ContextProfile asked, Diagnostics& diagnostics) {
+    for (const ContextProfile profile : profilesToTry(asked)) {
+      for (const GlVersion& version : kVersions) {
+        if (handle_ == nullptr) handle_ = createOne(profile, version);
+      }
     }
     // The library wants a buffer; frames are drawn into framebuffer objects.
     if (handle_ == nullptr ||
         api_.makeCurrent(handle_, pixel_.data(), GL_UNSIGNED_BYTE, 1, 1) == GL_FALSE) {
       addContextError(diagnostics, "gl-context-refused",
-                      "OSMesa gives no compatibility context of OpenGL 4.3 or newer",
+                      "OSMesa gives no " + describeWanted(asked),
                       "install Mesa 21 or newer, or run with --backend egl");
       return false;
     }
@@ -71,6 +70,13 @@ class OsmesaContext final : public Context {
   }
 
  private:
+  OsmesaHandle createOne(ContextProfile profile, const GlVersion& version) const {
+    const int mask = profile == ContextProfile::Core ? kCoreProfile : kCompatProfile;
+    const int attributes[] = {kFormat,       GL_RGBA,      kDepthBits,    24, kProfile, mask, kOsMesaMajor,
+                              version.major, kOsMesaMinor, version.minor, 0};
+    return api_.createContextAttribs(attributes, nullptr);
+  }
+
   OsmesaApi api_;
   OsmesaHandle handle_ = nullptr;
   std::array<unsigned char, 4> pixel_{};
@@ -90,7 +96,7 @@ std::unique_ptr<Context> createOsmesaContext(const ContextRequest& request,
     return nullptr;
   }
   auto context = std::make_unique<OsmesaContext>(api);
-  if (!context->create(diagnostics)) return nullptr;
+  if (!context->create(request.profile, diagnostics)) return nullptr;
   return context;
 }
 

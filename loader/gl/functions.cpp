@@ -6,6 +6,12 @@ namespace orris::gl {
 #include "gl/functions.inc"
 #undef ORRIS_GL
 
+namespace {
+bool coreProfile = false;
+}  // namespace
+
+bool isCoreProfile() { return coreProfile; }
+
 std::vector<std::string> loadFunctions(const std::function<void*(const char*)>& getProcAddress) {
   std::vector<std::string> missing;
 #define ORRIS_GL(name)                                                 \
@@ -13,6 +19,12 @@ std::vector<std::string> loadFunctions(const std::function<void*(const char*)>& 
   if (name == nullptr) missing.emplace_back("gl" #name);
 #include "gl/functions.inc"
 #undef ORRIS_GL
+  coreProfile = false;
+  if (GetIntegerv != nullptr) {
+    GLint mask = 0;
+    GetIntegerv(GL_CONTEXT_PROFILE_MASK, &mask);
+    coreProfile = (mask & GL_CONTEXT_CORE_PROFILE_BIT) != 0;
+  }
   return missing;
 }
 

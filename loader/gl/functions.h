@@ -15,6 +15,9 @@ namespace orris::gl {
 #include "gl/functions.inc"
 #undef ORRIS_GL
 
+/// Has the context that the functions are of a core profile? It knows none of the old fixed functions.
+bool isCoreProfile();
+
 /// Resolves the whole list, replacing what an earlier context resolved; returns the names (with the
 /// gl prefix) that the driver does not know.
 std::vector<std::string> loadFunctions(const std::function<void*(const char*)>& getProcAddress);

@@ -1,3 +1,5 @@
+#include <dlfcn.h>
+
 #include <cstdlib>
 
 #include "gl/context.h"
@@ -58,6 +60,43 @@ TEST(CreateContext, backends_follow_one_another_in_one_process) {
     ClearColor(0, 0, 0, 0);
     EXPECT_THAT(context->takeErrors(), IsEmpty());
   }
+}
+
+TEST(CreateContext, core_can_be_asked_for) {
+  for (const Backend backend : {Backend::OSMesa, Backend::Egl}) {
+    ContextRequest request;
+    request.backend = backend;
+    request.profile = ContextProfile::Core;
+    Diagnostics diagnostics;
+    const auto context = createContext(request, diagnostics);
+    if (context == nullptr) GTEST_SKIP() << diagnostics.front().message;
+    EXPECT_TRUE(context->driver().coreProfile);
+    EXPECT_TRUE(isCoreProfile());
+    EXPECT_THAT(context->takeErrors(), IsEmpty());
+  }
+  Diagnostics diagnostics;
+  const auto other = tryContext(Backend::Auto, diagnostics);
+  EXPECT_FALSE(isCoreProfile());
+}
+
+// An engine has a context of its own, which stays when Orris is done with it.
+TEST(UseCurrentContext, takes_the_profile_of_what_is_current) {
+  ContextRequest request;
+  request.profile = ContextProfile::Core;
+  Diagnostics diagnostics;
+  const auto engine = createContext(request, diagnostics);
+  ASSERT_NE(engine, nullptr);
+  void* library = dlopen("libOSMesa.so.8", RTLD_NOW);
+  if (engine->backend() != Backend::OSMesa || library == nullptr) GTEST_SKIP() << "no OSMesa here";
+  using Find = void* (*)(const char*);
+  const auto find = reinterpret_cast<Find>(dlsym(library, "OSMesaGetProcAddress"));
+  {
+    const auto context = useCurrentContext(find, diagnostics);
+    ASSERT_NE(context, nullptr);
+    EXPECT_TRUE(context->driver().coreProfile);
+    EXPECT_EQ(context->driver().renderer, engine->driver().renderer);
+  }
+  EXPECT_THAT(engine->takeErrors(), IsEmpty());
 }
 
 TEST(CreateContext, missing_osmesa_names_the_library_and_the_other_backend) {
