@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "pack/expressions/expression_functions.h"
+#include "plan/core_uniforms.h"
 #include "pack/shader_pack.h"
 
 namespace orris {
@@ -183,7 +184,7 @@ std::vector<UniformRow> makeTable() {
     FRAME("far", Float, valueOf(static_cast<float>(s.environment.renderDistance))),
     FRAME("skyColor", Vec3, valueOf(s.environment.skyColor)),
     DRAW("fogColor", Vec3, valueOf(s.environment.fogColor)),
-    DRAW("fogStart", Float, valueOf(0.9f * static_cast<float>(s.environment.renderDistance))),
+    DRAW("fogStart", Float, valueOf(fogStartOf(s))),
     DRAW("fogEnd", Float, valueOf(static_cast<float>(s.environment.renderDistance))),
     DRAW("fogDensity", Float, valueOf(fogDensityOf(s))),
     DRAW("fogMode", Int, Value::ofInt(d.fullscreen ? 0 : fogDensityOf(s) > 0 ? kExp2Fog : kLinearFog)),

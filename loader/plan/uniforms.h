@@ -21,6 +21,8 @@ struct DrawState {
   glm::ivec4 blendFunc{0};
   int renderStage = 0;  ///< MC_RENDER_STAGE_*
   float alphaTestRef = 0.1f;
+  int alphaFunction = 7;        ///< bits: 1 less, 2 equal, 4 greater pass; 7: there is no test
+  bool lightmapMatrix = false;  ///< texture matrices 1 and 2 are lightTextureMatrix()
   bool fullscreen = false;
   int blockEntityId = -1;
 };

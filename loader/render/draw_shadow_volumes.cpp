@@ -24,7 +24,7 @@ EyePyramid eyePyramid(const FrameState& state) {
 
 void setVolumeState() {
   gl::Disable(GL_BLEND);
-  gl::Disable(GL_ALPHA_TEST);
+  unsetAlphaTest();
   gl::Disable(GL_CULL_FACE);
   gl::FrontFace(GL_CCW);
   gl::ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
@@ -68,7 +68,7 @@ const gl::Program& FrameRenderer::useVolumeProgram(const Step& step, const Frame
   draw.modelView = glm::translate(state.gbufferModelView, offset);
   draw.projection = state.gbufferProjection;
   draw.textureMatrix = glm::mat4(1);
-  loadMatrices(draw.modelView, draw.projection, false);
+  loadMatrices(draw, false);
   const GpuProgram& program = programOf(step);
   useProgram(program, step, state, draw);
   return program.program;

@@ -32,7 +32,7 @@ void FrameRenderer::drawSky(const Step& step, const GpuProgram& program, const F
   }
   draw.projection = state.gbufferProjection;
   draw.atlasSize = glm::ivec2(0);
-  loadMatrices(draw.modelView, draw.projection, true);
+  loadMatrices(draw, true);
   useProgram(program, step, state, draw);
   scene.bindShapes();
   bindVertices(program.program);
@@ -68,7 +68,7 @@ void FrameRenderer::drawClouds(const Step& step, const GpuProgram& program, cons
   draw.modelView = state.gbufferModelView;
   draw.projection = state.gbufferProjection;
   draw.atlasSize = glm::ivec2(0);
-  loadMatrices(draw.modelView, draw.projection, true);
+  loadMatrices(draw, true);
   useProgram(program, step, state, draw);
   loaded_->scene->bindClouds();
   bindVertices(program.program);

@@ -37,7 +37,12 @@ RenderLayer layerOf(Geometry geometry) {
 }  // namespace
 
 FrameRenderer::FrameRenderer(gl::Context& context, const RendererOptions& options)
-    : context_(context), options_(options) {}
+    : context_(context), options_(options) {
+  if (!gl::isCoreProfile()) return;
+  unsigned id = 0;
+  gl::CreateVertexArrays(1, &id);
+  vertexArray_ = gl::Handle<gl::deleteVertexArray>(id);
+}
 FrameRenderer::~FrameRenderer() = default;
 
 bool FrameRenderer::setPack(std::shared_ptr<const ShaderPack> pack, const SceneData& scene,
@@ -78,6 +83,7 @@ bool FrameRenderer::resize(int width, int height, Diagnostics& diagnostics) {
 void FrameRenderer::render(const FrameState& given) {
   FrameState state = given;
   if (loaded_->lampVolumes) state.volumeLights = loaded_->lampVolumes->choose(state.cameraPosition);
+  if (vertexArray_) gl::BindVertexArray(vertexArray_.id());
   gl::PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   gl::PixelStorei(GL_PACK_ALIGNMENT, 1);
   stepTimes_.clear();
@@ -215,7 +221,7 @@ void FrameRenderer::drawGeometry(const Step& step, const FrameState& state) {
     drawTerrain(step, program, state, shadow ? state.shadowModelView : state.gbufferModelView,
                 projection, draw);
   }
-  gl::Disable(GL_ALPHA_TEST);
+  unsetAlphaTest();
   gl::Disable(GL_BLEND);
   gl::DepthMask(GL_TRUE);
 }
@@ -227,7 +233,7 @@ void FrameRenderer::drawTerrain(const Step& step, const GpuProgram& program,
   draw.modelView = view;
   draw.projection = projection;
   draw.textureMatrix = glm::mat4(1);
-  loadMatrices(view, projection, true);
+  loadMatrices(draw, true);
   useProgram(program, step, state, draw);
   loaded_->scene->bindTerrain();
   bindVertices(program.program);
@@ -281,16 +287,19 @@ void FrameRenderer::dispatch(const Step& step, const FrameState& state) {
   draw.fullscreen = true;
   for (size_t i = 0; i < source.computes.size(); ++i) {
     const ComputeSource& compute = source.computes[i];
-    const GpuProgram& program = *loaded_->computes.at({step.program, static_cast<int>(i)});
+    GpuProgram& program = *loaded_->computes.at({step.program, static_cast<int>(i)});
     if (!program.program.linked) continue;
     useProgram(program, step, state, draw);
     gl::MemoryBarrier(GL_ALL_BARRIER_BITS);
     if (const auto it = pack_->properties.indirect.find(compute.name);
         it != pack_->properties.indirect.end()) {
-      gl::BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, loaded_->resources->buffer(it->second.first));
+      const unsigned counts = loaded_->resources->buffer(it->second.first);
+      gl::BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, counts);
+      bindSharedBlocks(program, counts, static_cast<std::size_t>(it->second.second));
       gl::DispatchComputeIndirect(static_cast<GLintptr>(it->second.second));
     } else {
       const auto groups = groupCounts(compute, program.program.computeLocalSize, size);
+      bindSharedBlocks(program, std::size_t{groups[0]} * groups[1] * groups[2]);
       gl::DispatchCompute(groups[0], groups[1], groups[2]);
     }
     SamplerBinder::unbind(program);

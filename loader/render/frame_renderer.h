@@ -61,6 +61,8 @@ class FrameRenderer {
   /// since the load; 0 without volumes.
   int facesAtEye() const;
   int silhouetteBuilds() const;
+  /// Programs of the schedule that this driver cannot run: the frame lacks what they do.
+  std::vector<std::string> programsLeftOut() const;
   /// Depth under the screen centre in the last frame, if a program asked for it.
   float centerDepth() const { return centerDepth_; }
   const std::vector<StepTime>& stepTimes() const { return stepTimes_; }
@@ -105,6 +107,7 @@ class FrameRenderer {
 
   gl::Context& context_;
   RendererOptions options_;
+  gl::Handle<gl::deleteVertexArray> vertexArray_;  ///< of a core context, which draws with none
   std::shared_ptr<const ShaderPack> pack_;
   Schedule schedule_;
   std::unique_ptr<Loaded> loaded_;

@@ -1,30 +1,14 @@
 #include "render/gpu_program.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 
 #include "gl/functions.h"
-#include "glsl/rewrite/interface_repair.h"
+#include "plan/core_uniforms.h"
 
 namespace orris {
 namespace {
-
-unsigned stageEnum(Stage stage) {
-  switch (stage) {
-    case Stage::Vertex:
-      return GL_VERTEX_SHADER;
-    case Stage::TessControl:
-      return GL_TESS_CONTROL_SHADER;
-    case Stage::TessEvaluation:
-      return GL_TESS_EVALUATION_SHADER;
-    case Stage::Geometry:
-      return GL_GEOMETRY_SHADER;
-    case Stage::Fragment:
-      return GL_FRAGMENT_SHADER;
-    case Stage::Compute:
-      return GL_COMPUTE_SHADER;
-  }
-  return 0;
-}
 
 bool isInteger(ValueType type) {
   return type == ValueType::Bool || type == ValueType::Int || type == ValueType::IVec2 ||
@@ -93,86 +77,7 @@ int customIndex(const CustomUniforms& custom, const std::string& name) {
   return it == values.end() ? -1 : static_cast<int>(it - values.begin());
 }
 
-// Mesa words them so: "Too much shared memory used", "Too many fragment shader texture samplers".
-bool exceedsLimit(const std::string& linkLog) {
-  return linkLog.find("Too much ") != std::string::npos ||
-         linkLog.find("Too many ") != std::string::npos;
-}
-
-void markAsLimit(Diagnostic& diagnostic) {
-  diagnostic.severity = Severity::Warning;
-  diagnostic.id = "target-limit";
-  diagnostic.notes.push_back("this driver cannot run the program; it is left out");
-}
-
-void reportLink(const std::string& log, const StageText& stage, const SourceLines& lines,
-                Diagnostics& diagnostics) {
-  Diagnostics found;
-  mapDriverLog(log, Severity::Error, stage, lines, found);
-  for (Diagnostic& diagnostic : found) {
-    if (exceedsLimit(log)) markAsLimit(diagnostic);
-    diagnostics.push_back(std::move(diagnostic));
-  }
-}
-
-// Mesa words it so: "extension `GL_KHR_shader_subgroup_basic' unsupported in compute shader".
-bool lacksExtension(const Diagnostic& diagnostic) {
-  return diagnostic.message.starts_with("extension `") &&
-         diagnostic.message.find("' unsupported in ") != std::string::npos;
-}
-
-/// What a stage does with an extension that the driver lacks is not told besides: whether that is
-/// right, glslang says.
-void reportCompile(const std::string& log, const StageText& stage, const SourceLines& lines,
-                   Diagnostics& diagnostics) {
-  Diagnostics found;
-  mapDriverLog(log, Severity::Error, stage, lines, found);
-  if (std::any_of(found.begin(), found.end(), lacksExtension)) {
-    std::erase_if(found, [](const Diagnostic& d) { return !lacksExtension(d); });
-    for (Diagnostic& diagnostic : found) markAsLimit(diagnostic);
-  }
-  diagnostics.insert(diagnostics.end(), found.begin(), found.end());
-}
-
-/// What glslang refuses too is said as validate says it. Of extensions only the driver is a judge.
-bool reportAsValidate(const std::vector<const StageText*>& written, const SourceLines& lines,
-                      Diagnostics& diagnostics) {
-  Diagnostics found;
-  validateWithGlslang(written, lines, found);
-  const bool judges = std::none_of(found.begin(), found.end(), [](const Diagnostic& d) {
-    return d.message.find("extension not supported") != std::string::npos;
-  });
-  if (!judges || !hasErrors(found)) return false;
-  diagnostics.insert(diagnostics.end(), found.begin(), found.end());
-  return true;
-}
-
 }  // namespace
-
-GpuProgram buildGpuProgram(const std::string& label, const std::vector<const StageText*>& written,
-                           const SourceLines& lines, Diagnostics& diagnostics) {
-  GpuProgram result;
-  const auto repaired = repairInterface(written);
-  std::vector<const StageText*> stages = written;
-  for (size_t i = 0; repaired && i < stages.size(); ++i) stages[i] = &repaired->stages[i];
-  std::vector<gl::StageSource> sources;
-  for (const StageText* stage : stages) {
-    sources.push_back({stageEnum(stage->stage), stage->text.text});
-    result.patches |= stage->stage == Stage::TessControl || stage->stage == Stage::TessEvaluation;
-  }
-  std::vector<std::pair<std::string, int>> outputs;
-  for (int i = 0; i < 8; ++i) outputs.emplace_back("outColor" + std::to_string(i), i);
-  result.program = gl::buildProgram(sources, outputs, label);
-  if (result.program.linked || reportAsValidate(written, lines, diagnostics)) return result;
-  for (size_t i = 0; i < stages.size(); ++i)
-    if (result.program.stageFailed[i])
-      reportCompile(result.program.stageLogs[i], *stages[i], lines, diagnostics);
-  const bool compiled = std::none_of(result.program.stageFailed.begin(),
-                                     result.program.stageFailed.end(), [](bool f) { return f; });
-  if (compiled && !stages.empty())
-    reportLink(result.program.linkLog, *stages.back(), lines, diagnostics);
-  return result;
-}
 
 void matchUniforms(GpuProgram& program, const CustomUniforms& custom) {
   program.frameUniforms.clear();
@@ -192,10 +97,27 @@ void matchUniforms(GpuProgram& program, const CustomUniforms& custom) {
     }
     UniformBinding binding{uniform.location, uniform.type, findUniform(uniform.name),
                            customIndex(custom, uniform.name), uniform.name};
+    if (binding.row == nullptr) binding.row = findCoreUniform(uniform.name);
     if (binding.row == nullptr && binding.custom < 0) continue;
     const bool perDraw = binding.row != nullptr && binding.row->perDraw;
     (perDraw ? program.drawUniforms : program.frameUniforms).push_back(std::move(binding));
   }
+}
+
+void bindSharedBlocks(GpuProgram& program, std::size_t groups) {
+  for (SharedBlock& block : program.sharedBlocks) {
+    const std::size_t bytes = block.bytes * std::max<std::size_t>(groups, 1);
+    if (block.buffer.size < bytes) block.buffer = gl::createBuffer(bytes, nullptr, "shared memory");
+    gl::BindBufferBase(GL_SHADER_STORAGE_BUFFER, block.binding, block.buffer.id());
+  }
+}
+
+void bindSharedBlocks(GpuProgram& program, unsigned counts, std::size_t offset) {
+  if (program.sharedBlocks.empty()) return;
+  std::array<std::uint32_t, 3> groups{1, 1, 1};
+  gl::MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  gl::GetNamedBufferSubData(counts, static_cast<GLintptr>(offset), sizeof(groups), groups.data());
+  bindSharedBlocks(program, std::size_t{groups[0]} * groups[1] * groups[2]);
 }
 
 void uploadUniforms(const std::vector<UniformBinding>& uniforms, const FrameState& state,

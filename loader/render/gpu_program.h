@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "gl/buffer.h"
 #include "gl/program.h"
 #include "pack/shader_pack.h"
 #include "plan/program_uses.h"
@@ -28,21 +29,35 @@ struct SamplerBinding {
   std::optional<BufferName> buffer;
 };
 
+/// Shared memory of a compute program that lies in a storage buffer (glsl/rewrite/shared_buffer.h).
+struct SharedBlock {
+  unsigned binding = 0;
+  std::size_t bytes = 0;  ///< of one work group
+  gl::Buffer buffer;
+};
+
 /// What one GL program needs before each draw.
 struct GpuProgram {
   gl::Program program;
   std::vector<UniformBinding> frameUniforms, drawUniforms;
   std::vector<SamplerBinding> samplers, images;
+  std::vector<SharedBlock> sharedBlocks;
   bool patches = false;  ///< has tessellation stages
 };
 
 /// Compiles and links; driver messages of failures are mapped into `diagnostics`: errors, but a
-/// warning where the program exceeds a limit of the driver.
+/// warning where the program exceeds a limit of the driver. A core context gets the core text. What
+/// the driver lacks and the host can do in its place is a note: rules subgroups and shared-buffer.
 GpuProgram buildGpuProgram(const std::string& label, const std::vector<const StageText*>& stages,
                            const SourceLines& lines, Diagnostics& diagnostics);
 
 /// Matches uniforms to the table and to the custom uniforms, gives samplers and images their units.
 void matchUniforms(GpuProgram& program, const CustomUniforms& custom);
+
+/// Before a dispatch of so many work groups.
+void bindSharedBlocks(GpuProgram& program, std::size_t groups);
+/// The same for counts of groups that lie in a buffer; waits for them.
+void bindSharedBlocks(GpuProgram& program, unsigned counts, std::size_t offset);
 
 /// Uploads to the program in use.
 void uploadUniforms(const std::vector<UniformBinding>& uniforms, const FrameState& state,

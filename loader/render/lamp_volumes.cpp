@@ -9,10 +9,10 @@
 namespace orris {
 namespace {
 
-constexpr const char* kResolveVertex = R"(#version 330 compatibility
+constexpr const char* kResolveVertex = R"(#version 330 core
 void main() { gl_Position = vec4(gl_VertexID & 1, gl_VertexID >> 1, 0.0, 0.25) * 4.0 - vec4(1.0, 1.0, 0.0, 0.0); }
 )";
-constexpr const char* kResolveFragment = R"(#version 330 compatibility
+constexpr const char* kResolveFragment = R"(#version 330 core
 uniform uint lamp_bit;
 layout(location = 0) out uint lamps;
 void main() { lamps = lamp_bit; }

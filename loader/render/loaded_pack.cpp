@@ -44,6 +44,20 @@ std::array<unsigned, 3> groupCounts(const ComputeSource& compute, const std::vec
   return groups;
 }
 
+std::vector<std::string> FrameRenderer::programsLeftOut() const {
+  std::vector<std::string> names;
+  for (const int index : schedule_.programs) {
+    const ProgramSource& source = pack_->programs[static_cast<std::size_t>(index)];
+    const auto drawn = loaded_->programs.find(index);
+    if (drawn != loaded_->programs.end() && !drawn->second->program.linked)
+      names.push_back(source.name);
+    for (std::size_t i = 0; i < source.computes.size(); ++i)
+      if (!loaded_->computes.at({index, static_cast<int>(i)})->program.linked)
+        names.push_back(source.computes[i].name);
+  }
+  return names;
+}
+
 FrameRenderer::Loaded::Loaded(const ShaderPack& pack, const Schedule& schedule,
                               const SceneData& sceneData, bool floatScreen, Loaded* previous,
                               LoadReport& report, Diagnostics& diagnostics)

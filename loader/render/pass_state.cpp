@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cctype>
-#include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <string>
 
+#include "plan/core_uniforms.h"
 #include "gl/functions.h"
 
 namespace orris {
@@ -104,9 +104,12 @@ void setAlphaTest(const Step& step, const ProgramSource* program, DrawState& dra
   draw.alphaTestRef = test.off ? 0.0f : test.reference;
   // Iris adds its discard only to programs that write gl_FragData or gl_FragColor.
   const bool applies = program == nullptr || program->writesFragData;
-  if (test.off || !applies) return gl::Disable(GL_ALPHA_TEST);
+  if (test.off || !applies) return unsetAlphaTest();
+  const unsigned function = lookup(kFunctions, test.function, GL_GREATER);
+  draw.alphaFunction = static_cast<int>(function - GL_NEVER);
+  if (gl::isCoreProfile()) return;
   gl::Enable(GL_ALPHA_TEST);
-  gl::AlphaFunc(lookup(kFunctions, test.function, GL_GREATER), test.reference);
+  gl::AlphaFunc(function, test.reference);
 }
 
 void loadTextureMatrix(int unit, const glm::mat4& matrix) {
@@ -151,12 +154,12 @@ void setFullscreenState(const ProgramSource* program, DrawState& draw) {
   gl::Disable(GL_DEPTH_TEST);
   gl::DepthMask(GL_FALSE);
   gl::Disable(GL_CULL_FACE);
-  gl::Disable(GL_ALPHA_TEST);
+  unsetAlphaTest();
   draw.fullscreen = true;
   draw.blendFunc = program != nullptr && program->blend ? factorsOf(*program->blend) : kNoBlend;
   applyBlend(draw.blendFunc);
   draw.projection = fullscreenProjection();
-  loadMatrices(glm::mat4(1), draw.projection, false);
+  loadMatrices(draw, false);
 }
 
 void setGeometryState(const Step& step, const ProgramSource* program, DrawState& draw) {
@@ -179,30 +182,34 @@ void setGeometryState(const Step& step, const ProgramSource* program, DrawState&
   draw.renderStage = renderStageOf(step.geometry);
 }
 
-void loadMatrices(const glm::mat4& modelView, const glm::mat4& projection, bool lightmapMatrix) {
-  // uniforms.csv: raw light level 16 L becomes (16 L + 8) / 256.
-  const glm::mat4 light =
-      lightmapMatrix
-          ? glm::scale(glm::translate(glm::mat4(1), glm::vec3(1.0f / 32)), glm::vec3(1.0f / 256))
-          : glm::mat4(1);
+void loadMatrices(DrawState& draw, bool lightmapMatrix) {
+  draw.lightmapMatrix = lightmapMatrix;
+  if (gl::isCoreProfile()) return;
+  const glm::mat4 light = lightmapMatrix ? lightTextureMatrix() : glm::mat4(1);
   loadTextureMatrix(0, glm::mat4(1));
   loadTextureMatrix(1, light);
   loadTextureMatrix(2, light);
   gl::MatrixMode(GL_PROJECTION);
-  gl::LoadMatrixf(glm::value_ptr(projection));
-  loadModelView(modelView);
+  gl::LoadMatrixf(glm::value_ptr(draw.projection));
+  loadModelView(draw.modelView);
 }
 
 void loadModelView(const glm::mat4& modelView) {
+  if (gl::isCoreProfile()) return;
   gl::MatrixMode(GL_MODELVIEW);
   gl::LoadMatrixf(glm::value_ptr(modelView));
 }
 
+void unsetAlphaTest() {
+  if (!gl::isCoreProfile()) gl::Disable(GL_ALPHA_TEST);
+}
+
 void setFog(const FrameState& state) {
+  if (gl::isCoreProfile()) return;
   const float far = static_cast<float>(state.environment.renderDistance);
   const float color[4] = {state.environment.fogColor.r, state.environment.fogColor.g,
                           state.environment.fogColor.b, 1};
-  gl::Fogf(GL_FOG_START, 0.9f * far);
+  gl::Fogf(GL_FOG_START, fogStartOf(state));
   gl::Fogf(GL_FOG_END, far);
   gl::Fogf(GL_FOG_DENSITY, fogDensityOf(state));
   gl::Fogfv(GL_FOG_COLOR, color);

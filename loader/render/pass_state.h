@@ -12,10 +12,12 @@ namespace orris {
 void setFullscreenState(const ProgramSource* program, DrawState& draw);
 /// State for geometry; `program` null: the built-in shader. Fills blend and alpha facts of `draw`.
 void setGeometryState(const Step& step, const ProgramSource* program, DrawState& draw);
-/// GL's own matrices, which compatibility shaders read.
-void loadMatrices(const glm::mat4& modelView, const glm::mat4& projection, bool lightmapMatrix);
+/// The matrices of `draw` and those of the light's texture coordinates: GL's own, which compatibility
+/// shaders read. In a core context uniforms hold them (plan/core_uniforms.h).
+void loadMatrices(DrawState& draw, bool lightmapMatrix);
 void loadModelView(const glm::mat4& modelView);
 void setFog(const FrameState& state);
+void unsetAlphaTest();
 
 /// The projection of fullscreen programs: the 0..1 quad to clip space, z row zero.
 glm::mat4 fullscreenProjection();

@@ -23,10 +23,13 @@ constexpr float kBehind = 4, kBehindSlope = 1.0f / 256;
 constexpr float kEndsBehind = 2;
 
 void bindVolumeVertices(const gl::Program& program) {
-  gl::EnableClientState(GL_VERTEX_ARRAY);
-  gl::VertexPointer(4, GL_FLOAT, 0, nullptr);
+  if (!gl::isCoreProfile()) {
+    gl::EnableClientState(GL_VERTEX_ARRAY);
+    gl::VertexPointer(4, GL_FLOAT, 0, nullptr);
+  }
   for (const gl::ActiveVariable& attribute : program.attributes) {
-    if (attribute.name != "vaPosition" || attribute.location < 0) continue;
+    const bool position = attribute.name == "vaPosition" || attribute.name == "iris_Position";
+    if (!position || attribute.location < 0) continue;
     gl::EnableVertexAttribArray(attribute.location);
     gl::VertexAttribPointer(attribute.location, 4, GL_FLOAT, GL_FALSE, 0, nullptr);
   }
@@ -35,7 +38,7 @@ void bindVolumeVertices(const gl::Program& program) {
 void unbindVolumeVertices(const gl::Program& program) {
   for (const gl::ActiveVariable& attribute : program.attributes)
     if (attribute.location >= 0) gl::DisableVertexAttribArray(attribute.location);
-  gl::DisableClientState(GL_VERTEX_ARRAY);
+  if (!gl::isCoreProfile()) gl::DisableClientState(GL_VERTEX_ARRAY);
 }
 
 struct StencilRule {

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
+#include <span>
+#include <string_view>
 
 #include "gl/functions.h"
 
@@ -18,6 +19,23 @@ bool isIntegerAttribute(unsigned type) {
 
 const void* pointer(size_t offset) { return reinterpret_cast<const void*>(offset); }
 
+// Of the texts for a core context (glsl/rewrite/core_names.h).
+constexpr VertexAttribute kCoreAttributes[] = {
+    {"iris_Position", 3, GL_FLOAT, false, offsetof(GpuVertex, position)},
+    {"iris_Normal", 3, GL_BYTE, true, offsetof(GpuVertex, normal)},
+    {"iris_Color", 4, GL_UNSIGNED_BYTE, true, offsetof(GpuVertex, color)},
+    {"iris_UV0", 2, GL_FLOAT, false, offsetof(GpuVertex, uv)},
+    {"iris_UV2", 2, GL_SHORT, false, offsetof(GpuVertex, light)},
+    {"iris_MidTexCoord", 2, GL_FLOAT, false, offsetof(GpuVertex, midUv)},
+};
+
+const VertexAttribute* findAttribute(std::span<const VertexAttribute> rows,
+                                     std::string_view name) {
+  const auto row = std::find_if(rows.begin(), rows.end(),
+                                [&](const VertexAttribute& r) { return r.name == name; });
+  return row == rows.end() ? nullptr : &*row;
+}
+
 void setConstant(const gl::ActiveVariable& attribute) {
   float value[4] = {0, 0, 0, 1};
   for (const ConstantAttribute& row : constantAttributes())
@@ -30,10 +48,9 @@ void setConstant(const gl::ActiveVariable& attribute) {
 }
 
 void bindGeneric(const gl::ActiveVariable& attribute) {
-  const auto rows = vertexAttributes();
-  const auto row = std::find_if(rows.begin(), rows.end(),
-                                [&](const VertexAttribute& r) { return r.name == attribute.name; });
-  if (row == rows.end()) return setConstant(attribute);
+  const VertexAttribute* row = findAttribute(vertexAttributes(), attribute.name);
+  if (row == nullptr) row = findAttribute(kCoreAttributes, attribute.name);
+  if (row == nullptr) return setConstant(attribute);
   gl::EnableVertexAttribArray(attribute.location);
   if (isIntegerAttribute(attribute.type))
     gl::VertexAttribIPointer(attribute.location, row->components, row->type, sizeof(GpuVertex),
@@ -50,10 +67,8 @@ void bindTexCoord(int unit, int components, unsigned type, size_t offset) {
   gl::TexCoordPointer(components, type, sizeof(GpuVertex), pointer(offset));
 }
 
-}  // namespace
-
-void bindVertices(const gl::Program& program) {
-  // Compatibility arrays are cheap when unused, so all are set; generic ones as the program asks.
+// Cheap when unused, so all are set.
+void bindOldArrays() {
   gl::EnableClientState(GL_VERTEX_ARRAY);
   gl::VertexPointer(3, GL_FLOAT, sizeof(GpuVertex), pointer(offsetof(GpuVertex, position)));
   gl::EnableClientState(GL_NORMAL_ARRAY);
@@ -64,13 +79,9 @@ void bindVertices(const gl::Program& program) {
   bindTexCoord(1, 2, GL_SHORT, offsetof(GpuVertex, light));
   bindTexCoord(2, 2, GL_SHORT, offsetof(GpuVertex, light));
   bindTexCoord(3, 2, GL_FLOAT, offsetof(GpuVertex, midUv));
-  for (const gl::ActiveVariable& attribute : program.attributes)
-    if (attribute.location >= 0) bindGeneric(attribute);
 }
 
-void unbindVertices(const gl::Program& program) {
-  for (const gl::ActiveVariable& attribute : program.attributes)
-    if (attribute.location >= 0) gl::DisableVertexAttribArray(attribute.location);
+void unbindOldArrays() {
   for (int unit = 3; unit >= 0; --unit) {
     gl::ClientActiveTexture(GL_TEXTURE0 + unit);
     gl::DisableClientState(GL_TEXTURE_COORD_ARRAY);
@@ -78,6 +89,20 @@ void unbindVertices(const gl::Program& program) {
   gl::DisableClientState(GL_COLOR_ARRAY);
   gl::DisableClientState(GL_NORMAL_ARRAY);
   gl::DisableClientState(GL_VERTEX_ARRAY);
+}
+
+}  // namespace
+
+void bindVertices(const gl::Program& program) {
+  if (!gl::isCoreProfile()) bindOldArrays();
+  for (const gl::ActiveVariable& attribute : program.attributes)
+    if (attribute.location >= 0) bindGeneric(attribute);
+}
+
+void unbindVertices(const gl::Program& program) {
+  for (const gl::ActiveVariable& attribute : program.attributes)
+    if (attribute.location >= 0) gl::DisableVertexAttribArray(attribute.location);
+  if (!gl::isCoreProfile()) unbindOldArrays();
 }
 
 void setChunkFade(const gl::Program& program) {
@@ -88,10 +113,13 @@ void setChunkFade(const gl::Program& program) {
 }
 
 void setConstantColor(const gl::Program& program, const glm::vec4& color) {
-  gl::DisableClientState(GL_COLOR_ARRAY);
-  gl::Color4f(color.r, color.g, color.b, color.a);
+  if (!gl::isCoreProfile()) {
+    gl::DisableClientState(GL_COLOR_ARRAY);
+    gl::Color4f(color.r, color.g, color.b, color.a);
+  }
   for (const gl::ActiveVariable& attribute : program.attributes) {
-    if (attribute.name != "vaColor" || attribute.location < 0) continue;
+    const bool isColor = attribute.name == "vaColor" || attribute.name == "iris_Color";
+    if (!isColor || attribute.location < 0) continue;
     gl::DisableVertexAttribArray(attribute.location);
     gl::VertexAttrib4f(attribute.location, color.r, color.g, color.b, color.a);
   }

@@ -115,6 +115,11 @@ layout(rgba16f) uniform image2D colorimg0;
 void main() { imageStore(colorimg0, ivec2(gl_GlobalInvocationID.xy), vec4(1.0)); }
 """
 
+# Behind a name that no macro knows, so that only a driver is asked.
+LACKED = VERSION + """#extension GL_NONE_such : enable
+void main() { gl_FragData[0] = noSuch(); }
+"""
+
 PACKS = [
     Case("versions_that_never_were", ["validate pack --iris 1.11 --game 1.20.1",
                                       f"{RENDER} --iris 1.11 --game 1.20.1",
@@ -147,6 +152,18 @@ PACKS = [
          [r"GL_INVALID_VALUE in glDispatchCompute.* \[gl-error\]"]),
     Case("shared_array_is_bounded", [f"render pack {CORNELL} -o out.png --size 8x8 --frames 1"], 0,
          pack({"composite.csh": FAR_INDICES}), creates=["out.png"]),
+    Case("context_of_either_profile", [f"{RENDER} --context {profile}"
+                                       for profile in ("core", "compatibility", "auto")], 0, PACK,
+         creates=["out.png"]),
+    Case("context_unknown", [f"{RENDER} --context es"], 2, PACK,
+         ['--context: expected auto, compatibility or core, got "es"']),
+    Case("driver_lacks_an_extension", [RENDER, f"{RENDER} --context core"], 1,
+         pack({"composite.fsh": LACKED}),
+         [r"a program is left out of the picture, which this driver cannot run: composite "
+          r"\[program-left-out\]"], [r"hint: with --allow-missing"], creates=["out.png"]),
+    Case("driver_may_lack_an_extension", [f"{RENDER} --allow-missing"], 0,
+         pack({"composite.fsh": LACKED}), stderr=[r"warning: a program is left out of the picture"],
+         creates=["out.png"]),
     Case("missing_include", ON_PACK, 1, pack({
         "final.fsh": VERSION + '#include "/lib/none.glsl"\nvoid main() { }\n'}),
         [r"^/final\.fsh:2:\d+: error: .*none\.glsl"]),

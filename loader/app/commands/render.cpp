@@ -1,5 +1,6 @@
 // orris render: the whole pipeline headlessly, to a picture.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <chrono>
@@ -90,6 +91,22 @@ void sayRendered(const RenderOptions& options, RenderSession& session,
                          seconds, driver.renderer.substr(0, driver.renderer.find(" ("))));
 }
 
+/// The closing line of a picture that lacks something; false: it is a problem.
+bool sayLeftOut(const FrameRenderer& renderer, bool allowed, Report& report) {
+  const std::vector<std::string> names = renderer.programsLeftOut();
+  if (names.empty()) return true;
+  Diagnostics diagnostics(1);
+  Diagnostic& found = diagnostics.front();
+  found.severity = allowed ? Severity::Warning : Severity::Error;
+  found.id = "program-left-out";
+  found.message = fmt::format("{} left out of the picture, which this driver cannot run: {}",
+                              names.size() == 1 ? "a program is" : fmt::format("{} programs are", names.size()),
+                              fmt::join(names, ", "));
+  if (!allowed) found.hint = "with --allow-missing this is a warning";
+  report.add(diagnostics);
+  return allowed;
+}
+
 int runRender(const RenderOptions& options, Report& report, nlohmann::json& result) {
   const Clock::time_point began = Clock::now();
   int status = kClean;
@@ -100,7 +117,8 @@ int runRender(const RenderOptions& options, Report& report, nlohmann::json& resu
   const auto request = makeRequest(options, *world, report, status);
   if (!request) return status;
 
-  const auto context = gl::createContext({.backend = options.image.backend}, diagnostics);
+  const auto context = gl::createContext(
+      {.backend = options.image.backend, .profile = options.image.context}, diagnostics);
   report.add(diagnostics);
   if (!context) return kHostFailed;
   if (!showSources(options, *request, context->driver(), report, status)) return status;
@@ -120,6 +138,8 @@ int runRender(const RenderOptions& options, Report& report, nlohmann::json& resu
   if (!errors.empty()) return kHostFailed;
   if (writeOutputs(options.outputs, session->renderer(), times, report, status))
     sayRendered(options, *session, context->driver(), began);
+  if (!sayLeftOut(session->renderer(), options.outputs.allowMissing, report) && status == kClean)
+    status = kProblems;
   return status;
 }
 
@@ -131,6 +151,8 @@ void addOutputPaths(CLI::App& command, RenderOutputs& outputs) {
                     "BUFFER=FILE");
   command.add_option("--timings", outputs.timings, "write a CSV of the time of every step")
       ->type_name("FILE");
+  command.add_flag("--allow-missing", outputs.allowMissing,
+                   "status 0 although this driver cannot run some programs");
   command.add_option("--patched", outputs.patched, "write the sources as the driver gets them")
       ->type_name("DIR");
 }

@@ -137,6 +137,8 @@ nlohmann::json describe(RenderSession& session, const gl::DriverInfo& driver) {
           {"steps", steps},
           {"targets", targets},
           {"auto", describeAuto(session.autoChoices(), pack)},
+          {"leftOut", session.renderer().programsLeftOut()},
+          {"coreProfile", driver.coreProfile},
           {"counters", readCounters(session.renderer())},
           {"shadowResolution", schedule.shadowResolution}};
 }

@@ -15,6 +15,7 @@ struct RenderOutputs {
   OptionValues dumps;   ///< buffer -> file
   std::string timings;  ///< CSV
   std::string patched;  ///< folder
+  bool allowMissing = false;  ///< programs that the driver cannot run are no error
 };
 
 /// The time of one step of one frame.

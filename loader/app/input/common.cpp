@@ -64,6 +64,15 @@ void parseBackendName(const std::string& text, gl::Backend& backend) {
   backend = *parsed;
 }
 
+void parseContextFlag(const std::string& text, gl::ContextProfile& context) {
+  const std::optional<gl::ContextProfile> parsed = gl::parseContextProfile(text);
+  if (!parsed) {
+    throw CLI::ValidationError(
+        "--context", fmt::format("expected auto, compatibility or core, got \"{}\"", text));
+  }
+  context = *parsed;
+}
+
 }  // namespace
 
 void addPackFlags(CLI::App& command, PackOptions& options) {
@@ -134,6 +143,11 @@ void addImageFlags(CLI::App& command, ImageOptions& options) {
       ->capture_default_str()
       ->check(CLI::Range(1, 1000000));
   addBackendFlag(command, options.backend);
+  command
+      .add_option_function<std::string>(
+          "--context", [&options](const std::string& text) { parseContextFlag(text, options.context); },
+          "profile of the GL context: auto, compatibility or core")
+      ->type_name("PROFILE");
 }
 
 std::optional<Shard> parseShard(const std::string& text) {

@@ -41,6 +41,7 @@ struct ImageOptions {
   int width = 640, height = 360;
   int frames = 32;
   gl::Backend backend = gl::Backend::Auto;
+  gl::ContextProfile context = gl::ContextProfile::Auto;
 };
 
 /// What to print.

@@ -92,6 +92,7 @@ bool Viewer::open() {
 bool Viewer::openWindow() {
   Diagnostics diagnostics;
   context_ = gl::createContext({.backend = gl::Backend::Glfw,
+                                .profile = options_.image.context,
                                 .width = options_.image.width,
                                 .height = options_.image.height,
                                 .title = "Orris"},

@@ -148,7 +148,7 @@ constexpr const char* kExchange =
     "uint orris_ballot(bool v) { orris_put(uvec4(uint(v))); uint r = 0u; "
     "for (uint i = orris_first(); i < orris_end(); ++i) "
     "r |= (orris_live[i] & orris_lanes[i].x) << (i - orris_first()); orris_take(); return r; } ";
-constexpr const char* kAlone = "uint orris_me() { return 0u; } ";
+constexpr const char* kSubgroupAlone = "uint orris_me() { return 0u; } ";
 
 struct SubgroupVariable {
   std::string_view name, exchange, alone;
@@ -244,7 +244,7 @@ bool isSubgroupFunction(std::string_view name) {
 }
 
 std::string subgroupFunctions(const std::set<std::string>& names, bool exchange) {
-  std::string result = exchange ? kExchange : kAlone;
+  std::string result = exchange ? kExchange : kSubgroupAlone;
   for (const std::string& name : names) result += definitions(name, exchange);
   return result;
 }

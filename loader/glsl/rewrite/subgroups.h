@@ -9,11 +9,9 @@ namespace orris {
 
 inline constexpr const char* kSubgroupsRule = "subgroups";
 
-/// Invocations of an emulated subgroup of a compute stage; of other stages each is one of its own.
-inline constexpr int kSubgroupSize = 32;
-
 /// The text with functions of the host for the operations that it names (basic, vote, arithmetic,
-/// ballot, shuffle, shuffle_relative, clustered, quad). In a compute stage they exchange values by
+/// ballot, shuffle, shuffle_relative, clustered, quad). A subgroup of a compute stage has 32
+/// invocations, of another stage one. In a compute stage they exchange values by
 /// shared memory between barriers, also in branches that not all invocations take: for the software
 /// rasteriser, whose invocations run through all code side by side. nullopt: the text names none.
 std::optional<StageText> emulateSubgroups(const StageText& stage);
