@@ -92,7 +92,8 @@ float CellField::brightest() const {
   return largest;
 }
 
-PackSession::PackSession(World world, const SessionSetup& setup) : options_(setup.options) {
+PackSession::PackSession(World world, const SessionSetup& setup, std::size_t camera)
+    : options_(setup.options) {
   // What AtlasLayout says, whatever the world's size.
   options_.emplace("VOXEL_SIZE", "64");
   Diagnostics diagnostics;
@@ -103,7 +104,7 @@ PackSession::PackSession(World world, const SessionSetup& setup) : options_(setu
   request.load.values = options_;
   request.renderer.width = setup.width;
   request.renderer.height = setup.height;
-  request.camera = world.cameras.at(0);
+  request.camera = world.cameras.at(camera);
   session_ =
       RenderSession::create(sharedContext(), std::move(request), std::move(world), diagnostics);
   expectClean(diagnostics);
@@ -112,11 +113,11 @@ PackSession::PackSession(World world, const SessionSetup& setup) : options_(setu
 PackSession::PackSession(const SessionSetup& setup) : PackSession(parseWorld(setup.world), setup) {}
 
 PackSession PackSession::ofWorld(const std::string& name, const OptionValues& options, int width,
-                                 int height) {
+                                 int height, std::size_t camera) {
   Diagnostics diagnostics;
   std::optional<World> world = loadWorld(ORRIS_SOURCE_DIR "/worlds/" + name, 0, diagnostics);
   expectClean(diagnostics);
-  return PackSession(std::move(world).value(), {"", options, width, height, {}});
+  return PackSession(std::move(world).value(), {"", options, width, height, {}}, camera);
 }
 
 void PackSession::look(glm::dvec3 from, glm::dvec3 to) {

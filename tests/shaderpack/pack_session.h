@@ -59,9 +59,9 @@ class PackSession {
   PackSession(const std::string& world, const OptionValues& options, int width = 32,
               int height = 32)
       : PackSession(SessionSetup{world, options, width, height, {}}) {}
-  /// A world of ours by folder name.
+  /// A world of ours by folder name, and the number of its camera.
   static PackSession ofWorld(const std::string& name, const OptionValues& options, int width,
-                             int height);
+                             int height, std::size_t camera = 0);
   /// Looks from one point to another, with a narrow field of view, from the next frame on.
   void look(glm::dvec3 from, glm::dvec3 to);
   void renderFrames(int count);
@@ -75,7 +75,7 @@ class PackSession {
   RenderSession& session() { return *session_; }
 
  private:
-  PackSession(World world, const SessionSetup& setup);
+  PackSession(World world, const SessionSetup& setup, std::size_t camera = 0);
   std::unique_ptr<RenderSession> session_;
   OptionValues options_;
   int frames_ = 0;

@@ -1,0 +1,27 @@
+"""Mistakes in light itself, and the pictures of the path tracer that must show them.
+
+For tests/stability/kill_list.py --table; rows as in tests/stability/mutants.py. Most are too small to see, and none
+shows in a test that asks the pack for its own numbers.
+"""
+
+UPDATE = "program/s7_face_update.glsl"
+GI = "program/d0_gi.glsl"
+HIT = "include/lighting/hit.glsl"
+VOXEL = "include/voxel/voxel.glsl"
+
+HOUSE = "Views/Reference.*/house"
+BEND = "Views/Reference.*/bend"
+ONE = "Views/Reference.*/one_bounce"
+
+MUTANTS = [
+    ("albedo times .9", BEND, [(VOXEL, "return vec4(sqrt(clamp(color, 0.0, 1.0))", "return vec4(sqrt(0.9 * clamp(color, 0.0, 1.0))")]),
+    ("red and blue of voxels swapped", BEND, [(VOXEL, "return Voxel(texel.rgb * texel.rgb,", "return Voxel(texel.bgr * texel.bgr,")]),
+    ("no feedback", HOUSE, [(UPDATE, "light_of(hit.cell, face_of_hit(hit)).rgb);", "vec3(0.0));")]),
+    ("feedback twice", HOUSE, [(UPDATE, "light_of(hit.cell, face_of_hit(hit)).rgb);", "2.0 * light_of(hit.cell, face_of_hit(hit)).rgb);")]),
+    ("no cache where pixels' rays end", BEND, [(GI, "trusted(imageLoad(face_light, face_texel(hit.cell, face_of_hit(hit)))).rgb;\n        break;", "vec3(0.0);\n        break;")]),
+    ("no sun in the face update", HOUSE, [(UPDATE, "(sun_at(hit, light, f.sky) +", "(")]),
+    ("sun bounce without 1/pi", HOUSE, [(HIT, "(max(dot(hit.normal, light), 0.0) / pi)", "max(dot(hit.normal, light), 0.0)")]),
+    ("no sun on what pixels' rays hit", HOUSE, [(GI, "radiance += throughput * sun_at(hit, light, s.light.y);", ";")]),
+    ("sun bounce without 1/pi, one bounce", ONE, [(HIT, "(max(dot(hit.normal, light), 0.0) / pi)", "max(dot(hit.normal, light), 0.0)")]),
+    ("sky of rays halved, one bounce", ONE, [(HIT, "return sky_radiance(direction) *", "return 0.5 * sky_radiance(direction) *")]),
+]
