@@ -1,5 +1,5 @@
 // Global illumination against stored pictures of the path tracer: sun and sky through windows,
-// a lamp round a corner; and BOUNCE_1 against light that is cut off after
+// daylight deep in a hall, a lamp round a corner; and BOUNCE_1 against light that is cut off after
 // one ray. The pictures are traced once (references/make.sh), so that a mistake in what pack and
 // tracer share shows as well.
 #include <fmt/format.h>
@@ -82,6 +82,24 @@ Errors errorsOf(const ImageF& picture, const ReferencePicture& reference, std::s
   return {sum / total, std::sqrt(std::max(0.0, squares / total))};
 }
 
+// A tunnel longer than the volume, whose ends are shut; above it a floor that gets light under its roof from the sides.
+TEST(ReferenceCave, cave_below_a_lit_floor_is_dark) {
+  PackSession pack(R"({"size": [48, 12, 9],
+      "blocks": [{"box": "stone", "min": [0, 0, 0], "max": [47, 6, 8]},
+                 {"box": "air", "min": [1, 2, 3], "max": [46, 4, 5]},
+                 {"box": "stone", "min": [0, 10, 1], "max": [47, 10, 7]}],
+      "cameras": [{"name": "eye", "position": [24.5, 3.5, 4.5]}],
+      "environment": {"time": 6000}})",
+                   {{"GI_METHOD", "FACE_CACHE"},
+                    {"VOXEL_SIZE", "32"},
+                    {"AMBIENT_MINIMUM", "0.0"},
+                    {"DIRECT_LIGHT", "NONE"}},
+                   16, 9);
+  pack.renderFrames(20);
+  const glm::dvec3 seen = pack.meanRadiance();
+  EXPECT_EQ(std::max({seen.r, seen.g, seen.b}), 0);
+}
+
 class Reference : public testing::TestWithParam<View> {};
 
 TEST_P(Reference, is_what_the_method_draws) {
@@ -104,6 +122,7 @@ TEST_P(Reference, is_what_the_method_draws) {
 INSTANTIATE_TEST_SUITE_P(
     Views, Reference,
     testing::Values(View{"house", "h4_house", 1, "h4_house", "FACE_CACHE", .03, .06},
+                    View{"hall", "deep_hall", 1, "deep_hall", "FACE_CACHE", .02, .07},
                     View{"bend", "bend_grey", 0, "bend_grey", "FACE_CACHE", .02, .03},
                     View{"one_bounce", "h4_house", 1, "h4_house_1", "BOUNCE_1", .035, .09},
                     View{"floodfill", "h4_house", 1, "h4_house", "FLOODFILL", .4, .45}),

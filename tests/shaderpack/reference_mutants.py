@@ -7,9 +7,11 @@ shows in a test that asks the pack for its own numbers.
 UPDATE = "program/s7_face_update.glsl"
 GI = "program/d0_gi.glsl"
 HIT = "include/lighting/hit.glsl"
+OCTANTS = "include/voxel/octants.glsl"
 VOXEL = "include/voxel/voxel.glsl"
 
 HOUSE = "Views/Reference.*/house"
+HALL = "Views/Reference.*/hall"
 BEND = "Views/Reference.*/bend"
 ONE = "Views/Reference.*/one_bounce"
 
@@ -19,6 +21,12 @@ MUTANTS = [
     ("no feedback", HOUSE, [(UPDATE, "light_of(hit.cell, face_of_hit(hit)).rgb);", "vec3(0.0));")]),
     ("feedback twice", HOUSE, [(UPDATE, "light_of(hit.cell, face_of_hit(hit)).rgb);", "2.0 * light_of(hit.cell, face_of_hit(hit)).rgb);")]),
     ("no cache where pixels' rays end", BEND, [(GI, "trusted(imageLoad(face_light, face_texel(hit.cell, face_of_hit(hit)))).rgb;\n        break;", "vec3(0.0);\n        break;")]),
+    ("sky of rays halved", HALL, [(HIT, "return sky_radiance(direction) *", "return 0.5 * sky_radiance(direction) *")]),
+    ("sky by the level where a ray begins", HALL, [(HIT, "(sky_comes_to(hit.position) ? 1.0 : smoothstep(0.0, 0.1, sky))", "smoothstep(0.0, 0.1, sky)")]),
+    ("no sky in the face update", HALL, [(UPDATE, "radiance = sky_beyond(hit, direction, f.sky);", "radiance = vec3(0.0);")]),
+    ("sky in caves below lit floors", "ReferenceCave.*", [(OCTANTS, "height >= lit_floor;", "lit_floor < height_end;")]),
+    ("sky in all caves", "ReferenceCave.*", [(HIT, "sky_comes_to(hit.position) ?", "true ?")]),
+    ("no sky for pixels", HALL, [(GI, "radiance += throughput * sky_beyond(hit, direction, s.light.y);", ";")]),
     ("no sun in the face update", HOUSE, [(UPDATE, "(sun_at(hit, light, f.sky) +", "(")]),
     ("sun bounce without 1/pi", HOUSE, [(HIT, "(max(dot(hit.normal, light), 0.0) / pi)", "max(dot(hit.normal, light), 0.0)")]),
     ("no sun on what pixels' rays hit", HOUSE, [(GI, "radiance += throughput * sun_at(hit, light, s.light.y);", ";")]),

@@ -22,6 +22,11 @@ const int block_spot_lamp = 300;   // small ones that shine one way, 300 + 10 * 
                                    // towards -x +x -y +y -z +z
 const int block_lamps_end = 360;
 
+/// Not what a roof is made of.
+bool lets_light_pass(int id) {
+    return id == block_plant || id == block_open || id == block_water || id == block_translucent;
+}
+
 /// Does block.properties list it? What it does not is 65535, 0 or -1.
 bool is_block_class(int id) { return id >= block_plant && id < block_lamps_end; }
 

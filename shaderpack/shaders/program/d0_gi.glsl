@@ -136,7 +136,7 @@ vec3 gather(Surface s, vec3 light, int index) {
         Hit hit = trace_from_face(from, direction);
         throughput *= hit.transmittance;
         if (!hit.found) {
-            radiance += throughput * sky_beyond(direction, s.light.y);
+            radiance += throughput * sky_beyond(hit, direction, s.light.y);
             break;
         }
         if (is_lamp_voxel(hit.voxel.code)) {
@@ -185,7 +185,7 @@ vec3 mirrored(Surface s, vec3 light) {
                   ggx_masking(dot(s.normal, direction), alpha);
     Hit hit = trace_from_face(to_volume(s.player) + s.normal * ray_offset, direction);
     weight *= hit.transmittance;
-    if (!hit.found) return weight * sky_beyond(direction, s.light.y);
+    if (!hit.found) return weight * sky_beyond(hit, direction, s.light.y);
     if (is_lamp_voxel(hit.voxel.code)) return weight * lamp_light(hit.voxel);
     vec3 cached = trusted(imageLoad(face_light, face_texel(hit.cell, face_of_hit(hit)))).rgb;
     return weight * hit.voxel.color * (sun_at(hit, light, s.light.y) + cached);

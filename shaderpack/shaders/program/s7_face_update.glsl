@@ -34,7 +34,7 @@ vec3 hemisphere_sample(Face f, vec2 u, vec3 light) {
     Hit hit = trace_from_face(f.from.origin, direction);
     vec3 radiance;
     if (!hit.found) {
-        radiance = sky_beyond(direction, f.sky);
+        radiance = sky_beyond(hit, direction, f.sky);
     } else if (is_lamp_voxel(hit.voxel.code)) {
         radiance = met_lamp(hit, f.from, direction);
     } else {

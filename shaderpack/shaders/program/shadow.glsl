@@ -181,7 +181,12 @@ vec4 block_voxel(int id, float emission, vec3 normal) {
 void emit_voxel() {
     Block block = block_of_quad();
     ivec3 cell = ivec3(floor(to_volume(block.middle)));
-    if (!is_new_quad() || !in_volume(cell)) return;
+    if (!is_new_quad()) return;
+#if NOTICE_CHANGES
+    if (vertex_normal[0].y > 0.5 && !lets_light_pass(block.id))
+        note_height(to_volume(0.5 * (quad_low() + quad_high())), vertex_sky[0]);
+#endif
+    if (!in_volume(cell)) return;
     voxel = block_voxel(block.id, block.emission, vertex_normal[0]);
     if (voxel.a == 0.0) return;
 #if NOTICE_CHANGES

@@ -9,7 +9,7 @@ trace() {
   rm -f "$5.trace"
 }
 folder=tests/shaderpack/references
-for view in h4_house:inside bend_grey:lit; do
+for view in h4_house:inside deep_hall:mouth bend_grey:lit; do
   trace "$1" "${view%:*}" "${view#*:}" 4096 "$folder/${view%:*}.exr"
 done
 trace "$1" h4_house inside 1 "$folder/h4_house_1.exr"

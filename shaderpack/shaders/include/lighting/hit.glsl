@@ -57,9 +57,10 @@ Hit trace_from_face(vec3 origin, vec3 direction) {
     return hit;
 }
 
-/// Where no sky light comes, the volume ends inside of a cave, not under the sky.
-vec3 sky_beyond(vec3 direction, float sky) {
-    return sky_radiance(direction) * smoothstep(0.0, 0.1, sky);
+/// Of a ray that has left the volume: none in a cave, where neither the place of leaving gets light of the sky nor that
+/// where the ray began: `sky`, the level there.
+vec3 sky_beyond(Hit hit, vec3 direction, float sky) {
+    return sky_radiance(direction) * (sky_comes_to(hit.position) ? 1.0 : smoothstep(0.0, 0.1, sky));
 }
 
 /// Sun or moon light that a hit reflects, without its albedo. `sky`: level where the ray began.

@@ -24,6 +24,23 @@ ivec2 octants_texel(ivec3 cell) {
     return ivec2(texel & (sums_width - 1), 1 + texel / sums_width);
 }
 
+const int octant_rows = (VOLUME * VOLUME * VOLUME_HEIGHT / 4 + sums_width - 1) / sums_width;
+const int column_rows = (VOLUME * VOLUME + sums_width - 1) / sums_width;
+
+/// Below them, for each column of cells: how high its highest opaque block reaches, of all that the shadow pass
+/// draws, in the volume or above it; see stored_height. 0: there is none.
+ivec2 height_texel(ivec2 column) {
+    int texel = column.x + VOLUME * column.y;
+    return ivec2(texel & (sums_width - 1), 1 + octant_rows + texel / sums_width);
+}
+
+/// And how deep the lowest floor lies that gets light of the sky: height_end - stored_height. 0: there is none.
+ivec2 lit_floor_texel(ivec2 column) { return height_texel(column) + ivec2(0, column_rows); }
+
+/// Of a height in volume space, in eighths of a block; larger than 0, less than height_end.
+uint stored_height(float y) { return uint(clamp(y * 8.0, -16000.0, 16000.0) + 16384.0); }
+const uint height_end = 32768u;
+
 int octants_shift(ivec3 cell) { return (cell.x & 3) * 8; }
 
 /// Does the block fill a part of its cell only?
@@ -46,6 +63,14 @@ uint octants_behind(vec3 low, vec3 high, vec3 normal) {
 void add_octants(ivec3 cell, uint octants) {
     imageAtomicOr(voxel_sums, octants_texel(cell), octants << uint(octants_shift(cell)));
 }
+
+/// A place on top of an opaque block, in volume space, and the sky's level there, 0..15.
+void note_height(vec3 top, float level) {
+    ivec2 column = ivec2(floor(top.xz));
+    if (clamp(column, ivec2(0), volume_size.xz - 1) != column) return;
+    imageAtomicMax(voxel_sums, height_texel(column), stored_height(top.y));
+    if (level > 0.5) imageAtomicMax(voxel_sums, lit_floor_texel(column), height_end - stored_height(top.y));
+}
 #else
 #if NOTICE_CHANGES
 layout(r32ui) uniform readonly uimage2D voxel_sums;
@@ -57,6 +82,19 @@ uint kept_shape(ivec3 cell) {
     return imageLoad(voxel_sums, octants_texel(cell)).r >> uint(octants_shift(cell)) & all_octants;
 #else
     return 0u;
+#endif
+}
+
+/// Does light of the sky come to a place at the edge of the volume? Above all opaque blocks of its column, and above the
+/// lowest of their floors that gets some: caves lie below that.
+bool sky_comes_to(vec3 position) {
+#if NOTICE_CHANGES
+    ivec2 column = clamp(ivec2(floor(position.xz)), ivec2(0), volume_size.xz - 1);
+    uint height = stored_height(position.y + 0.25);
+    uint lit_floor = height_end - imageLoad(voxel_sums, lit_floor_texel(column)).r;
+    return height > imageLoad(voxel_sums, height_texel(column)).r || height >= lit_floor;
+#else
+    return false;
 #endif
 }
 
