@@ -182,7 +182,7 @@ void emit_voxel() {
     Block block = block_of_quad();
     ivec3 cell = ivec3(floor(to_volume(block.middle)));
     if (!is_new_quad()) return;
-#if NOTICE_CHANGES
+#if FACES
     if (vertex_normal[0].y > 0.5 && !lets_light_pass(block.id))
         note_height(to_volume(0.5 * (quad_low() + quad_high())), vertex_sky[0]);
 #endif

@@ -86,9 +86,9 @@ uint kept_shape(ivec3 cell) {
 }
 
 /// Does light of the sky come to a place at the edge of the volume? Above all opaque blocks of its column, and above the
-/// lowest of their floors that gets some: caves lie below that.
+/// lowest of their floors that gets some: caves lie below that. Only the face cache keeps the heights.
 bool sky_comes_to(vec3 position) {
-#if NOTICE_CHANGES
+#if FACES
     ivec2 column = clamp(ivec2(floor(position.xz)), ivec2(0), volume_size.xz - 1);
     uint height = stored_height(position.y + 0.25);
     uint lit_floor = height_end - imageLoad(voxel_sums, lit_floor_texel(column)).r;
