@@ -11,10 +11,14 @@ namespace orris {
 namespace {
 
 // Of the stages of one program.
-constexpr std::array<std::string_view, 5> kProgramEndings = {".vsh", ".tcs", ".tes", ".gsh", ".fsh"};
+constexpr std::array<std::string_view, 5> kProgramEndings = {".vsh", ".tcs", ".tes", ".gsh",
+                                                             ".fsh"};
 
 // The repaired pack is not drawn.
 constexpr std::array<std::string_view, 2> kOfDrawing = {"draw-timeout", "gl-error"};
+
+// What a stage lacks when a file of it is missing: what is wrong with its own lines is a mistake of its own.
+constexpr std::array<std::string_view, 3> kOfLackingNames = {"varying-", "output-", "target-un"};
 
 // "i" and "uv" of two functions are two names.
 constexpr std::size_t kLongestLocal = 3;
@@ -25,8 +29,10 @@ void foldLackingFiles(Folds& folds) {
     const Diagnostic& missing = folds.all()[cause];
     if (missing.id != "include-missing" || !folds.isOpen(cause)) continue;
     for (std::size_t i = 0; i < folds.all().size(); ++i) {
-      const Severity severity = folds.all()[i].severity;
-      if (folds.all()[i].id != missing.id && severity != Severity::Note && folds.isOpen(i) &&
+      const Diagnostic& d = folds.all()[i];
+      const bool lacking = std::ranges::any_of(
+          kOfLackingNames, [&](std::string_view id) { return d.id.starts_with(id); });
+      if (lacking && d.severity != Severity::Note && folds.isOpen(i) &&
           folds.isOfProgramsWith(missing.at.file, i))
         folds.fold(i, cause);
     }
