@@ -35,6 +35,12 @@ Texture createStorage(GLenum target, unsigned internalFormat, int width, int hei
   return texture;
 }
 
+/// Drivers may hand out memory as others left it.
+void clearLevels(const Texture& texture, int levels, GLenum format, GLenum type) {
+  for (int level = 0; level < levels; ++level)
+    ClearTexImage(texture.id(), level, format, type, nullptr);
+}
+
 GLint minFilter(bool linear, bool mipmaps) {
   if (!mipmaps) return linear ? GL_LINEAR : GL_NEAREST;
   return linear ? GL_LINEAR_MIPMAP_LINEAR : GL_NEAREST_MIPMAP_NEAREST;
@@ -48,6 +54,7 @@ Texture createTexture(int dimensions, const TextureFormat& format, int width, in
   Texture texture = createStorage(kTargets[dimensions - 1], format.internalFormat, width, height,
                                   depth, levels, label);
   texture.integer = format.isInteger();
+  clearLevels(texture, levels, texture.integer ? GL_RGBA_INTEGER : GL_RGBA, GL_UNSIGNED_BYTE);
   setParameters(texture, {});
   return texture;
 }
@@ -55,12 +62,14 @@ Texture createTexture(int dimensions, const TextureFormat& format, int width, in
 Texture createDepthTexture(int width, int height, int levels, const std::string& label) {
   Texture texture =
       createStorage(GL_TEXTURE_2D, GL_DEPTH_COMPONENT24, width, height, 1, levels, label);
+  clearLevels(texture, levels, GL_DEPTH_COMPONENT, GL_FLOAT);
   setParameters(texture, {.linear = false});
   return texture;
 }
 
 Texture createDepthStencilTexture(int width, int height, const std::string& label) {
   Texture texture = createStorage(GL_TEXTURE_2D, GL_DEPTH24_STENCIL8, width, height, 1, 1, label);
+  clearLevels(texture, 1, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8);
   setParameters(texture, {.linear = false});
   return texture;
 }

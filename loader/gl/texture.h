@@ -24,7 +24,7 @@ struct TextureParameters {
   bool compare = false;  ///< GL_LEQUAL comparison
 };
 
-/// Storage of one level (or all levels with `levels`), contents undefined. Target from the number
+/// Storage of one level (or all levels with `levels`), contents zero. Target from the number
 /// of dimensions: 1, 2, 3. `label` is the object label ("colortex4 alt").
 Texture createTexture(int dimensions, const TextureFormat& format, int width, int height, int depth,
                       int levels, const std::string& label);
