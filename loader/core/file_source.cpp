@@ -10,6 +10,7 @@
 #include "core/pack_path.h"
 #include "core/pack_search.h"
 #include "core/read_file.h"
+#include "core/read_places.h"
 #include "core/zip_source.h"
 
 namespace orris {
@@ -49,7 +50,9 @@ class MemorySource : public FileSource {
 class ZipSource : public MemorySource {
  public:
   ZipSource(std::string zip, const PackLimits& limits, std::map<std::string, std::string> files)
-      : MemorySource(std::move(files)), zip_(std::move(zip)), limits_(limits) {}
+      : MemorySource(std::move(files)), zip_(std::move(zip)), limits_(limits) {
+    addReadPlace(zip_);
+  }
   std::optional<std::string> readResource(std::string_view path) const override {
     return isBesideShaders(path) ? readBesideInZip(zip_, path, limits_)
                                  : MemorySource::readResource(path);
@@ -66,7 +69,10 @@ class FolderSource : public FileSource {
   FolderSource(const fs::path& root, const fs::path& pack, const PackLimits& limits)
       : root_(fs::canonical(root)),
         pack_(pack.empty() ? pack : fs::canonical(pack)),
-        limits_(limits) {}
+        limits_(limits) {
+    addReadPlace(root_.string());
+    addPlacesBeside();
+  }
 
   /// Lists all files; false and a diagnostic when a limit is passed.
   bool scan(Diagnostics& diagnostics) {
@@ -94,6 +100,15 @@ class FolderSource : public FileSource {
   const std::vector<std::string>& files() const override { return paths_; }
 
  private:
+  /// What textures may name beside `root_`; not what is hidden: a checkout keeps tokens in .git.
+  void addPlacesBeside() const {
+    std::error_code error;
+    if (pack_.empty()) return;
+    for (fs::directory_iterator it(pack_, error), end; !error && it != end; it.increment(error)) {
+      if (!it->path().filename().string().starts_with('.')) addReadPlace(it->path().string());
+    }
+  }
+
   bool scanFolder(const std::string& folder, int depth, Diagnostics& diagnostics) {
     if (depth > limits_.folderDepth)
       return tooLarge(folder, "folders nested deeper than {}", limits_.folderDepth, diagnostics);

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/mman.h>
 #include <sys/random.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -66,16 +67,18 @@ class Partial {
   std::error_code error_;
 };
 
-bool fill(const std::string& path, std::string_view bytes) {
-  const int file = ::open(path.c_str(), O_WRONLY | O_NOFOLLOW | O_CLOEXEC);
-  if (file < 0) return false;
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(file, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) break;
-    bytes.remove_prefix(static_cast<std::size_t>(written));
-  }
-  return (::close(file) == 0) && bytes.empty();
+FileReplacer otherProcess;
+
+/// Lets `write` fill a file that has no place on a disk.
+std::error_code replaceByOther(const std::string& path,
+                               const std::function<bool(const std::string&)>& write) {
+  const int file = ::memfd_create("orris output", MFD_CLOEXEC);
+  if (file < 0) return lastError();
+  const bool filled = write(fmt::format("/proc/self/fd/{}", file));
+  const std::error_code error =
+      filled ? otherProcess(path, file) : std::make_error_code(std::errc::io_error);
+  ::close(file);
+  return error;
 }
 
 }  // namespace
@@ -97,14 +100,31 @@ std::string outputProblem(const std::string& path) {
 std::error_code replaceFile(const std::string& path,
                             const std::function<bool(const std::string& partial)>& write) {
   if (!outputProblem(path).empty()) return std::make_error_code(std::errc::not_supported);
+  if (otherProcess) return replaceByOther(path, write);
   Partial partial(folderOf(path));
   if (partial.error()) return partial.error();
   if (!write(partial.path())) return std::make_error_code(std::errc::io_error);
   return partial.moveTo(path);
 }
 
-std::error_code replaceFile(const std::string& path, std::string_view bytes) {
-  return replaceFile(path, [bytes](const std::string& partial) { return fill(partial, bytes); });
+bool writePartial(const std::string& path, std::string_view bytes) {
+  // The name of a file in memory is a link to it.
+  const int noLink = otherProcess ? 0 : O_NOFOLLOW;
+  const int file = ::open(path.c_str(), O_WRONLY | noLink | O_CLOEXEC);
+  if (file < 0) return false;
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(file, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) break;
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return (::close(file) == 0) && bytes.empty();
 }
+
+std::error_code replaceFile(const std::string& path, std::string_view bytes) {
+  return replaceFile(path, [bytes](const std::string& partial) { return writePartial(partial, bytes); });
+}
+
+void replaceFilesBy(FileReplacer replacer) { otherProcess = std::move(replacer); }
 
 }  // namespace orris

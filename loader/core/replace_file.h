@@ -22,4 +22,14 @@ std::error_code replaceFile(const std::string& path,
 /// The same for bytes at hand.
 std::error_code replaceFile(const std::string& path, std::string_view bytes);
 
+/// Fills the file that replaceFile() gives to `write`; false: it could not.
+bool writePartial(const std::string& partial, std::string_view bytes);
+
+/// Puts what the open file `bytes` holds at `path`.
+using FileReplacer = std::function<std::error_code(const std::string& path, int bytes)>;
+
+/// For a process that may not write: from now on replaceFile() fills a file that is only in memory and
+/// hands it to `replacer`, which asks another process to do the rest. An empty one ends that.
+void replaceFilesBy(FileReplacer replacer);
+
 }  // namespace orris
