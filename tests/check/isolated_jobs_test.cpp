@@ -1,6 +1,8 @@
 #include "check/workers/isolated_jobs.h"
 
 #include <gmock/gmock.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -102,6 +104,46 @@ TEST(IsolatedJobs, what_is_in_progress_when_the_time_ends_is_given_up) {
   EXPECT_LT(std::chrono::steady_clock::now(), until + std::chrono::seconds(1));
   EXPECT_THAT(texts(outcomes), ElementsAre("done", "done"));
   EXPECT_FALSE(outcomes.contains(1));
+}
+
+TEST(IsolatedJobs, a_result_longer_than_allowed_is_not_taken) {
+  const auto outcomes = run({.count = 2,
+                             .work = [](std::size_t i) { return std::string(i == 0 ? 3000 : 10, 'x'); },
+                             .resultBytes = 1000});
+  EXPECT_THAT(texts(outcomes), ElementsAre("crashed: a result that is too long", "xxxxxxxxxx"));
+}
+
+/// Finds the socket of the worker and sends a length without a result.
+std::string lieAboutLength(std::uint64_t length) {
+  for (int file = 3; file < 64; ++file) send(file, &length, sizeof length, MSG_NOSIGNAL);
+  for (;;) pause();
+}
+
+TEST(IsolatedJobs, a_worker_that_lies_about_its_result_costs_no_memory_and_no_time) {
+  for (const std::uint64_t length : {std::uint64_t{100}, ~std::uint64_t{0}}) {
+    const auto outcomes = run({.count = 2,
+                               .work =
+                                   [length](std::size_t i) {
+                                     return i == 0 ? lieAboutLength(length) : std::string("done");
+                                   },
+                               .time = std::chrono::seconds(0)});
+    EXPECT_THAT(texts(outcomes), ElementsAre(length == 100 ? "timed out"
+                                                           : "crashed: a result that is too long",
+                                             "done"));
+  }
+}
+
+TEST(IsolatedJobs, a_worker_cannot_raise_its_own_limits) {
+  const auto outcomes = run({.count = 1, .work = [](std::size_t) {
+                               std::string raised;
+                               for (const auto resource : {RLIMIT_CPU, RLIMIT_NOFILE, RLIMIT_FSIZE,
+                                                           RLIMIT_CORE}) {
+                                 const rlimit any{RLIM_INFINITY, RLIM_INFINITY};
+                                 raised += setrlimit(resource, &any) == 0 ? 'y' : 'n';
+                               }
+                               return raised;
+                             }});
+  EXPECT_THAT(texts(outcomes), ElementsAre("nnnn"));
 }
 
 TEST(IsolatedJobs, nothing_starts_after_take_said_no) {

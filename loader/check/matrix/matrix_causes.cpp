@@ -160,6 +160,7 @@ void explainFailures(const CauseSearch& search, std::vector<MatrixFailure>& fail
                .workers = search.jobs,
                .work = work,
                .time = kCauseTime,
+               .confined = false,  // starts workers of its own, which are
                .until = search.until},
               [&](std::size_t i, const JobOutcome& outcome) {
                 causes[i] = outcome.result;

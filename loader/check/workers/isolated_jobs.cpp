@@ -1,5 +1,6 @@
 #include "check/workers/isolated_jobs.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
 #include <sys/prctl.h>
@@ -17,6 +18,9 @@
 #include <iostream>
 #include <vector>
 
+#include "check/workers/sandbox.h"
+#include "core/read_places.h"
+
 namespace orris {
 namespace {
 
@@ -24,6 +28,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int kOutOfMemory = 86;  // exit status of a worker whose job threw
 constexpr int kWallFactor = 10;
+constexpr auto kGrace = std::chrono::seconds(1);  // for starting a worker and sending its result
 
 #if defined(__SANITIZE_ADDRESS__)
 constexpr bool kLimitMemory = false;  // the sanitizer reserves terabytes of addresses
@@ -57,30 +62,59 @@ bool receiveAll(int socket, void* data, std::size_t size) {
   return true;
 }
 
-void limitProcessorTime(std::chrono::seconds time) {
+rlim_t secondsUsed() {
   rusage used{};
   getrusage(RUSAGE_SELF, &used);
-  const auto until = static_cast<rlim_t>(used.ru_utime.tv_sec + used.ru_stime.tv_sec +
-                                         std::max<long long>(1, time.count()) + 1);
-  const rlimit limit{until, RLIM_INFINITY};
+  return static_cast<rlim_t>(used.ru_utime.tv_sec + used.ru_stime.tv_sec);
+}
+
+rlim_t secondsOf(const IsolatedJobs& jobs) {
+  return static_cast<rlim_t>(std::max<long long>(1, jobs.time.count()) + 1);
+}
+
+/// For the next job; the hard limit is that of all jobs.
+void limitProcessorTime(const IsolatedJobs& jobs) {
+  rlimit limit{};
+  getrlimit(RLIMIT_CPU, &limit);
+  limit.rlim_cur = std::min(limit.rlim_max, secondsUsed() + secondsOf(jobs));
   setrlimit(RLIMIT_CPU, &limit);
 }
 
+void limitTo(__rlimit_resource resource, rlim_t most) {
+  rlimit limit{};
+  getrlimit(resource, &limit);
+  most = std::min(most, limit.rlim_max);
+  limit = {most, most};
+  setrlimit(resource, &limit);
+}
+
 void limitProcess(const IsolatedJobs& jobs) {
+  constexpr rlim_t kFiles = 256, kFileBytes = rlim_t{1} << 30;
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  const rlimit none{0, 0};
-  setrlimit(RLIMIT_CORE, &none);
-  if (!kLimitMemory || jobs.memoryBytes == 0) return;
-  const rlimit memory{jobs.memoryBytes, jobs.memoryBytes};
-  setrlimit(RLIMIT_AS, &memory);
+  limitTo(RLIMIT_CORE, 0);
+  limitTo(RLIMIT_NOFILE, kFiles);
+  limitTo(RLIMIT_FSIZE, kFileBytes);
+  // The hard limit kills without a word: it comes after that of the last job.
+  constexpr rlim_t kMore = 5;
+  limitTo(RLIMIT_CPU, secondsUsed() + secondsOf(jobs) * static_cast<rlim_t>(jobs.count) + kMore);
+  if (kLimitMemory && jobs.memoryBytes != 0) limitTo(RLIMIT_AS, jobs.memoryBytes);
+}
+
+/// A job has nothing to say but its result.
+void silenceOutput(int socket) {
+  const int null = open("/dev/null", O_WRONLY | O_CLOEXEC);
+  if (null >= 0 && socket != STDOUT_FILENO) dup2(null, STDOUT_FILENO);
 }
 
 /// The life of a worker: index in, result out, until the socket closes.
 [[noreturn]] void serve(int socket, const IsolatedJobs& jobs) {
   limitProcess(jobs);
+  silenceOutput(socket);
+  closeOpenFiles(socket);
+  if (jobs.confined) enterSandbox(readPlaces(), jobs.driver ? prepareDriverCache() : "");
   std::uint64_t index = 0;
   while (receiveAll(socket, &index, sizeof index)) {
-    limitProcessorTime(jobs.time);
+    limitProcessorTime(jobs);
     std::string result;
     try {
       result = jobs.work(index);
@@ -99,6 +133,7 @@ struct Worker {
   int socket = -1;
   bool busy = false;
   std::size_t job = 0;
+  std::string received;  ///< of its answer: the length in 8 bytes, then the result
   Clock::time_point deadline;
 };
 
@@ -137,10 +172,6 @@ class Pool {
     std::fflush(nullptr);
     const pid_t process = fork();
     if (process == 0) {
-      close(sockets[0]);
-      for (const Worker& other : workers_) {
-        if (other.socket >= 0) close(other.socket);
-      }
       serve(sockets[1], jobs_);
     }
     close(sockets[1]);
@@ -160,7 +191,8 @@ class Pool {
       if ((worker.process >= 0 || start(worker)) && sendAll(worker.socket, &index, sizeof index)) {
         worker.busy = true;
         worker.job = index;
-        worker.deadline = Clock::now() + jobs_.time * kWallFactor;
+        worker.received.clear();
+        worker.deadline = Clock::now() + jobs_.time * kWallFactor + kGrace;
         return;
       }
       end(worker, true);
@@ -178,26 +210,31 @@ class Pool {
     for (std::size_t i = 0; i < workers_.size(); ++i) {
       Worker& worker = workers_[i];
       if (!worker.busy) continue;
-      if (polled[i].revents != 0) {
-        receive(worker);
-      } else if (Clock::now() > worker.deadline) {
+      if (polled[i].revents != 0) receive(worker);
+      if (worker.busy && Clock::now() > worker.deadline) {
         end(worker, true);
         giveUp(worker, {JobOutcome::Kind::TimedOut, "", ""});
       }
     }
   }
 
+  /// Takes what has come, never waits for more.
   void receive(Worker& worker) {
+    std::array<char, 1 << 16> block;
+    const ssize_t got = recv(worker.socket, block.data(), block.size(), MSG_DONTWAIT);
+    if (got < 0 && (errno == EINTR || errno == EAGAIN)) return;
+    if (got <= 0) return giveUp(worker, causeOf(end(worker, false)));
+    worker.received.append(block.data(), static_cast<std::size_t>(got));
     std::uint64_t size = 0;
-    JobOutcome outcome;
-    bool good = receiveAll(worker.socket, &size, sizeof size);
-    if (good) {
-      outcome.result.resize(size);
-      good = receiveAll(worker.socket, outcome.result.data(), size);
+    if (worker.received.size() < sizeof size) return;
+    std::memcpy(&size, worker.received.data(), sizeof size);
+    if (size > jobs_.resultBytes) {
+      end(worker, true);
+      return giveUp(worker, {JobOutcome::Kind::Crashed, "", "a result that is too long"});
     }
-    if (!good) return giveUp(worker, causeOf(end(worker, false)));
+    if (worker.received.size() - sizeof size < size) return;
     worker.busy = false;
-    finish(worker.job, std::move(outcome));
+    finish(worker.job, {JobOutcome::Kind::Done, worker.received.substr(sizeof size, size), ""});
     give(worker);
   }
 
