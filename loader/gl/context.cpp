@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 
 #include "gl/context_backends.h"
@@ -182,6 +183,14 @@ std::string describeWanted(ContextProfile asked) {
                      asked == ContextProfile::Core            ? "core "
                      : asked == ContextProfile::Compatibility ? "compatibility "
                                                               : "");
+}
+
+bool isSoftware(Backend backend) {
+  const char* software = std::getenv("LIBGL_ALWAYS_SOFTWARE");
+  const bool asked = software && (*software == '1' || *software == 't' || *software == 'y');
+  if (backend == Backend::Glfw) return false;
+  if (backend == Backend::OSMesa || asked) return true;
+  return backend == Backend::Auto && loadLibrary(ContextRequest().osmesaLibraries) != nullptr;
 }
 
 bool Context::initialise(const GetProcAddress& getProcAddress, Diagnostics& diagnostics) {

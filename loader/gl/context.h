@@ -75,6 +75,10 @@ class Context {
   std::vector<std::string> errors_;  // written by the driver's debug callback
 };
 
+/// Whether a context of `backend` is known to be one of a software rasteriser before it is made: OSMesa, Auto
+/// where OSMesa can be loaded, EGL with LIBGL_ALWAYS_SOFTWARE=1.
+bool isSoftware(Backend backend);
+
 /// nullptr and one diagnostic that says what was tried, what failed and what to install.
 std::unique_ptr<Context> createContext(const ContextRequest& request, Diagnostics& diagnostics);
 

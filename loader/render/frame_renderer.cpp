@@ -8,6 +8,7 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "core/work_record.h"
 #include "gl/functions.h"
 #include "plan/builtin_program.h"
 #include "plan/frustum.h"
@@ -19,6 +20,10 @@ namespace orris {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+// The driver is waited for after each step of so many frames: what kills or stalls it mostly does so at
+// once, and then the step is known. Later frames are drawn as fast as can be.
+constexpr int kExactFrames = 2;
 
 /// Of all threads.
 double processorSeconds() {
@@ -56,6 +61,7 @@ bool FrameRenderer::setPack(std::shared_ptr<const ShaderPack> pack, const SceneD
   diagnostics.insert(diagnostics.end(), problems.begin(), problems.end());
   if (failed) return false;
   firstFrame_ |= loaded->freshTargets;
+  framesOfPack_ = 0;
   pack_ = std::move(pack);
   schedule_ = std::move(schedule);
   loaded_ = std::move(loaded);
@@ -103,6 +109,8 @@ void FrameRenderer::render(const FrameState& given) {
     for (const Step& step : schedule_.setup) runStep(step, state);
   }
   for (const Step& step : schedule_.frame) runStep(step, state);
+  if (workIsNoted() && framesOfPack_ < kExactFrames) gl::Finish();
+  ++framesOfPack_;
   loaded_->targets->keepHistory();
   loaded_->targets->forgetMipmaps();
 }
@@ -114,6 +122,9 @@ void FrameRenderer::runStep(const Step& step, const FrameState& state) {
                      step.kind == Step::Kind::DrawShadow || step.kind == Step::Kind::ShadowVolumes;
   // A program beyond a limit of the driver was reported when it was built.
   if (draws && !programOf(step).program.linked) return;
+  const ProgramSource* source = step.program < 0 ? nullptr : &pack_->programs[step.program];
+  if (step.kind != Step::Kind::Compute)
+    note(step.name, source && !source->stages.empty() ? &source->stages.back() : nullptr);
   if (loaded_->storesFromShaders) gl::MemoryBarrier(GL_ALL_BARRIER_BITS);
   switch (step.kind) {
     case Step::Kind::ClearImages:
@@ -158,6 +169,13 @@ void FrameRenderer::runStep(const Step& step, const FrameState& state) {
   gl::Finish();
   stepTimes_.push_back({step.name, std::chrono::duration<double>(Clock::now() - start).count(),
                         processorSeconds() - startOfWork});
+}
+
+void FrameRenderer::note(std::string_view name, const StageText* stage) {
+  if (!workIsNoted()) return;
+  const bool exact = framesOfPack_ < kExactFrames;
+  if (exact) gl::Finish();
+  noteStep(name, stage ? entryFileOf(*stage) : std::string_view(), exact);
 }
 
 const GpuProgram& FrameRenderer::programOf(const Step& step) const {
@@ -289,6 +307,7 @@ void FrameRenderer::dispatch(const Step& step, const FrameState& state) {
     const ComputeSource& compute = source.computes[i];
     GpuProgram& program = *loaded_->computes.at({step.program, static_cast<int>(i)});
     if (!program.program.linked) continue;
+    note(compute.name, &compute.text);
     useProgram(program, step, state, draw);
     gl::MemoryBarrier(GL_ALL_BARRIER_BITS);
     if (const auto it = pack_->properties.indirect.find(compute.name);

@@ -83,6 +83,8 @@ class FrameRenderer {
  private:
   struct Loaded;
   void runStep(const Step& step, const FrameState& state);
+  /// Notes what is drawn next, for whoever watches over this process.
+  void note(std::string_view name, const StageText* stage);
   void drawFullscreen(const Step& step, const FrameState& state);
   void drawGeometry(const Step& step, const FrameState& state);
   void drawTerrain(const Step& step, const GpuProgram& program, const FrameState& state,
@@ -112,6 +114,7 @@ class FrameRenderer {
   Schedule schedule_;
   std::unique_ptr<Loaded> loaded_;
   bool firstFrame_ = true;
+  int framesOfPack_ = 0;  ///< drawn since setPack()
   float centerDepth_ = 1;
   std::vector<StepTime> stepTimes_;
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/work_record.h"
 #include "gl/functions.h"
 #include "plan/builtin_program.h"
 
@@ -26,6 +27,11 @@ std::string keyOf(const std::vector<const StageText*>& stages) {
 }
 
 }  // namespace
+
+std::string_view entryFileOf(const StageText& stage) {
+  const auto& sites = stage.text.sites;
+  return sites.empty() ? std::string_view() : std::string_view(sites.front().file);
+}
 
 std::array<unsigned, 3> groupCounts(const ComputeSource& compute, const std::vector<int>& localSize,
                                     const glm::vec2& size) {
@@ -137,6 +143,7 @@ std::shared_ptr<GpuProgram> FrameRenderer::Loaded::program(
       ++report.programsReused;
     }
   if (result == nullptr) {
+    noteWork("compiling", name, entryFileOf(*stages.back()));
     result = std::make_shared<GpuProgram>(buildGpuProgram(name, stages, lines, diagnostics));
     ++report.programsBuilt;
     report.built.push_back(name);

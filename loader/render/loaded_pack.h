@@ -48,6 +48,9 @@ struct FrameRenderer::Loaded {
   VertexStyle style_;
 };
 
+/// The file of the pack that the stage begins in, "" for a built-in one.
+std::string_view entryFileOf(const StageText& stage);
+
 /// Contract constants.csv workGroups and workGroupsRender.
 std::array<unsigned, 3> groupCounts(const ComputeSource& compute, const std::vector<int>& localSize,
                                     const glm::vec2& size);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "core/work_record.h"
 #include "plan/scene_quantities.h"
 
 namespace orris {
@@ -195,6 +196,7 @@ FrameInput RenderSession::frameInput() const {
 }
 
 void RenderSession::renderFrame(Diagnostics& diagnostics) {
+  noteFrame(frame_);
   applyEvents(diagnostics);
   if (sceneChanged()) chooseAgain(diagnostics);
   FrameInput input = frameInput();
@@ -204,6 +206,7 @@ void RenderSession::renderFrame(Diagnostics& diagnostics) {
   Player& player = state_->environment.player;
   if (renderer_->pack().properties.flag("oldHandLight", true))
     player.heldLight = std::max(player.heldLight, player.heldLight2);
+  noteFrame(frame_);  // events and choices may have compiled programs
   renderer_->render(*state_);
   ++frame_;
 }

@@ -45,13 +45,15 @@ void drawOneFrame(gl::Context& context, const std::shared_ptr<const FileSource>&
   }
 }
 
-/// A slow driver, most often one without a graphics card, says nothing about the pack.
-void explainTimeout(const std::string& dimension, Diagnostic& diagnostic) {
+/// Most often a driver without a graphics card; but what was not drawn was not checked.
+void explainTimeout(const std::string& dimension, std::chrono::seconds time,
+                    Diagnostic& diagnostic) {
   diagnostic.id = "draw-timeout";
-  diagnostic.severity = Severity::Warning;
-  diagnostic.message =
-      fmt::format("one frame of {} takes this driver longer than {} s", dimension, kDrawSeconds);
-  diagnostic.hint = "a limit of this driver, not a mistake of the pack";
+  diagnostic.message = fmt::format("one frame of {} takes this driver longer than {} s", dimension,
+                                   time.count());
+  diagnostic.hint =
+      "look for loops and dispatches without end; if this driver is only slow, check without "
+      "--draw, give more time with --frame-limit, or say --severity draw-timeout=warning";
 }
 
 /// A remark at a line comes from loading, which validate has told already, in other words at times.
@@ -62,12 +64,13 @@ bool isOfLoading(const Diagnostic& diagnostic) {
 }  // namespace
 
 void checkDrawing(gl::Backend backend, const std::shared_ptr<const FileSource>& files,
-                  const LoadRequest& load, Diagnostics& diagnostics) {
+                  const LoadRequest& load, std::chrono::seconds time, Diagnostics& diagnostics) {
   Diagnostics drawn = runWithContext(
       backend, "one frame",
-      [&](gl::Context& context, Diagnostics& found) { drawOneFrame(context, files, load, found); });
+      [&](gl::Context& context, Diagnostics& found) { drawOneFrame(context, files, load, found); },
+      time);
   for (Diagnostic& diagnostic : drawn) {
-    if (diagnostic.id == "compiler-timeout") explainTimeout(load.dimension, diagnostic);
+    if (diagnostic.id == "compiler-timeout") explainTimeout(load.dimension, time, diagnostic);
     if (!isOfLoading(diagnostic)) diagnostics.push_back(std::move(diagnostic));
   }
 }

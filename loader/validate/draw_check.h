@@ -1,6 +1,7 @@
 // One frame of a pack on a few blocks: what only shows when something is drawn.
 #pragma once
 
+#include <chrono>
 #include <memory>
 
 #include "core/diagnostic.h"
@@ -11,8 +12,9 @@
 namespace orris {
 
 /// Draws one small frame of a built-in scene with solid, cutout, translucent and glowing blocks, in
-/// a process of its own; GL errors become diagnostics. What loading tells is left out.
+/// a process of its own that may take `time` of the processor; GL errors become diagnostics. What loading
+/// reports is left out.
 void checkDrawing(gl::Backend backend, const std::shared_ptr<const FileSource>& files,
-                  const LoadRequest& load, Diagnostics& diagnostics);
+                  const LoadRequest& load, std::chrono::seconds time, Diagnostics& diagnostics);
 
 }  // namespace orris

@@ -1,8 +1,13 @@
 #include "validate/driver_check.h"
 
+#include <unistd.h>
+
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "check/workers/diagnostic_codec.h"
+#include "check/workers/isolated_jobs.h"
+#include "core/work_record.h"
 #include "pack/mods/mods.h"
 #include "render/gpu_program.h"
 
@@ -38,10 +43,31 @@ std::string encodeVerdict(bool good, const Diagnostics& diagnostics) {
   return std::string(1, good ? '1' : '0') + encodeDiagnostics(diagnostics);
 }
 
-// Drivers of graphics cards reserve more addresses than any limit allows.
-constexpr std::size_t kNoMemoryLimit = 0;
+/// Jobs that a driver works for.
+IsolatedJobs driverJobs(gl::Backend backend) {
+  const bool software = gl::isSoftware(backend);
+  IsolatedJobs jobs;
+  jobs.memoryBytes = driverMemory(software);
+  jobs.confined = software;
+  jobs.driver = true;
+  return jobs;
+}
+
+/// The driver died or did not end while it drew: where, as far as it was noted.
+void addPlace(const WorkNote& note, Diagnostic& diagnostic) {
+  diagnostic.at.file = note.file;
+  if (!note.where().empty()) diagnostic.notes.push_back(note.where());
+}
 
 }  // namespace
+
+std::size_t driverMemory(bool software) {
+  if (!software) return 0;
+  constexpr std::size_t kLeast = std::size_t{4} << 30;
+  const long pages = sysconf(_SC_PHYS_PAGES), bytes = sysconf(_SC_PAGESIZE);
+  if (pages <= 0 || bytes <= 0) return kLeast;
+  return std::max(kLeast, static_cast<std::size_t>(pages) * static_cast<std::size_t>(bytes));
+}
 
 std::optional<gl::DriverInfo> askDriver(gl::Backend backend, Diagnostics& diagnostics) {
   std::optional<gl::DriverInfo> driver;
@@ -57,8 +83,8 @@ std::optional<gl::DriverInfo> askDriver(gl::Backend backend, Diagnostics& diagno
   return driver;
 }
 
-void checkWithDriver(const ShaderPack& pack, gl::Backend backend, Verdicts& verdicts,
-                     Diagnostics& diagnostics) {
+void checkWithDriver(const ShaderPack& pack, gl::Backend backend, std::chrono::seconds time,
+                     Verdicts& verdicts, Diagnostics& diagnostics) {
   const std::vector<ProgramUnit> units = unitsWithoutVerdict(pack, verdicts);
   const SourceLines lines = [&pack](const std::string& file, int line) {
     return pack.sourceLine(file, line);
@@ -72,7 +98,11 @@ void checkWithDriver(const ShaderPack& pack, gl::Backend backend, Verdicts& verd
     return encodeVerdict(linked, found);
   };
   std::vector<Diagnostics> found(units.size());
-  runIsolated({.count = units.size(), .work = check, .memoryBytes = kNoMemoryLimit},
+  IsolatedJobs jobs = driverJobs(backend);
+  jobs.count = units.size();
+  jobs.work = check;
+  jobs.time = time;
+  runIsolated(jobs,
               [&](std::size_t i, const JobOutcome& outcome) {
                 const bool done = outcome.kind == JobOutcome::Kind::Done;
                 verdicts[units[i].hash] = done && outcome.result.front() == '1';
@@ -88,25 +118,29 @@ void checkWithDriver(const ShaderPack& pack, gl::Backend backend, Verdicts& verd
 }
 
 Diagnostics runWithContext(gl::Backend backend, const std::string& what,
-                           const std::function<void(gl::Context&, Diagnostics&)>& work) {
+                           const std::function<void(gl::Context&, Diagnostics&)>& work,
+                           std::chrono::seconds time) {
   Diagnostics result;
-  const auto job = [&](std::size_t) {
+  const WorkRecord record;
+  IsolatedJobs jobs = driverJobs(backend);
+  jobs.count = 1;
+  jobs.time = time;
+  jobs.work = [&](std::size_t) {
     Diagnostics found;
     // Never destroyed: the process ends without cleaning up, as drivers may not survive that either.
     gl::Context* context = gl::createContext({.backend = backend}, found).release();
     if (context) work(*context, found);
     return encodeDiagnostics(found);
   };
-  runIsolated({.count = 1,
-               .work = job,
-               .time = std::chrono::seconds(kDrawSeconds),
-               .memoryBytes = kNoMemoryLimit},
-              [&](std::size_t, const JobOutcome& outcome) {
-                result = outcome.kind == JobOutcome::Kind::Done
-                             ? decodeDiagnostics(outcome.result)
-                             : Diagnostics{lostJob(outcome, kDriver, what, "")};
-                return true;
-              });
+  runIsolated(jobs, [&](std::size_t, const JobOutcome& outcome) {
+    if (outcome.kind == JobOutcome::Kind::Done) {
+      result = decodeDiagnostics(outcome.result);
+    } else {
+      result = {lostJob(outcome, kDriver, what, "")};
+      addPlace(record.read(), result.front());
+    }
+    return true;
+  });
   return result;
 }
 

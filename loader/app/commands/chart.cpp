@@ -98,7 +98,8 @@ void addChartCommand(CLI::App& app, int& status) {
   command->callback([options, &status] {
     Report report(options->output);
     nlohmann::json result = nlohmann::json::object();
-    status = runChart(*options, report, result);
+    status = runSupervised({.limits = options->limits, .backend = options->image.backend}, report,
+                           [&] { return runChart(*options, report, result); });
     result["status"] = status;
     printJson(std::move(result), report);
   });

@@ -12,6 +12,7 @@
 #include "app/validate/patched_sources.h"
 #include "app/report/progress.h"
 #include "app/commands/render_output.h"
+#include "app/drawing/supervised_run.h"
 #include "check/compile/program_check.h"
 #include "render/counters.h"
 #include "render/render_session.h"
@@ -25,6 +26,7 @@ struct RenderOptions {
   ImageOptions image;
   OutputOptions output;
   RenderOutputs outputs;
+  WorkLimits limits;
 };
 
 /// Pack, options and camera as the command line asks for them.
@@ -117,6 +119,8 @@ int runRender(const RenderOptions& options, Report& report, nlohmann::json& resu
   const auto request = makeRequest(options, *world, report, status);
   if (!request) return status;
 
+  if (!makePatchedFolder(options.outputs.patched, report, status)) return status;
+  confineDrawing();
   const auto context = gl::createContext(
       {.backend = options.image.backend, .profile = options.image.context}, diagnostics);
   report.add(diagnostics);
@@ -141,6 +145,15 @@ int runRender(const RenderOptions& options, Report& report, nlohmann::json& resu
   if (!sayLeftOut(session->renderer(), options.outputs.allowMissing, report) && status == kClean)
     status = kProblems;
   return status;
+}
+
+/// What a process that may write nothing else is allowed to.
+SupervisedWork supervised(const RenderOptions& options) {
+  AllowedOutputs outputs;
+  outputs.files = {options.outputs.picture, options.outputs.timings};
+  for (const auto& [buffer, path] : options.outputs.dumps) outputs.files.push_back(path);
+  if (!options.outputs.patched.empty()) outputs.folders = {options.outputs.patched};
+  return {options.limits, options.image.backend, std::move(outputs), true};
 }
 
 void addOutputPaths(CLI::App& command, RenderOutputs& outputs) {
@@ -169,11 +182,13 @@ void addRenderCommand(CLI::App& app, int& status) {
   addVersionFlags(*command, options->pack.versions);
   addSceneFlags(*command, options->scene);
   addImageFlags(*command, options->image);
+  addLimitFlags(*command, options->limits);
   addOutputFlags(*command, options->output);
   command->callback([options, &status] {
     Report report(options->output);
     nlohmann::json result = nlohmann::json::object();
-    status = runRender(*options, report, result);
+    status = runSupervised(supervised(*options), report,
+                           [&] { return runRender(*options, report, result); });
     result["status"] = status;
     printJson(std::move(result), report);
   });

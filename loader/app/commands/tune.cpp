@@ -195,7 +195,9 @@ void addTuneCommand(CLI::App& app, int& status) {
     if (options->study.axes.empty()) options->study.axes = {kProfileAxis};
     Report report(options->study.output);
     nlohmann::json result = nlohmann::json::object();
-    status = runTune(*options, report, result);
+    const StudyOptions& study = options->study;
+    status = runSupervised({.limits = study.limits, .backend = study.image.backend}, report,
+                           [&] { return runTune(*options, report, result); });
     result["status"] = status;
     printJson(std::move(result), report);
   });

@@ -41,6 +41,7 @@ int runValidate(const ValidateOptions& options) {
                   .target = *findTarget(options.target),
                   .backend = options.backend,
                   .budget = MatrixBudget(matrixTime(options.matrix), paths.size())};
+  checker.drawTime = parseBudget(options.frameTime).value_or(kDrawTime);
   if (options.draw && !findDriver(options, checker)) return kHostFailed;
   const ResultCache cache(options.noCache ? "" : options.cache);
   for (const std::string& path : paths) {
@@ -71,6 +72,8 @@ void addValidateCommand(CLI::App& app, int& status, const FolderConfig& folder) 
   command->add_flag("--recursive", options->recursive, "check every pack below the folders named");
   command->add_flag("--draw", options->draw,
                     "compile and link with the GL driver too, and draw one frame");
+  addTimeFlag(*command, "--frame-limit", options->frameTime,
+              "give the frame of --draw up after this processor time, 20s or 5m");
   addBackendFlag(*command, options->backend);
   command->add_option("--patched", options->patched,
                       "write the sources as the driver gets them, and where each line is from");

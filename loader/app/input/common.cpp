@@ -178,10 +178,16 @@ std::optional<std::chrono::seconds> parseBudget(const std::string& text) {
   return std::chrono::seconds(number * (minutes ? 60 : 1));
 }
 
-void addBudgetFlag(CLI::App& command, std::string& budget, const std::string& help) {
-  command.add_option("--budget", budget, help)->check([](const std::string& text) {
+void addTimeFlag(CLI::App& command, const std::string& flag, std::string& time,
+                 const std::string& help) {
+  CLI::Option* option = command.add_option(flag, time, help)->check([](const std::string& text) {
     return parseBudget(text) ? std::string() : "expected a time such as 60s or 5m: " + text;
   });
+  if (!time.empty()) option->capture_default_str();
+}
+
+void addBudgetFlag(CLI::App& command, std::string& budget, const std::string& help) {
+  addTimeFlag(command, "--budget", budget, help);
 }
 
 void addBackendFlag(CLI::App& command, gl::Backend& backend) {

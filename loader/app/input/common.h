@@ -74,6 +74,8 @@ std::optional<Shard> parseShard(const std::string& text);
 void addShardFlag(CLI::App& command, std::string& shard, const std::string& help);
 /// "60s", "5m"; nullopt for other texts and for "".
 std::optional<std::chrono::seconds> parseBudget(const std::string& text);
+/// A flag with a default that parseBudget() takes.
+void addTimeFlag(CLI::App& command, const std::string& flag, std::string& time, const std::string& help);
 void addBudgetFlag(CLI::App& command, std::string& budget, const std::string& help);
 /// A NAME=VALUE flag that may be repeated, or followed by several values.
 void addAssignmentFlag(CLI::App& command, const std::string& flag, OptionValues& values,

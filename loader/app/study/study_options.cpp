@@ -89,6 +89,7 @@ void addStudyFlags(CLI::App& command, StudyOptions& options) {
   addVersionFlags(command, options.pack.versions);
   addSizeFlag(command, options.image);
   addBackendFlag(command, options.image.backend);
+  addLimitFlags(command, options.limits);
   addOutputFlags(command, options.output);
 }
 

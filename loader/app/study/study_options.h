@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/drawing/supervised_run.h"
 #include "app/input/common.h"
 #include "chart/measure/measure.h"
 
@@ -24,6 +25,7 @@ struct StudyOptions {
   int accumulate = 1;
   MeasurePlan plan;
   std::string budget, shard;
+  WorkLimits limits;
 };
 
 /// All but the positional arguments and the folder.

@@ -61,6 +61,10 @@ std::string mapOf(const MappedText& text) {
 
 }  // namespace
 
+bool makePatchedFolder(const std::string& folder, Report& report, int& status) {
+  return folder.empty() || createFolder(folder, folder, report, status);
+}
+
 bool writePatched(const std::string& folder, const ShaderPack& pack, Report& report, int& status) {
   return createFolder(folder, folder, report, status) &&
          forEachStage(pack, [&](const std::string& name, const StageText& stage) {

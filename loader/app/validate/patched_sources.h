@@ -8,6 +8,9 @@
 
 namespace orris {
 
+/// Makes the folder that --patched names, for a process that cannot do so later; "": there is none.
+bool makePatchedFolder(const std::string& folder, Report& report, int& status);
+
 /// Writes one file a stage, "composite.fsh", into `folder`, which is made when it does not exist.
 bool writePatched(const std::string& folder, const ShaderPack& pack, Report& report, int& status);
 

@@ -25,6 +25,7 @@ struct ValidateOptions {
   std::string cache;                     ///< folder of earlier results; "": none
   bool noCache = false;                  ///< leave `cache` alone
   bool draw = false;
+  std::string frameTime = "300s";  ///< of processor time, for --draw
   bool recursive = false;  ///< the packs below each path
   gl::Backend backend = gl::Backend::Auto;
   std::string explainLog;      ///< file, or "-"

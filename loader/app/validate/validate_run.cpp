@@ -44,7 +44,8 @@ void checkPrograms(const ShaderPack& pack, Checker& checker, Diagnostics& diagno
   for (const auto& [hash, good] : checker.glslang) {
     if (!good) checker.driver[hash] = false;
   }
-  checkWithDriver(pack, checker.backend, checker.driver, diagnostics);
+  checkWithDriver(pack, checker.backend, std::min(checker.drawTime, kProgramTime), checker.driver,
+                  diagnostics);
 }
 
 // The size decides nothing that the checks look at but sizes given in pixels.
@@ -112,7 +113,7 @@ void checkOne(const ShaderPack& pack, const LoadRequest& request, Checker& check
   }
   reportSwallowedCode(pack, checker.glslang, checker.jobs, diagnostics);
   if (checker.gpu && checker.draw && !hasErrors(diagnostics)) {
-    checkDrawing(checker.backend, pack.source, request, diagnostics);
+    checkDrawing(checker.backend, pack.source, request, checker.drawTime, diagnostics);
   }
   dropRepeatedLinkErrors(diagnostics);
   report.add(diagnostics);

@@ -45,6 +45,7 @@ struct Checker {
   std::optional<gl::DriverInfo> gpu;
   Verdicts glslang, driver;
   bool draw = true;  ///< a frame, with a driver
+  std::chrono::seconds drawTime = kDrawTime;  ///< of the processor, for that frame
 
   MacroDefinitions environment(const HostVersions& versions) const;
   bool passed(std::uint64_t hash) const;

@@ -10,7 +10,9 @@ std::span<const Rule> matrixRules() {
       {"compiler-crash", Severity::Error, "a program kills the compiler or the GL driver"},
       {"compiler-timeout", Severity::Error,
        "the compiler or the GL driver does not finish with a program"},
-      {"draw-timeout", Severity::Warning, "the GL driver does not finish one frame in time"},
+      {"draw-timeout", Severity::Error, "the GL driver does not finish one frame in time"},
+      {"driver-died", Severity::Error, "the process that draws died"},
+      {"frame-timeout", Severity::Error, "drawing a frame or compiling a program takes too long"},
   };
   return kRules;
 }
