@@ -20,5 +20,6 @@ void addViewCommand(CLI::App& app, int& status);
 void addTraceCommand(CLI::App& app, int& status);
 void addChartCommand(CLI::App& app, int& status);
 void addTuneCommand(CLI::App& app, int& status);
+void addDoctorCommand(CLI::App& app, int& status);
 
 }  // namespace orris
