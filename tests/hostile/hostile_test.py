@@ -19,19 +19,25 @@ import tempfile
 import time
 from pathlib import Path
 
+import bombs_draw
 import bombs_files
 import bombs_options
 import bombs_text
 import bombs_world
 
-CLASSES = {"text": bombs_text, "options": bombs_options, "world": bombs_world, "files": bombs_files}
+CLASSES = {"text": bombs_text, "options": bombs_options, "world": bombs_world, "files": bombs_files,
+           "draw": bombs_draw}
 # One of each kind of limit, quick ones: part of every test run.
 SOME = {"text": {"stringify-nested", "paste-doubling", "laughs", "tokens-on-a-line", "includes-double",
                  "includes-missing", "if-nested", "bracket-stray", "utf16", "errors-many"},
         "options": {"profiles-double", "profiles-circle", "profile-line-145-kb", "screens-chain",
                     "uniforms-chain-10-5", "dimensions-many", "options-10-4"},
         "world": {"keys-20-000", "fills-100", "schematic-empty-palette", "schematic-width-0x10001"},
-        "files": {"links-2-27", "zip-encrypted", "zip-lzma", "zip-twice", "fifo"}}
+        "files": {"links-2-27", "zip-encrypted", "zip-lzma", "zip-twice", "fifo"},
+        "draw": {"dispatch-65535-2", "local-array-2-31", "shared-beyond", "uniform-array-10-8"}}
+WORLD = str(Path(__file__).resolve().parents[2] / "worlds" / "cornell")
+# A frame may take so long, its process so much memory.
+FRAME_SECONDS, DRAWING_MEGABYTES = 5, 2048
 ADDRESS_SPACE = 4 << 30
 SECONDS, MEGABYTES, WALL_SECONDS = 5.0, 512, 120
 LOCATED = re.compile(r"^\S[^:]*(:\d+)*: (error|warning|note): ", re.M)
@@ -41,6 +47,11 @@ LONGEST_MESSAGE_LINES = 100
 def commands(orris: str, kind: str, path: Path, everything: bool) -> list:
     if kind == "world":
         return [[orris, "world", str(path), "--json"]]
+    limit_words = ["--frame-limit", f"{FRAME_SECONDS}s"]
+    if kind == "draw":
+        render = [orris, "render", str(path), WORLD, "-o", str(path.parent / "out.png"), "--size", "64x36",
+                  "--frames", "2", "--memory-limit", f"{DRAWING_MEGABYTES}M", *limit_words]
+        return [render, [orris, "validate", str(path), "--draw", *limit_words]]
     runs = [[orris, "validate", str(path)]]
     if everything:
         runs.append([orris, "options", str(path)])
@@ -76,7 +87,10 @@ class Outcome:
         self.megabytes = usage.ru_maxrss / 1024
         return ended
 
-    def problems(self, expected, measured: bool) -> list:
+    def problems(self, expected, measured: bool, drawing: bool) -> list:
+        # Loading, each program and two frames may take the time of a frame; all cores work.
+        seconds = 4 * (FRAME_SECONDS + 2) * (os.cpu_count() or 1) if drawing else SECONDS
+        megabytes = DRAWING_MEGABYTES if drawing else MEGABYTES
         found = []
         if self.hung:
             found.append("no end")
@@ -84,9 +98,9 @@ class Outcome:
             found.append(f"status {self.status}")
         elif self.status > 0 and not LOCATED.search(self.text):
             found.append("no message with a place")
-        if measured and self.seconds > SECONDS:
+        if measured and self.seconds > seconds:
             found.append(f"{self.seconds:.1f} s of processor time")
-        if measured and self.megabytes > MEGABYTES:
+        if measured and self.megabytes > megabytes:
             found.append(f"{self.megabytes:.0f} MB")
         if expected and f"[{expected}]" not in self.text and f'"{expected}"' not in self.text:
             found.append(f"no message [{expected}]")
@@ -104,8 +118,9 @@ def run_bomb(orris: str, kind: str, name: str, row, everything: bool, measured: 
         del build  # a child counts the memory of its parent until it runs its program
         for command in commands(orris, kind, path, everything):
             outcome = Outcome(command, base)
-            wanted = expected if command[1] in ("validate", "world") else None
-            problems = outcome.problems(wanted, measured)
+            wanted = expected if command[1] == ("render" if kind == "draw" else "validate") or \
+                command[1] == "world" else None
+            problems = outcome.problems(wanted, measured, kind == "draw")
             failed |= bool(problems)
             lines.append(f"{'FAIL' if problems else 'ok  '} {kind}/{name} {command[1]}: status "
                          f"{outcome.status}, {outcome.seconds:.2f} s, {outcome.megabytes:.0f} MB"
