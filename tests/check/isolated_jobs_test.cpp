@@ -146,6 +146,20 @@ TEST(IsolatedJobs, a_worker_cannot_raise_its_own_limits) {
   EXPECT_THAT(texts(outcomes), ElementsAre("nnnn"));
 }
 
+TEST(IsolatedJobs, a_job_outside_of_the_sandbox_starts_workers_of_its_own) {
+  const auto outcomes = run({.count = 1,
+                             .work =
+                                 [](std::size_t) {
+                                   const auto inner = run({.count = 2, .work = [](std::size_t i) {
+                                                             if (i == 0) raise(SIGKILL);
+                                                             return std::string("inner");
+                                                           }});
+                                   return outcomeText(inner.at(0)) + ", " + outcomeText(inner.at(1));
+                                 },
+                             .confined = false});
+  EXPECT_THAT(texts(outcomes), ElementsAre("crashed: signal 9 (Killed), inner"));
+}
+
 TEST(IsolatedJobs, nothing_starts_after_take_said_no) {
   std::size_t taken = 0;
   runIsolated({.count = 100, .workers = 1, .work = [](std::size_t) { return std::string(); }},
