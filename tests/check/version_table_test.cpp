@@ -18,7 +18,7 @@ struct Mistake {
   std::string program, stage, version, scope, code, compilesAs, hint;
 };
 
-std::string readAll(const std::string& path) {
+std::string readPage(const std::string& path) {
   std::ifstream file(path);
   std::stringstream text;
   text << file.rdbuf();
@@ -27,7 +27,7 @@ std::string readAll(const std::string& path) {
 
 std::vector<Mistake> mistakes() {
   std::vector<Mistake> rows;
-  std::istringstream file(readAll(ORRIS_TEST_DIR "/check/glsl_versions.tsv"));
+  std::istringstream file(readPage(ORRIS_TEST_DIR "/check/glsl_versions.tsv"));
   for (std::string line; std::getline(file, line);) {
     if (line.starts_with('#')) continue;
     std::vector<std::string> cells(1);
@@ -121,7 +121,7 @@ TEST(VersionTable, stands_in_the_docs) {
   const std::string begin = "| program | #version | mistake | compiles as | what to do |\n";
   std::string table = begin + "| --- | --- | --- | --- | --- |\n";
   for (const Mistake& row : mistakes()) table += shown(row);
-  std::string page = readAll(path);
+  std::string page = readPage(path);
   const std::size_t from = page.find(begin);
   ASSERT_NE(from, std::string::npos);
   const std::size_t to = std::min(page.find("\n\n", from), page.size());
