@@ -64,7 +64,7 @@ Ids without(Ids ids, const Ids& others) {
 
 TEST(Rules, everyIdOfTheSourcesHasARow) {
   EXPECT_THAT(without(idsInSources(), idsInTable()), testing::IsEmpty())
-      << "add rows to loader/check/rules_*.cpp";
+      << "add rows to loader/check/rules/";
 }
 
 TEST(Rules, everyRowIsUsedInTheSources) {

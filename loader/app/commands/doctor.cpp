@@ -10,8 +10,8 @@
 #include <thread>
 
 #include "app/commands/commands.h"
-#include "app/report/report.h"
 #include "app/input/shipped_worlds.h"
+#include "app/report/report.h"
 #include "check/workers/sandbox.h"
 #include "image/codecs/image_codecs.h"
 #include "validate/driver_check.h"
@@ -28,7 +28,8 @@ using MachineFacts = std::vector<MachineFact>;
 std::string kernelText(const SandboxSupport& support) {
   utsname name{};
   uname(&name);
-  return fmt::format("{} {} {}; Landlock: {}; seccomp: {}", name.sysname, name.release, name.machine,
+  return fmt::format("{} {} {}; Landlock: {}; seccomp: {}", name.sysname, name.release,
+                     name.machine,
                      support.landlock > 0 ? fmt::format("version {}", support.landlock) : "none",
                      support.seccomp ? "yes" : "none");
 }
@@ -37,25 +38,28 @@ std::string sandboxText(const SandboxSupport& support) {
   if (support.landlock > 0 && support.seccomp)
     return support.landlock >= 3 ? "workers reach no file, process or network but what they need"
                                  : "the same, but for lengths of files that this Landlock leaves";
-  if (support.landlock > 0) return "files only: this kernel or processor has no filters of system calls";
-  if (support.seccomp) return "system calls only: this kernel has no Landlock, workers can read files";
+  if (support.landlock > 0)
+    return "files only: this kernel or processor has no filters of system calls";
+  if (support.seccomp)
+    return "system calls only: this kernel has no Landlock, workers can read files";
   return "none: this kernel has neither Landlock nor filters of system calls; limits alone hold";
 }
 
-std::string limitText(__rlimit_resource resource, rlim_t unit, const char* name) {
+std::string limitText(__rlimit_resource resource, rlim_t unit, const char* name,
+                      const char* behind) {
   rlimit limit{};
   getrlimit(resource, &limit);
-  if (limit.rlim_cur == RLIM_INFINITY) return fmt::format("any {}", name);
-  return fmt::format("{} {}", limit.rlim_cur / unit, name);
+  if (limit.rlim_cur == RLIM_INFINITY) return fmt::format("{} without limit", name);
+  return fmt::format("{} {}{}", name, limit.rlim_cur / unit, behind);
 }
 
 std::string limitsText() {
   constexpr rlim_t kMebibyte = rlim_t{1} << 20;
-  return limitText(RLIMIT_AS, kMebibyte, "MiB of addresses") + ", " +
-         limitText(RLIMIT_CPU, 1, "s of processor time") + ", " +
-         limitText(RLIMIT_FSIZE, kMebibyte, "MiB a file") + ", " +
-         limitText(RLIMIT_NOFILE, 1, "open files") + ", " +
-         limitText(RLIMIT_NPROC, 1, "processes");
+  return limitText(RLIMIT_AS, kMebibyte, "addresses", " MiB") + ", " +
+         limitText(RLIMIT_CPU, 1, "processor time", " s") + ", " +
+         limitText(RLIMIT_FSIZE, kMebibyte, "files", " MiB each") + ", " +
+         limitText(RLIMIT_NOFILE, 1, "open files", "") + ", " +
+         limitText(RLIMIT_NPROC, 1, "processes", "");
 }
 
 std::string machineText() {
@@ -71,7 +75,8 @@ std::string driverText(gl::Backend backend, bool& draws) {
   if (!driver) return diagnostics.empty() ? "does not draw" : diagnostics.front().message;
   draws = true;
   return fmt::format("{}; OpenGL {}; GLSL {}; {}", driver->renderer, driver->version,
-                     driver->shadingLanguage, gl::isSoftware(backend) ? "in the sandbox" : "not in the sandbox");
+                     driver->shadingLanguage,
+                     gl::isSoftware(backend) ? "in the sandbox" : "not in the sandbox");
 }
 
 std::string dataText() {
@@ -86,11 +91,11 @@ MachineFacts examine(bool& draws) {
   const SandboxSupport support = sandboxSupport();
   // Before anything starts a thread: drivers are asked in forked processes.
   MachineFacts facts = {{"kernel", kernelText(support)},
-                       {"sandbox", sandboxText(support)},
-                       {"limits", limitsText()},
-                       {"machine", machineText()},
-                       {"osmesa", driverText(gl::Backend::OSMesa, draws)},
-                       {"egl", driverText(gl::Backend::Egl, draws)}};
+                        {"sandbox", sandboxText(support)},
+                        {"limits", limitsText()},
+                        {"machine", machineText()},
+                        {"osmesa", driverText(gl::Backend::OSMesa, draws)},
+                        {"egl", driverText(gl::Backend::Egl, draws)}};
   facts.push_back({"data", dataText()});
   return facts;
 }
@@ -113,7 +118,8 @@ int runDoctor(const OutputOptions& output, Report& report, nlohmann::json& resul
 
 void addDoctorCommand(CLI::App& app, int& status) {
   const auto output = std::make_shared<OutputOptions>();
-  CLI::App* command = app.add_subcommand("doctor", "what this machine offers: sandbox, limits, drivers");
+  CLI::App* command =
+      app.add_subcommand("doctor", "what this machine offers: sandbox, limits, drivers");
   addOutputFlags(*command, *output);
   command->callback([output, &status] {
     Report report(*output);

@@ -18,7 +18,8 @@ constexpr std::array<std::string_view, 5> kProgramEndings = {".vsh", ".tcs", ".t
 constexpr std::array<std::string_view, 2> kOfDrawing = {"draw-timeout", "gl-error"};
 
 // What a stage lacks when a file of it is missing: what is wrong with its own lines is a mistake of its own.
-constexpr std::array<std::string_view, 3> kOfLackingNames = {"varying-", "output-", "target-un"};
+constexpr std::array<std::string_view, 4> kOfLackingNames = {"varying-", "output-", "target-unread",
+                                                             "target-unwritten"};
 
 // "i" and "uv" of two functions are two names.
 constexpr std::size_t kLongestLocal = 3;
