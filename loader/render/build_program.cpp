@@ -59,7 +59,7 @@ bool lacksExtension(const Diagnostic& diagnostic) {
          diagnostic.message.find("' unsupported in ") != std::string::npos;
 }
 
-/// What a stage does with an extension that the driver lacks is not told besides: whether that is
+/// What a stage does with an extension that the driver lacks is not reported again: whether that is
 /// right, glslang says.
 void reportCompile(const std::string& log, const StageText& stage, const SourceLines& lines,
                    Diagnostics& diagnostics) {
