@@ -29,8 +29,8 @@ constexpr std::size_t kPackTextBytes = std::size_t{32} << 20;
 // One stage of a program: its files in place of their includes, then preprocessed (glsl/).
 constexpr std::size_t kIncludeDepth = 256;
 constexpr std::size_t kStageFiles = 50'000;
-constexpr std::size_t kStageLines = 500'000;
-constexpr std::size_t kStageBytes = std::size_t{8} << 20;
+constexpr std::size_t kStageLines = 2'000'000;
+constexpr std::size_t kStageBytes = std::size_t{256} << 20;
 constexpr std::size_t kStageTokens = 400'000;
 constexpr std::size_t kExpandedTokens = 400'000;
 constexpr std::size_t kExpandedBytes = std::size_t{32} << 20;

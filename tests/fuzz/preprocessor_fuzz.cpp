@@ -17,7 +17,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   source.sites = {{"/fuzz.fsh", -1, 0}};
   std::istringstream stream(text);
   int number = 0;
-  for (std::string line; std::getline(stream, line);) source.lines.push_back({line, 0, ++number});
+  for (std::string line; std::getline(stream, line);) source.own(line, 0, ++number);
 
   const MacroDefinitions environment = {{"MC_VERSION", "12101"}, {"IS_IRIS", ""}};
   Diagnostics diagnostics;

@@ -33,7 +33,7 @@ inline void flattenInto(FlatSource& source, const Files& files, const std::strin
       const std::string target = line.substr(directive.size(), line.rfind('"') - directive.size());
       flattenInto(source, files, target, site, number);
     } else {
-      source.lines.push_back({line, site, number});
+      source.own(line, site, number);
     }
   }
 }

@@ -10,10 +10,10 @@ namespace {
 using testing::ElementsAre;
 
 TokenStream streamOf(const std::string& text, Diagnostics& diagnostics) {
-  FlatSource flat{{{"/a.fsh"}}, {{"#version 330", 0, 0}}};
+  FlatSource flat{{{"/a.fsh"}}, {{"#version 330", 0, 0}}, nullptr};
   for (size_t begin = 0; begin < text.size();) {
     const size_t end = std::min(text.find('\n', begin), text.size());
-    flat.lines.push_back({text.substr(begin, end - begin), 0, static_cast<int>(flat.lines.size())});
+    flat.own(text.substr(begin, end - begin), 0, static_cast<int>(flat.lines.size()));
     begin = end + 1;
   }
   return preprocess(flat, {}, diagnostics);

@@ -198,7 +198,7 @@ TEST(ShaderPack, exponential_includes_end_at_a_limit) {
   const Loaded loaded = loadFiles(files);
   ASSERT_FALSE(loaded.diagnostics.empty());
   EXPECT_EQ(loaded.first().substr(0, loaded.first().find('\n')),
-            "/l40: error: with its includes, /composite.fsh has more than 500000 lines, 8388608 "
+            "/l40: error: with its includes, /composite.fsh has more than 2000000 lines, 268435456 "
             "bytes or 50000 files here");
 }
 

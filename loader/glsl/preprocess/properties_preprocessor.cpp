@@ -24,14 +24,14 @@ class PropertiesPreprocessor {
  public:
   PropertiesPreprocessor(const std::string& file, const MacroDefinitions& environment,
                          Diagnostics& diagnostics, NameWatch* watch)
-      : source_{{{file, -1, 0}}, {}}, runner_(source_, environment, stream_, diagnostics, watch) {}
+      : source_{{{file, -1, 0}}, {}, nullptr}, runner_(source_, environment, stream_, diagnostics, watch) {}
 
   std::string run(std::string_view text) {
     std::string out;
     std::size_t start = 0;
     while (start < text.size()) {
       const std::size_t end = std::min(text.find('\n', start), text.size());
-      source_.lines.push_back({std::string(text.substr(start, end - start)), 0, ++line_});
+      source_.own(std::string(text.substr(start, end - start)), 0, ++line_);
       out += convert(source_.lines.back().text);
       out += '\n';
       start = end + 1;
@@ -49,7 +49,7 @@ class PropertiesPreprocessor {
     return tokens;
   }
 
-  std::string convert(const std::string& line) {
+  std::string convert(std::string_view line) {
     const std::string_view text = withoutBlanks(line);
     if (text.empty() || text.front() == '!') return "";
     const auto column = static_cast<std::size_t>(text.data() - line.data());

@@ -2,8 +2,11 @@
 // #includes that led there.
 #pragma once
 
+#include <deque>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/diagnostic.h"
@@ -26,15 +29,23 @@ struct Origin {
 
 /// One line of the flattened source, as the author wrote it (options already applied).
 struct FlatLine {
-  std::string text;
+  std::string_view text;  ///< of the file's lines, or of FlatSource::owned
   int site = 0;
   int line = 0;
 };
 
-/// A file with its includes expanded in place (no preprocessing done).
+/// A file with its includes expanded in place (no preprocessing done). A file that is included a
+/// thousand times is not copied: the files' lines must outlive it.
 struct FlatSource {
   std::vector<IncludeSite> sites;
   std::vector<FlatLine> lines;
+  std::shared_ptr<std::deque<std::string>> owned;  ///< texts that no file holds; shared by copies
+
+  /// Adds a line that no file holds.
+  void own(std::string text, int site, int line) {
+    if (!owned) owned = std::make_shared<std::deque<std::string>>();
+    lines.push_back({owned->emplace_back(std::move(text)), site, line});
+  }
 };
 
 /// Output text with the origin of every token: `lines[i]` holds, sorted by output column, the

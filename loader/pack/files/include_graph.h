@@ -29,8 +29,8 @@ IncludeGraph readIncludeGraph(const FileSource& source, const std::vector<std::s
 /// The lines of a file with options applied; nullptr: there is no such file.
 using FileLookup = std::function<const FileLines*(const std::string& file)>;
 
-/// The entry with its includes in place. An error and no lines when they would be more than 500000,
-/// or the inclusions more than 50000.
+/// The entry with its includes in place. An error and no lines when they would be more than
+/// limits::kStageLines, or the inclusions more than limits::kStageFiles.
 FlatSource flatten(const IncludeGraph& graph, const FileLookup& files, const std::string& entry,
                    Diagnostics& diagnostics);
 

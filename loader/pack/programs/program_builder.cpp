@@ -27,7 +27,7 @@ FlatSource defaultVertexSource() {
   FlatSource flat;
   flat.sites.push_back({kDefaultVertexFile});
   for (std::string& line : splitLines(kDefaultVertexShader)) {
-    flat.lines.push_back({std::move(line), 0, static_cast<int>(flat.lines.size()) + 1});
+    flat.own(std::move(line), 0, static_cast<int>(flat.lines.size()) + 1);
   }
   return flat;
 }
