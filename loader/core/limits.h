@@ -31,6 +31,7 @@ constexpr std::size_t kIncludeDepth = 256;
 constexpr std::size_t kStageFiles = 50'000;
 constexpr std::size_t kStageLines = 2'000'000;
 constexpr std::size_t kStageBytes = std::size_t{256} << 20;
+constexpr std::size_t kStageReadBytes = std::size_t{16} << 20;
 constexpr std::size_t kStageTokens = 400'000;
 constexpr std::size_t kExpandedTokens = 400'000;
 constexpr std::size_t kExpandedBytes = std::size_t{32} << 20;

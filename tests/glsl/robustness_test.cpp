@@ -111,6 +111,15 @@ TEST(robustness, what_does_not_fit_one_expansion_is_reported) {
   EXPECT_TRUE(reports(run(text + "\nR(" + arguments + ")\n"), "macro-expansion-limit"));
 }
 
+TEST(robustness, a_source_of_too_many_bytes_is_cut_unless_a_branch_is_inactive) {
+  std::string comments;
+  for (std::size_t i = 0; i <= limits::kStageReadBytes / 4096; ++i)
+    comments += "// " + std::string(4096, 'x') + "\n";
+  EXPECT_TRUE(reports(run("#if 1\n" + comments + "#endif\n"), "source-too-large"));
+  EXPECT_TRUE(reports(run("/* " + comments + "*/\n"), "source-too-large"));
+  EXPECT_FALSE(reports(run("#if 0\n" + comments + "#endif\n"), "source-too-large"));
+}
+
 TEST(robustness, a_source_of_too_many_tokens_is_cut_with_a_diagnostic) {
   std::string line;
   for (std::size_t i = 0; i < limits::kStageTokens / 100; ++i) line += "a ";

@@ -380,8 +380,9 @@ void DirectiveRunner::reportUnclosedComment(const Origin& at) {
 void DirectiveRunner::finish() {
   if (reader_.cutOff().site >= 0) {
     report(Severity::Error, "source-too-large", reader_.cutOff(),
-           fmt::format("the stage has more than {} tokens; what follows is left out",
-                       limits::kStageTokens));
+           fmt::format("the stage has more than {} tokens or {} bytes outside of inactive "
+                       "branches; what follows is left out",
+                       limits::kStageTokens, limits::kStageReadBytes));
     return;
   }
   for (const Conditionals::Open& open : conditionals_.unclosed()) {

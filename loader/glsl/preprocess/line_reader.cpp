@@ -39,11 +39,18 @@ std::string_view LineReader::readWhole() {
   if (simple) {
     ++next_;
     pieces_.push_back({0, {line.site, line.line, 1}});
+    count(text);
     return text;
   }
   joined_.clear();
   takePhysicalLine();
   return joined_;
+}
+
+// Lines of an inactive branch are skipped and do not count.
+void LineReader::count(std::string_view text) {
+  if (text.size() > bytesLeft_) next_ = lines_.size();
+  bytesLeft_ -= std::min(text.size(), bytesLeft_);
 }
 
 // Appends a line and its `\` continuations to joined_.
@@ -60,6 +67,7 @@ void LineReader::takePhysicalLine() {
     more = !text.empty() && text.back() == '\\';
     if (more) text.remove_suffix(1);
     pieces_.push_back({joined_.size(), {line.site, line.line, column}});
+    count(text);
     const std::size_t start = joined_.size();
     joined_ += text;
     joined_.erase(
@@ -78,8 +86,8 @@ void LineReader::read(std::vector<Token>& tokens) {
   }
   place(tokens);
   left_ -= tokens.size();
-  if (left_ > 0) return;
-  cutOff_ = tokens.back().origin;
+  if (left_ > 0 && bytesLeft_ > 0) return;
+  cutOff_ = tokens.empty() ? pieces_.front().origin : tokens.back().origin;
   next_ = lines_.size();
 }
 

@@ -26,7 +26,7 @@ class LineReader {
   /// Place of the block comment that the source's end cut off; site -1 when there was none.
   const Origin& unclosedComment() const { return unclosed_; }
 
-  /// Where the source has more tokens than a stage may have and was cut off; site -1: it has not.
+  /// Where the source has more tokens or bytes than a stage may have and was cut off; site -1: it has not.
   const Origin& cutOff() const { return cutOff_; }
 
   /// The author's text of the line at `origin`, nearest before the current one.
@@ -38,6 +38,7 @@ class LineReader {
     Origin origin;
   };
 
+  void count(std::string_view text);
   void takePhysicalLine();
   std::string_view readWhole();
   void closeComment(std::vector<Token>& tokens, std::size_t open);
@@ -50,6 +51,7 @@ class LineReader {
   Origin unclosed_;
   Origin cutOff_;
   std::size_t left_ = limits::kStageTokens;
+  std::size_t bytesLeft_ = limits::kStageReadBytes;
 };
 
 }  // namespace orris
