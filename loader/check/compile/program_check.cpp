@@ -11,6 +11,7 @@
 #include "check/hints/common_include.h"
 #include "check/hints/compile_hints.h"
 #include "check/hints/line_trial.h"
+#include "check/pack/open_comments.h"
 #include "check/workers/diagnostic_codec.h"
 #include "glsl/compile/validate.h"
 #include "pack/mods/mods.h"
@@ -157,7 +158,8 @@ void checkWithGlslang(const ShaderPack& pack, int jobs, Verdicts& verdicts,
     validateWithGlslang(units[i].judged, lines, messages);
     for (const StageText* stage : units[i].judged) checkUnusedSyntax(pack, *stage, messages);
     // What the comment swallows is not looked for elsewhere.
-    if (hasErrors(messages) && !hasUnclosedComment(*units[i].program)) {
+    if (hasErrors(messages) && !hasUnclosedComment(*units[i].program) &&
+        !readsOpenEndedFile(pack, units[i])) {
       if (units[i].judged != units[i].stages) explainVersions(units[i].judged, lines, messages);
       const Diagnostics errors = messages;
       const IncludeTrial trial = [&](const MissingInclude& added) {

@@ -226,6 +226,16 @@ std::vector<OpenComment> findOpenComments(const FileLines& lines) {
   return CommentScan(lines).run();
 }
 
+bool readsOpenEndedFile(const ShaderPack& folder, const ProgramUnit& unit) {
+  const FolderBuild* build = buildOf(folder, *unit.program);
+  return build && std::ranges::any_of(filesRead(*build, unit), [&](const std::string& file) {
+           const FileLines* lines = build->lines(file);
+           return lines && std::ranges::any_of(findOpenComments(*lines), [](const auto& comment) {
+                    return comment.nestedColumn == 0;
+                  });
+         });
+}
+
 void reportSwallowedCode(const ShaderPack& folder, const Verdicts& verdicts, int jobs,
                          Diagnostics& diagnostics) {
   const std::vector<CommentInFile> comments =

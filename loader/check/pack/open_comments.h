@@ -21,6 +21,10 @@ struct OpenComment {
 /// Of the lines of one file.
 std::vector<OpenComment> findOpenComments(const FileLines& lines);
 
+/// Does a file that the program reads end within a comment? What that swallows need not be looked for
+/// in other files.
+bool readsOpenEndedFile(const ShaderPack& folder, const ProgramUnit& unit);
+
 /// Of the comments in files of programs that fail: those without which the programs fail less are
 /// reported as errors at their "/*", with the edit that closes them. Runs trials in `jobs` processes.
 void reportSwallowedCode(const ShaderPack& folder, const Verdicts& verdicts, int jobs,
