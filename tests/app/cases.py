@@ -367,6 +367,11 @@ ONCE = [
          pack({"shaders.properties": "variable.float.a=clmap(1.0)\nvariable.float.b=a\nuniform.float.c=b\n"}),
          stderr=[r"^/shaders\.properties:1:\d+: warning: custom uniform a is dropped",
                  "note: 2 findings follow"], stdout=["^  1 warning$"]),
+    Case("what_does_not_compile_with_a_uniform_of_another_type", ["validate pack"], 1,
+         pack({"final.fsh": FINAL.replace("in vec2 texcoord;", "in vec2 texcoord; uniform vec2 cameraPosition; float a;")
+               .replace("void main() {", "void main() { vec3 p = cameraPosition;\n")}),
+         [r"^/final\.fsh:2:\d+: error: 'cameraPosition' is declared as vec2, the host gives vec3 \[uniform-type\]"],
+         stderr=FOLLOW),
     Case("a_varying_misspelt_where_it_is_read", ["validate pack"], 1,
          pack({"final.fsh": FINAL.replace("in vec2 texcoord;", "in vec2 texcorod;")
                .replace("texcoord)", "texcoord + texcoord)")}),

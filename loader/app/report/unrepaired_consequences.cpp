@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "check/hints/compile_hints.h"
+#include "check/pack/pack_texts.h"
 #include "pack/files/include_graph.h"
 
 namespace orris {
@@ -62,6 +63,28 @@ void foldUniforms(Folds& folds) {
       cause = next->second;
     }
     if (cause != i) folds.fold(i, cause);
+  }
+}
+
+bool names(std::string_view line, std::string_view name) {
+  bool found = false;
+  forEachWord(line, [&](std::string_view word) { found = found || word == name; });
+  return found;
+}
+
+/// Lines that use a uniform as what it is do not compile where it is declared as something else.
+void foldWrongTypes(Folds& folds) {
+  for (std::size_t cause = 0; cause < folds.all().size(); ++cause) {
+    const Diagnostic& wrong = folds.all()[cause];
+    const std::size_t end = wrong.message.find('\'', 1);
+    if (wrong.id != "uniform-type" || end == wrong.message.npos || !folds.isOpen(cause)) continue;
+    const std::string name = wrong.message.substr(1, end - 1);
+    for (std::size_t i = 0; i < folds.all().size(); ++i) {
+      const Diagnostic& d = folds.all()[i];
+      if (d.id == "glsl-compile" && names(d.sourceLine, name) && folds.isOpen(i) &&
+          folds.isOfProgramsWith(wrong.at.file, i))
+        folds.fold(i, cause);
+    }
   }
 }
 
@@ -127,6 +150,7 @@ void foldTwins(Folds& folds) {
 void foldByNames(Folds& folds) {
   foldLackingFiles(folds);
   foldUniforms(folds);
+  foldWrongTypes(folds);
   foldNames(folds);
 }
 

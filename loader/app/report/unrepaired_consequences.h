@@ -34,7 +34,7 @@ class Folds {
 
 /// The same said of one line as an error and as a warning, and of one comment by several programs.
 void foldTwins(Folds& folds);
-/// What follows from files, custom uniforms and other names that are not there.
+/// What follows from files, custom uniforms and other names that are not there or of another type.
 void foldByNames(Folds& folds);
 
 }  // namespace orris
