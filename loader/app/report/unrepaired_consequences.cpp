@@ -15,6 +15,9 @@ namespace {
 constexpr std::array<std::string_view, 5> kProgramEndings = {".vsh", ".tcs", ".tes", ".gsh",
                                                              ".fsh"};
 
+// A fullscreen program and a compute shader may share their name.
+constexpr std::string_view kComputeEnding = ".csh";
+
 // The repaired pack is not drawn.
 constexpr std::array<std::string_view, 2> kOfDrawing = {"draw-timeout", "gl-error"};
 
@@ -125,6 +128,7 @@ const std::set<std::string>& Folds::filesOf(const std::string& entry) {
 bool Folds::isOfProgramsWith(const std::string& file, std::size_t i) {
   const std::set<std::string>& entries = report_.entryFiles(i);
   return !entries.empty() && std::ranges::all_of(entries, [&](const std::string& entry) {
+    if (entry.ends_with(kComputeEnding)) return filesOf(entry).contains(file);
     const std::string program = entry.substr(0, entry.rfind('.'));
     return std::ranges::any_of(kProgramEndings, [&](std::string_view ending) {
       return filesOf(program + std::string(ending)).contains(file);
