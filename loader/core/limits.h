@@ -33,6 +33,7 @@ constexpr std::size_t kStageLines = 2'000'000;
 constexpr std::size_t kStageBytes = std::size_t{256} << 20;
 constexpr std::size_t kStageReadBytes = std::size_t{16} << 20;
 constexpr std::size_t kStageTokens = 400'000;
+constexpr std::size_t kStructMembers = 65'536;
 constexpr std::size_t kExpandedTokens = 400'000;
 constexpr std::size_t kExpandedBytes = std::size_t{32} << 20;
 constexpr std::size_t kTokenBytes = 65'536;

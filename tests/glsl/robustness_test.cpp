@@ -5,6 +5,7 @@
 
 #include "core/limits.h"
 #include "glsl/glsl_test.h"
+#include "glsl/syntax/struct_size.h"
 
 namespace orris {
 namespace {
@@ -109,6 +110,25 @@ TEST(robustness, what_does_not_fit_one_expansion_is_reported) {
   for (int i = 0; i < 1000; ++i) text += " x";
   for (int i = 0; i < 1000; ++i) arguments += "a ";
   EXPECT_TRUE(reports(run(text + "\nR(" + arguments + ")\n"), "macro-expansion-limit"));
+}
+
+TEST(robustness, structs_that_double_are_reported_at_the_first_that_is_too_large) {
+  const auto found = [](int levels) {
+    std::string text = "struct S0 { float a[2], b; };\n";
+    for (int i = 1; i <= levels; ++i) {
+      const std::string name = "S" + std::to_string(i), inner = "S" + std::to_string(i - 1);
+      text += "struct /* one */ " + name + " { highp " + inner + " a, b[3]; };\n";
+    }
+    Diagnostics diagnostics;
+    checkStructSizes(preprocess(test::source(text), {}, diagnostics), diagnostics);
+    return diagnostics;
+  };
+  EXPECT_TRUE(found(15).empty());  // 65536 members
+  const Diagnostics diagnostics = found(30);
+  ASSERT_EQ(diagnostics.size(), 1u);
+  EXPECT_EQ(diagnostics[0].id, "struct-too-large");
+  EXPECT_EQ(diagnostics[0].at.line, 17);
+  EXPECT_EQ(diagnostics[0].at.column, 18);
 }
 
 TEST(robustness, a_source_of_too_many_bytes_is_cut_unless_a_branch_is_inactive) {

@@ -31,6 +31,7 @@ std::span<const Rule> textRules() {
       {"macro-never", Severity::Warning, "a condition asks for a macro that Iris never defines"},
       {"macro-unterminated", Severity::Error, "the call of a macro is not closed"},
       {"source-too-large", Severity::Error, "a stage has too much text with its includes in place"},
+      {"struct-too-large", Severity::Error, "a struct has too many members"},
       {"text-too-large", Severity::Error, "a text file is larger than any pack needs"},
       {"text-utf16", Severity::Error, "a text file is UTF-16"},
       {"version-malformed", Severity::Error, "#version has no number"},

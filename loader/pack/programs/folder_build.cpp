@@ -13,7 +13,8 @@ namespace {
 /// Did the text of the program meet a limit? Whatever is missing then is no mistake of its own.
 bool isCutOff(const Diagnostics& diagnostics) {
   return std::any_of(diagnostics.begin(), diagnostics.end(), [](const Diagnostic& d) {
-    return d.id == "source-too-large" || d.id == "macro-expansion-limit";
+    return d.id == "source-too-large" || d.id == "struct-too-large" ||
+           d.id == "macro-expansion-limit";
   });
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "glsl/syntax/struct_size.h"
 #include "pack/files/reserved_names.h"
 #include "pack/files/text.h"
 #include "pack/mods/mods.h"
@@ -91,6 +92,7 @@ class ProgramBuild {
     const ProgramGroup group = entry_.name.group;
     if (group != ProgramGroup::Colorwheel && group != ProgramGroup::Voxy)
       checkReservedNames(part.stream, all);
+    checkStructSizes(part.stream, all);
     return part.stream;
   }
 
