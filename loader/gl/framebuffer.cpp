@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "gl/functions.h"
 
@@ -66,14 +67,44 @@ Transfer transferOf(const Texture& texture) {
   return {format->pixelFormat, format->channels, format->formatClass};
 }
 
+/// A part of level 0.
+struct TexelBox {
+  int x = 0, y = 0, z = 0, width = 1, height = 1, depth = 1;
+};
+
 template <typename Texel>
-std::vector<float> readAs(const Texture& texture, GLenum format, GLenum type, size_t count) {
+std::vector<float> readAs(const Texture& texture, GLenum format, GLenum type, size_t count,
+                          const std::optional<TexelBox>& box) {
   std::vector<Texel> texels(count);
-  GetTextureImage(texture.id(), 0, format, type, GLsizei(count * sizeof(Texel)), texels.data());
+  const auto bytes = GLsizei(count * sizeof(Texel));
+  if (box) {
+    GetTextureSubImage(texture.id(), 0, box->x, box->y, box->z, box->width, box->height,
+                       box->depth, format, type, bytes, texels.data());
+  } else {
+    GetTextureImage(texture.id(), 0, format, type, bytes, texels.data());
+  }
   if constexpr (std::is_same_v<Texel, float>) {
     return texels;
   } else {
     return {texels.begin(), texels.end()};
+  }
+}
+
+std::vector<float> readPart(const Texture& texture, size_t texels,
+                            const std::optional<TexelBox>& box) {
+  const Transfer transfer = transferOf(texture);
+  const size_t count = texels * size_t(transfer.channels);
+  PixelStorei(GL_PACK_ALIGNMENT, 1);
+  // Mesa packs a stencil as bytes whatever type is asked for.
+  if (transfer.format == GL_STENCIL_INDEX)
+    return readAs<GLubyte>(texture, transfer.format, GL_UNSIGNED_BYTE, count, box);
+  switch (transfer.formatClass) {
+    case FormatClass::Int:
+      return readAs<GLint>(texture, transfer.format, GL_INT, count, box);
+    case FormatClass::Uint:
+      return readAs<GLuint>(texture, transfer.format, GL_UNSIGNED_INT, count, box);
+    default:
+      return readAs<float>(texture, transfer.format, GL_FLOAT, count, box);
   }
 }
 
@@ -108,22 +139,13 @@ Framebuffer createFramebuffer(const std::vector<const Texture*>& colors, const T
 }
 
 std::vector<float> readPixels(const Texture& texture, int& channels) {
-  const Transfer transfer = transferOf(texture);
-  channels = transfer.channels;
-  const size_t count =
-      size_t(texture.width) * size_t(texture.height) * size_t(texture.depth) * size_t(channels);
-  PixelStorei(GL_PACK_ALIGNMENT, 1);
-  // Mesa packs a stencil as bytes whatever type is asked for.
-  if (transfer.format == GL_STENCIL_INDEX)
-    return readAs<GLubyte>(texture, transfer.format, GL_UNSIGNED_BYTE, count);
-  switch (transfer.formatClass) {
-    case FormatClass::Int:
-      return readAs<GLint>(texture, transfer.format, GL_INT, count);
-    case FormatClass::Uint:
-      return readAs<GLuint>(texture, transfer.format, GL_UNSIGNED_INT, count);
-    default:
-      return readAs<float>(texture, transfer.format, GL_FLOAT, count);
-  }
+  channels = transferOf(texture).channels;
+  return readPart(texture, size_t(texture.width) * size_t(texture.height) * size_t(texture.depth),
+                  std::nullopt);
+}
+
+std::vector<float> readTexel(const Texture& texture, int x, int y, int z) {
+  return readPart(texture, 1, TexelBox{.x = x, .y = y, .z = z});
 }
 
 std::vector<std::uint32_t> readWords(const Texture& texture, int& channels) {

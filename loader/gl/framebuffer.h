@@ -26,6 +26,9 @@ Framebuffer createFramebuffer(const std::vector<const Texture*>& colors, const T
 /// as GL has it; 3-D textures slice after slice; depth as one channel.
 std::vector<float> readPixels(const Texture& texture, int& channels);
 
+/// One texel of level 0, counted from the bottom left, just as readPixels() gives it.
+std::vector<float> readTexel(const Texture& texture, int x, int y, int z = 0);
+
 /// The same of a texture of whole numbers, all bits of them; of any other empty.
 std::vector<std::uint32_t> readWords(const Texture& texture, int& channels);
 

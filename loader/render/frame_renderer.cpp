@@ -69,10 +69,20 @@ bool FrameRenderer::setPack(std::shared_ptr<const ShaderPack> pack, const SceneD
   return true;
 }
 
+void FrameRenderer::forgetScene() {
+  loaded_->forgetScene();
+  firstFrame_ = true;  // what the buffers hold is of the other world
+}
+
 void FrameRenderer::updateScene(const SceneData& scene) {
   loaded_->scene->uploadMesh(scene, blockIdsOf(*pack_, scene.world.blocks), vertexStyleOf(*pack_));
   if (loaded_->volumes) loaded_->volumes->setCasters(castersOf(scene.mesh, scene.atlas));
   if (loaded_->lampVolumes) loaded_->lampVolumes->setScene(scene);
+}
+
+void FrameRenderer::setTimings(bool timings) {
+  options_.timings = timings;
+  if (!timings) stepTimes_.clear();
 }
 
 bool FrameRenderer::resize(int width, int height, Diagnostics& diagnostics) {
@@ -165,10 +175,12 @@ void FrameRenderer::runStep(const Step& step, const FrameState& state) {
       present(step, state);
       break;
   }
-  if (!options_.timings) return;
-  gl::Finish();
-  stepTimes_.push_back({step.name, std::chrono::duration<double>(Clock::now() - start).count(),
-                        processorSeconds() - startOfWork});
+  if (options_.timings) {
+    gl::Finish();
+    stepTimes_.push_back({step.name, std::chrono::duration<double>(Clock::now() - start).count(),
+                          processorSeconds() - startOfWork});
+  }
+  if (watcher_) watcher_(step);
 }
 
 void FrameRenderer::note(std::string_view name, const StageText* stage) {

@@ -38,6 +38,13 @@ struct StepTime {
   double processorSeconds = 0;  ///< of all threads; of a software rasteriser what the step costs
 };
 
+/// One of the two textures of a render target; of any other buffer there is only main.
+struct BufferSide {
+  std::string name;  ///< as dump() takes it
+  bool alt = false;
+  bool operator==(const BufferSide&) const = default;
+};
+
 /// Needs the context it was made with to be current in every call.
 class FrameRenderer {
  public:
@@ -50,6 +57,8 @@ class FrameRenderer {
                Diagnostics& diagnostics);
   /// Blocks changed: new vertices.
   void updateScene(const SceneData& scene);
+  /// The next setPack() is for another world: its textures are uploaded, too.
+  void forgetScene();
   bool resize(int width, int height, Diagnostics& diagnostics);
 
   void render(const FrameState& state);
@@ -66,6 +75,18 @@ class FrameRenderer {
   /// Depth under the screen centre in the last frame, if a program asked for it.
   float centerDepth() const { return centerDepth_; }
   const std::vector<StepTime>& stepTimes() const { return stepTimes_; }
+  /// As RendererOptions::timings, from the next frame on.
+  void setTimings(bool timings);
+  /// Calls `watcher` after each step of the frames to come, which may read buffers; empty: no call, no cost.
+  using StepWatcher = std::function<void(const Step&)>;
+  void watchSteps(StepWatcher watcher) { watcher_ = std::move(watcher); }
+  /// What a step leaves its results in: draw buffers, then depth, then images that its programs have, which it
+  /// may only read. A copy's destination; of the last step "screen".
+  std::vector<BufferSide> writesOf(const Step& step) const;
+  /// nullptr where the frame has no such buffer.
+  const gl::Texture* texture(const BufferSide& side) const;
+  /// The side that holds the result of the frame.
+  BufferSide finalSide(const std::string& name) const;
 
   /// The screen, top row first.
   Image8 screenshot() const;
@@ -73,6 +94,8 @@ class FrameRenderer {
   /// Any buffer by name (colortexN, shadowcolorN, depthtexN, shadowtexN, a custom image), as it
   /// stands after the last frame, top row first; a 3-D image as its slices from top to bottom.
   std::optional<ImageF> dump(const std::string& name) const;
+  /// The same of one side, as it stands.
+  std::optional<ImageF> dump(const BufferSide& side) const;
   /// A custom image of whole numbers, all bits of them, bottom row first, slice after slice; empty
   /// where there is none.
   std::vector<std::uint32_t> dumpWords(const std::string& image) const;
@@ -117,6 +140,7 @@ class FrameRenderer {
   int framesOfPack_ = 0;  ///< drawn since setPack()
   float centerDepth_ = 1;
   std::vector<StepTime> stepTimes_;
+  StepWatcher watcher_;
 };
 
 }  // namespace orris

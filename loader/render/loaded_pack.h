@@ -17,6 +17,8 @@ struct FrameRenderer::Loaded {
   void resize(const ShaderPack& pack, const Schedule& schedule, bool floatScreen,
               Diagnostics& diagnostics);
   void makeBinder(const PackDirectives& directives);
+  /// Nothing of the scene serves another load.
+  void forgetScene() { blockIds_ = {kNoScene}; }
   void copyDepth(const gl::Texture& from, const gl::Texture& to);
   void blit(const gl::Texture& from, const gl::Framebuffer& to);
 
@@ -43,6 +45,7 @@ struct FrameRenderer::Loaded {
                                       const std::vector<const StageText*>& stages,
                                       const SourceLines& lines, Loaded* previous,
                                       LoadReport& report, Diagnostics& diagnostics);
+  static constexpr int kNoScene = -2;  ///< no block has this id
   Schedule plan_;  ///< what `targets` was made for
   std::vector<int> blockIds_;
   VertexStyle style_;

@@ -52,9 +52,10 @@ ImageF FrameRenderer::screenshotLinear() const {
   return result;
 }
 
-std::optional<ImageF> FrameRenderer::dump(const std::string& name) const {
+const gl::Texture* FrameRenderer::texture(const BufferSide& side) const {
   const gl::Texture* texture = nullptr;
-  if (const auto buffer = parseBufferName(name, false)) {
+  if (side.name == "screen") return &loaded_->targets->screen();
+  if (const auto buffer = parseBufferName(side.name, false)) {
     const int i = buffer->index;
     if (buffer->kind == BufferName::Kind::Depth) texture = &loaded_->targets->depth(i);
     if (buffer->kind == BufferName::Kind::Stencil)
@@ -63,15 +64,32 @@ std::optional<ImageF> FrameRenderer::dump(const std::string& name) const {
     const bool shadow = buffer->kind == BufferName::Kind::ShadowColor;
     if (shadow || buffer->kind == BufferName::Kind::Color)
       if (RenderTarget* target = loaded_->targets->find(shadow, i); target != nullptr)
-        texture = &target->side(
-            ((shadow ? schedule_.finalShadowFlipped : schedule_.finalFlipped) >> i & 1u) != 0);
-  } else if (const ImageResource* image = loaded_->resources->image(name); image != nullptr) {
+        texture = &target->side(side.alt);
+  } else if (const ImageResource* image = loaded_->resources->image(side.name); image != nullptr) {
     texture = &image->texture;
   }
-  if (texture == nullptr || texture->id() == 0) return std::nullopt;
+  return texture == nullptr || texture->id() == 0 ? nullptr : texture;
+}
+
+BufferSide FrameRenderer::finalSide(const std::string& name) const {
+  const auto buffer = parseBufferName(name, false);
+  if (!buffer) return {name, false};
+  const bool shadow = buffer->kind == BufferName::Kind::ShadowColor;
+  if (!shadow && buffer->kind != BufferName::Kind::Color) return {name, false};
+  const std::uint32_t flipped = shadow ? schedule_.finalShadowFlipped : schedule_.finalFlipped;
+  return {name, (flipped >> buffer->index & 1u) != 0};
+}
+
+std::optional<ImageF> FrameRenderer::dump(const BufferSide& side) const {
+  const gl::Texture* buffer = texture(side);
+  if (buffer == nullptr) return std::nullopt;
   int channels = 0;
-  const std::vector<float> pixels = gl::readPixels(*texture, channels);
-  return flipped(pixels, texture->width, texture->height * texture->depth, channels);
+  const std::vector<float> pixels = gl::readPixels(*buffer, channels);
+  return flipped(pixels, buffer->width, buffer->height * buffer->depth, channels);
+}
+
+std::optional<ImageF> FrameRenderer::dump(const std::string& name) const {
+  return dump(finalSide(name));
 }
 
 std::vector<std::uint32_t> FrameRenderer::dumpWords(const std::string& image) const {

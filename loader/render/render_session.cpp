@@ -148,6 +148,36 @@ bool RenderSession::setProfile(const std::string& name, Diagnostics& diagnostics
   return false;
 }
 
+bool RenderSession::setValues(const std::string& cause, const OptionValues& values,
+                              Diagnostics& diagnostics) {
+  const LoadRequest before = request_.load;
+  request_.load.fileValues = values;
+  request_.load.profile.clear();
+  request_.load.values.clear();
+  if (use(cause, rebuildPack(diagnostics), diagnostics)) return true;
+  request_.load = before;
+  return false;
+}
+
+bool RenderSession::setWorld(World world, const Camera& camera, Diagnostics& diagnostics) {
+  const std::string cause = "world " + world.name;
+  SceneData before =
+      std::exchange(scene_, buildScene(std::move(world), meshStyleOf(*asked_), diagnostics));
+  const Camera cameraBefore = std::exchange(request_.camera, camera);
+  renderer_->forgetScene();
+  const std::size_t eventBefore = std::exchange(nextEvent_, 0);
+  // Events count frames of their world.
+  const int frameBefore = std::exchange(frame_, 0);
+  const auto state = std::exchange(state_, std::nullopt);
+  if (use(cause, asked_, diagnostics)) return true;
+  scene_ = std::move(before);
+  request_.camera = cameraBefore;
+  nextEvent_ = eventBefore;
+  frame_ = frameBefore;
+  state_ = state;
+  return false;
+}
+
 void RenderSession::applyEvents(Diagnostics& diagnostics) {
   bool blocksChanged = false;
   World& world = scene_.world;

@@ -48,7 +48,12 @@ class RenderSession {
   /// The same files under other values: only the programs that the option reaches are built again.
   bool setOption(const std::string& name, const std::string& value, Diagnostics& diagnostics);
   bool setProfile(const std::string& name, Diagnostics& diagnostics);
+  /// All values at once, in place of profile, option file and values asked for until then.
+  bool setValues(const std::string& cause, const OptionValues& values, Diagnostics& diagnostics);
+  /// The same pack in another world; false: the old one stays.
+  bool setWorld(World world, const Camera& camera, Diagnostics& diagnostics);
   void setCamera(const Camera& camera) { request_.camera = camera; }
+  Environment& environment() { return scene_.world.environment; }
   void setTime(int time) { scene_.world.environment.time = time; }
   void setFrameTime(float seconds) { request_.frameTime = seconds; }
   LoadRequest& loadRequest() { return request_.load; }
@@ -57,6 +62,8 @@ class RenderSession {
   int frame() const { return frame_; }  ///< frames drawn so far
   FrameRenderer& renderer() { return *renderer_; }
   const SceneData& scene() const { return scene_; }
+  /// The pack as it was asked for, AUTO where an option is AUTO.
+  const ShaderPack& asked() const { return *asked_; }
   const std::vector<SessionReload>& reloads() const { return reloads_; }
   /// What was chosen for options that are AUTO; chosen again at each load, and when the scene has
   /// changed by much.

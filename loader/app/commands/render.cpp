@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/commands.h"
+#include "app/commands/frame_probe.h"
 #include "app/input/inputs.h"
 #include "app/validate/patched_sources.h"
 #include "app/report/progress.h"
@@ -66,11 +67,13 @@ bool showSources(const RenderOptions& options, const SessionRequest& request,
          writePatched(options.outputs.patched, *pack, report, status);
 }
 
-std::vector<FrameStepTime> drawFrames(RenderSession& session, int frames, Report& report) {
+std::vector<FrameStepTime> drawFrames(RenderSession& session, int frames, FrameProbe& probe,
+                                      Report& report) {
   std::vector<FrameStepTime> times;
   Progress progress("rendering", frames, report.output());
   for (int frame = 0; frame < frames; ++frame) {
     Diagnostics diagnostics;
+    probe.begin(frame, frame + 1 == frames);
     session.renderFrame(diagnostics);
     report.add(diagnostics);
     for (const StepTime& step : session.renderer().stepTimes()) times.push_back({frame, step});
@@ -131,8 +134,11 @@ int runRender(const RenderOptions& options, Report& report, nlohmann::json& resu
   if (!session) return loadFailureStatus(request->openPack(diagnostics), request->load);
   if (!checkBuffers(options.outputs, session->renderer(), report, status)) return status;
 
-  const auto times = drawFrames(*session, options.image.frames, report);
+  FrameProbe probe(options.outputs, session->renderer());
+  const auto times = drawFrames(*session, options.image.frames, probe, report);
   result = describe(*session, context->driver());
+  if (!options.outputs.probe.empty()) result["probe"] = probe.json();
+  if (!options.output.json && !options.output.quiet) printText(probe.text());
   Diagnostics counted = counterWarnings(session->renderer());
   report.add(counted);
   if (report.status() != kClean) return report.status();
@@ -140,8 +146,11 @@ int runRender(const RenderOptions& options, Report& report, nlohmann::json& resu
   for (const std::string& message : errors) report.error("gl-error", message);
   // The frames are not what the pack asks for: a picture of an earlier run stays.
   if (!errors.empty()) return kHostFailed;
-  if (writeOutputs(options.outputs, session->renderer(), times, report, status))
+  if (writeOutputs(options.outputs, session->renderer(), probe.dumps(), times, report, status))
     sayRendered(options, *session, context->driver(), began);
+  Diagnostics notFinite = probe.findings();
+  if (!notFinite.empty() && status == kClean) status = kProblems;
+  report.add(notFinite);
   if (!sayLeftOut(session->renderer(), options.outputs.allowMissing, report) && status == kClean)
     status = kProblems;
   return status;
@@ -160,14 +169,32 @@ void addOutputPaths(CLI::App& command, RenderOutputs& outputs) {
   command.add_option("-o,--output", outputs.picture, "picture: .png (display) or .exr (linear)")
       ->type_name("OUT")
       ->required();
-  addAssignmentFlag(command, "--dump", outputs.dumps, "write a buffer after the last frame",
-                    "BUFFER=FILE");
+  addAssignmentFlag(command, "--dump", outputs.dumps,
+                    "write a buffer after the last frame, or after a pass of it",
+                    "BUFFER[@PASS]=FILE");
+  command
+      .add_option("--probe", outputs.probe,
+                  "print the value of a pixel after every pass of the last frame that wrote it")
+      ->type_name("X,Y");
+  command.add_flag("--check-finite", outputs.checkFinite,
+                   "name the first pass that writes NaN or Inf");
   command.add_option("--timings", outputs.timings, "write a CSV of the time of every step")
       ->type_name("FILE");
   command.add_flag("--allow-missing", outputs.allowMissing,
                    "status 0 although this driver cannot run some programs");
   command.add_option("--patched", outputs.patched, "write the sources as the driver gets them")
       ->type_name("DIR");
+}
+
+void checkProbe(const RenderOptions& options) {
+  const std::string& text = options.outputs.probe;
+  const auto pixel = parsePixel(text);
+  if (text.empty() || (pixel && pixel->first < options.image.width &&
+                       pixel->second < options.image.height))
+    return;
+  throw CLI::ValidationError(
+      "--probe", fmt::format("\"{}\" is no pixel of a picture of {}x{}: write X,Y from the top left",
+                             text, options.image.width, options.image.height));
 }
 
 }  // namespace
@@ -185,6 +212,7 @@ void addRenderCommand(CLI::App& app, int& status) {
   addLimitFlags(*command, options->limits);
   addOutputFlags(*command, options->output);
   command->callback([options, &status] {
+    checkProbe(*options);
     Report report(options->output);
     nlohmann::json result = nlohmann::json::object();
     status = runSupervised(supervised(*options), report,

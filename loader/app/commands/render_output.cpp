@@ -7,8 +7,10 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "app/commands/frame_probe.h"
 #include "app/input/inputs.h"
 #include "image/image.h"
+#include "pack/files/text.h"
 #include "render/counters.h"
 
 namespace orris {
@@ -82,6 +84,12 @@ nlohmann::json describeAuto(const AutoChoices& autoChoices, const ShaderPack& pa
   return {{"options", options}, {"quantities", autoChoices.quantities()}};
 }
 
+std::vector<std::string> stepNames(const Schedule& schedule) {
+  std::vector<std::string> names;
+  for (const Step& step : schedule.frame) names.push_back(step.name);
+  return names;
+}
+
 }  // namespace
 
 bool isLinear(const std::string& path) { return std::filesystem::path(path).extension() != ".png"; }
@@ -96,8 +104,21 @@ bool checkPaths(const RenderOutputs& outputs, Report& report, int& status) {
 bool checkBuffers(const RenderOutputs& outputs, const FrameRenderer& renderer, Report& report,
                   int& status) {
   bool good = true;
-  for (const auto& [buffer, path] : outputs.dumps) {
-    if (renderer.dump(buffer)) continue;
+  const auto runs = [&](const std::string& pass) {
+    return std::ranges::find(renderer.schedule().frame, pass, &Step::name) !=
+           renderer.schedule().frame.end();
+  };
+  for (const auto& [name, path] : outputs.dumps) {
+    const auto parts = splitDumpName(name);
+    const std::string& buffer = parts ? parts->first : name;
+    if (parts && !runs(parts->second)) {
+      good = false;
+      report.error("dump-unknown", fmt::format("--dump {}: no such pass in this frame", name),
+                   suggest(parts->second, stepNames(renderer.schedule())));
+      status = kUsage;
+      continue;
+    }
+    if (renderer.texture(renderer.finalSide(buffer)) != nullptr) continue;
     good = false;
     report.error("dump-unknown", fmt::format("--dump {}: no such buffer in this frame", buffer),
                  "buffers: " + renderer.bufferNames());
@@ -107,12 +128,15 @@ bool checkBuffers(const RenderOutputs& outputs, const FrameRenderer& renderer, R
 }
 
 bool writeOutputs(const RenderOutputs& outputs, const FrameRenderer& renderer,
-                  const std::vector<FrameStepTime>& times, Report& report, int& status) {
+                  const PassDumps& passDumps, const std::vector<FrameStepTime>& times,
+                  Report& report, int& status) {
   bool good = isLinear(outputs.picture)
                   ? writePicture(outputs.picture, renderer.screenshotLinear(), report, status)
                   : writePicture(outputs.picture, renderer.screenshot(), report, status);
   for (const auto& [buffer, path] : outputs.dumps)
-    if (const auto image = renderer.dump(buffer)) good &= writeDump(path, *image, report, status);
+    if (const auto image = splitDumpName(buffer) ? std::nullopt : renderer.dump(buffer)) good &= writeDump(path, *image, report, status);
+  for (const auto& [name, image] : passDumps)
+    good &= writeDump(outputs.dumps.at(name), image, report, status);
   if (!outputs.timings.empty()) good &= writeTimings(outputs.timings, times, report, status);
   return good;
 }

@@ -1,6 +1,7 @@
 // What `orris render` leaves behind: pictures, buffers, sources, times.
 #pragma once
 
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -12,7 +13,9 @@ namespace orris {
 
 struct RenderOutputs {
   std::string picture;
-  OptionValues dumps;   ///< buffer -> file
+  OptionValues dumps;   ///< buffer, or buffer@pass -> file
+  std::string probe;    ///< pixel "X,Y", "" for none
+  bool checkFinite = false;
   std::string timings;  ///< CSV
   std::string patched;  ///< folder
   bool allowMissing = false;  ///< programs that the driver cannot run are no error
@@ -33,9 +36,13 @@ bool checkPaths(const RenderOutputs& outputs, Report& report, int& status);
 bool checkBuffers(const RenderOutputs& outputs, const FrameRenderer& renderer, Report& report,
                   int& status);
 
+/// Buffers after passes, by the name that --dump gives them.
+using PassDumps = std::map<std::string, ImageF>;
+
 /// The picture, the buffers and the times.
 bool writeOutputs(const RenderOutputs& outputs, const FrameRenderer& renderer,
-                  const std::vector<FrameStepTime>& times, Report& report, int& status);
+                  const PassDumps& passDumps, const std::vector<FrameStepTime>& times,
+                  Report& report, int& status);
 
 /// The result for --json: driver, steps, targets, what each (re)load built.
 nlohmann::json describe(RenderSession& session, const gl::DriverInfo& driver);
