@@ -11,7 +11,8 @@ namespace {
 constexpr const char* kKeys =
     "Keys: W A S D, space and shift fly, a click takes the mouse and Esc gives it back or ends, "
     "the\n"
-    "wheel sets the speed; 1 to 9 named cameras; R reload, O next profile, F2 screenshot.\n"
+    "wheel sets the speed; 1 to 9 named cameras; R reload, P next profile, K pack on and off, F2\n"
+    "screenshot, comma pause, dot one frame, F11 full screen.\n"
     "Edited pack files and PACK.txt are taken over at once; what does not compile changes nothing.";
 
 }  // namespace
@@ -28,11 +29,17 @@ void addViewCommand(CLI::App& app, int& status) {
   addImageFlags(*command, options->image);
   command->add_option("--screenshot", options->screenshot, "picture to write at the end")
       ->type_name("FILE");
+  command
+      ->add_option("--script", options->script,
+                   "steps to do instead of a user: keys, edits, waits, pictures (docs/view.md)")
+      ->type_name("FILE");
   addOutputFlags(*command, options->output);
   command->callback([options, &status] {
     const gl::Backend backend = options->image.backend;
-    if (backend != gl::Backend::Auto && backend != gl::Backend::Glfw) {
-      throw CLI::ValidationError("--backend", "view needs a window: only glfw can be asked for");
+    const bool window = backend == gl::Backend::Auto || backend == gl::Backend::Glfw;
+    if (!window && options->script.empty()) {
+      throw CLI::ValidationError("--backend",
+                                 "view needs a window: without --script only glfw can be asked for");
     }
     Viewer viewer(*options);
     status = viewer.run();

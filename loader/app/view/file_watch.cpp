@@ -41,6 +41,13 @@ FileWatch::Snapshot FileWatch::take() const {
   return snapshot;
 }
 
+void FileWatch::accept(const std::string& path) {
+  std::error_code error;
+  const Stamp stamp{.time = fs::last_write_time(path, error), .size = fs::file_size(path, error)};
+  if (error) return;
+  seen_[path] = last_[path] = stamp;
+}
+
 std::vector<std::string> FileWatch::poll() {
   Snapshot now = take();
   const bool settled = now == last_;

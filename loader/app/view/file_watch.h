@@ -20,6 +20,8 @@ class FileWatch {
   /// calls in a row see the same: an editor may be in the middle of writing several files. Call it a
   /// few times a second.
   std::vector<std::string> poll();
+  /// What `path` is now counts as seen.
+  void accept(const std::string& path);
 
  private:
   struct Stamp {

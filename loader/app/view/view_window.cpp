@@ -3,105 +3,98 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
 #include <utility>
 
-#include "gl/functions.h"
-
 namespace orris {
-namespace {
 
-struct KeyCommand {
-  int key;
-  bool ViewInput::*command;
-};
-constexpr KeyCommand kKeyCommands[] = {{GLFW_KEY_R, &ViewInput::reload},
-                                       {GLFW_KEY_O, &ViewInput::nextProfile},
-                                       {GLFW_KEY_F2, &ViewInput::screenshot}};
-
-struct MoveKey {
-  int key;
-  int FlyKeys::*axis;
-  int direction;
-};
-constexpr MoveKey kMoves[] = {
-    {GLFW_KEY_W, &FlyKeys::forward, 1}, {GLFW_KEY_S, &FlyKeys::forward, -1},
-    {GLFW_KEY_D, &FlyKeys::right, 1},   {GLFW_KEY_A, &FlyKeys::right, -1},
-    {GLFW_KEY_SPACE, &FlyKeys::up, 1},  {GLFW_KEY_LEFT_SHIFT, &FlyKeys::up, -1}};
-
-}  // namespace
-
-ViewWindow::ViewWindow(GLFWwindow* window) : window_(window) {
+ViewWindow::ViewWindow(GLFWwindow* window, bool waitForRefresh) : window_(window) {
+  glfwSwapInterval(waitForRefresh ? 1 : 0);
   glfwSetWindowUserPointer(window_, this);
   glfwSetKeyCallback(window_, onKey);
+  glfwSetCharCallback(window_, onText);
+  glfwSetCursorPosCallback(window_, onMove);
   glfwSetMouseButtonCallback(window_, onMouseButton);
   glfwSetScrollCallback(window_, onScroll);
 }
 
 ViewWindow::~ViewWindow() {
   glfwSetKeyCallback(window_, nullptr);
+  glfwSetCharCallback(window_, nullptr);
+  glfwSetCursorPosCallback(window_, nullptr);
   glfwSetMouseButtonCallback(window_, nullptr);
   glfwSetScrollCallback(window_, nullptr);
 }
 
-void ViewWindow::setRefreshWait(bool wait) { glfwSwapInterval(wait ? 1 : 0); }
-
-ViewInput& ViewWindow::inputOf(GLFWwindow* window) {
-  return static_cast<ViewWindow*>(glfwGetWindowUserPointer(window))->input_;
+void ViewWindow::add(GLFWwindow* window, const ViewEvent& event) {
+  static_cast<ViewWindow*>(glfwGetWindowUserPointer(window))->events_.push_back(event);
 }
 
 void ViewWindow::onKey(GLFWwindow* window, int key, int, int action, int) {
-  if (action != GLFW_PRESS) return;
-  ViewInput& input = inputOf(window);
-  for (const KeyCommand& row : kKeyCommands) {
-    if (row.key == key) input.*row.command = true;
-  }
-  if (key >= GLFW_KEY_1 && key <= GLFW_KEY_9) input.camera = key - GLFW_KEY_1;
-  if (key != GLFW_KEY_ESCAPE) return;
-  const bool held = glfwGetInputMode(window, GLFW_CURSOR) == GLFW_CURSOR_DISABLED;
-  if (held) glfwSetInputMode(window, GLFW_CURSOR, GLFW_CURSOR_NORMAL);
-  input.close |= !held;
+  if (action == GLFW_REPEAT) return;
+  add(window, {.kind = ViewEvent::Kind::Key, .code = key, .pressed = action == GLFW_PRESS});
 }
 
-void ViewWindow::onMouseButton(GLFWwindow* window, int, int action, int) {
-  if (action == GLFW_PRESS) glfwSetInputMode(window, GLFW_CURSOR, GLFW_CURSOR_DISABLED);
+void ViewWindow::onText(GLFWwindow* window, unsigned character) {
+  add(window, {.kind = ViewEvent::Kind::Text, .code = int(character)});
 }
 
-void ViewWindow::onScroll(GLFWwindow* window, double, double y) { inputOf(window).scroll += y; }
-
-bool ViewWindow::holdsMouse() const {
-  return glfwGetInputMode(window_, GLFW_CURSOR) == GLFW_CURSOR_DISABLED;
+void ViewWindow::onMove(GLFWwindow* window, double x, double y) {
+  int pixels = 0, units = 0, ignored = 0;
+  glfwGetFramebufferSize(window, &pixels, &ignored);
+  glfwGetWindowSize(window, &units, &ignored);
+  const double ratio = double(pixels) / std::max(units, 1);
+  add(window, {.kind = ViewEvent::Kind::Move, .x = x * ratio, .y = y * ratio});
 }
 
-ViewInput ViewWindow::poll() {
+void ViewWindow::onMouseButton(GLFWwindow* window, int button, int action, int) {
+  add(window,
+      {.kind = ViewEvent::Kind::Button, .code = button, .pressed = action == GLFW_PRESS});
+}
+
+void ViewWindow::onScroll(GLFWwindow* window, double x, double y) {
+  add(window, {.kind = ViewEvent::Kind::Scroll, .x = x, .y = y});
+}
+
+std::vector<ViewEvent> ViewWindow::poll() {
   glfwPollEvents();
-  ViewInput input = std::exchange(input_, {});
-  for (const MoveKey& move : kMoves) {
-    if (glfwGetKey(window_, move.key) == GLFW_PRESS) input.keys.*move.axis += move.direction;
-  }
-  const double lastX = mouseX_, lastY = mouseY_;
-  glfwGetCursorPos(window_, &mouseX_, &mouseY_);
-  // The position jumps when the mouse is taken or given back.
-  if (std::exchange(heldMouse_, holdsMouse()) && heldMouse_) {
-    input.lookX = mouseX_ - lastX;
-    input.lookY = mouseY_ - lastY;
-  }
-  input.close |= glfwWindowShouldClose(window_) == GLFW_TRUE;
-  return input;
+  if (glfwWindowShouldClose(window_) == GLFW_TRUE)
+    events_.push_back({.kind = ViewEvent::Kind::Close});
+  return std::exchange(events_, {});
 }
 
 void ViewWindow::size(int& width, int& height) const {
   glfwGetFramebufferSize(window_, &width, &height);
 }
 
+void ViewWindow::resize(int width, int height) { glfwSetWindowSize(window_, width, height); }
+
+float ViewWindow::scale() const {
+  float x = 1, y = 1;
+  glfwGetWindowContentScale(window_, &x, &y);
+  return std::max({x, y, 1.0f});
+}
+
 void ViewWindow::setTitle(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
 
-void ViewWindow::show(unsigned framebuffer, int width, int height) {
-  int windowWidth = 0, windowHeight = 0;
-  size(windowWidth, windowHeight);
-  gl::Disable(GL_SCISSOR_TEST);
-  gl::BlitNamedFramebuffer(framebuffer, 0, 0, 0, width, height, 0, 0, windowWidth, windowHeight,
-                           GL_COLOR_BUFFER_BIT, GL_NEAREST);
-  glfwSwapBuffers(window_);
+void ViewWindow::holdMouse(bool hold) {
+  glfwSetInputMode(window_, GLFW_CURSOR, hold ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
 }
+
+void ViewWindow::setFullScreen(bool on) {
+  GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+  const GLFWvidmode* mode = monitor == nullptr ? nullptr : glfwGetVideoMode(monitor);
+  if (mode == nullptr) return;
+  if (on) {
+    glfwGetWindowPos(window_, &windowed_.x, &windowed_.y);
+    glfwGetWindowSize(window_, &windowed_.width, &windowed_.height);
+    glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+  } else if (windowed_.width > 0) {
+    glfwSetWindowMonitor(window_, nullptr, windowed_.x, windowed_.y, windowed_.width,
+                         windowed_.height, GLFW_DONT_CARE);
+  }
+}
+
+void ViewWindow::show() { glfwSwapBuffers(window_); }
 
 }  // namespace orris

@@ -1,52 +1,43 @@
-// The window of `orris view`: what the user did, and showing a picture.
+// The window of `orris view`.
 #pragma once
 
-#include <string>
-
-#include "app/view/fly_camera.h"
+#include "app/view/view_surface.h"
 
 struct GLFWwindow;
 
 namespace orris {
 
-/// What the user did since the last frame.
-struct ViewInput {
-  FlyKeys keys;
-  double lookX = 0, lookY = 0;  ///< mouse movement in pixels while the window holds the mouse
-  double scroll = 0;
-  int camera = -1;  ///< named camera asked for, from 0
-  bool reload = false, nextProfile = false, screenshot = false;
-  bool close = false;
-};
-
-/// Needs the window's context to be current.
-class ViewWindow {
+class ViewWindow final : public ViewSurface {
  public:
-  explicit ViewWindow(GLFWwindow* window);
-  ~ViewWindow();
+  /// `waitForRefresh`: show() waits for the screen, where the driver can.
+  ViewWindow(GLFWwindow* window, bool waitForRefresh);
+  ~ViewWindow() override;
   ViewWindow(const ViewWindow&) = delete;
   ViewWindow& operator=(const ViewWindow&) = delete;
 
-  /// Waits for the screen's refresh in show(), where the driver can.
-  void setRefreshWait(bool wait);
-  ViewInput poll();
-  /// Size in pixels; 0 while minimised.
-  void size(int& width, int& height) const;
-  void setTitle(const std::string& title);
-  /// Copies a framebuffer's first colour attachment to the whole window and shows it.
-  void show(unsigned framebuffer, int width, int height);
+  std::vector<ViewEvent> poll() override;
+  void size(int& width, int& height) const override;
+  void resize(int width, int height) override;
+  float scale() const override;
+  void setTitle(const std::string& title) override;
+  void holdMouse(bool hold) override;
+  void setFullScreen(bool on) override;
+  unsigned framebuffer() override { return 0; }
+  void show() override;
 
  private:
-  static ViewInput& inputOf(GLFWwindow* window);
+  static void add(GLFWwindow* window, const ViewEvent& event);
   static void onKey(GLFWwindow* window, int key, int code, int action, int modifiers);
+  static void onText(GLFWwindow* window, unsigned character);
+  static void onMove(GLFWwindow* window, double x, double y);
   static void onMouseButton(GLFWwindow* window, int button, int action, int modifiers);
   static void onScroll(GLFWwindow* window, double x, double y);
-  bool holdsMouse() const;
 
   GLFWwindow* window_;
-  ViewInput input_;
-  double mouseX_ = 0, mouseY_ = 0;
-  bool heldMouse_ = false;
+  std::vector<ViewEvent> events_;
+  struct {
+    int x = 0, y = 0, width = 0, height = 0;
+  } windowed_;  ///< place and size to come back to from the full screen
 };
 
 }  // namespace orris

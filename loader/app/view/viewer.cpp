@@ -10,9 +10,10 @@
 #include <utility>
 
 #include "app/input/inputs.h"
-#include "core/read_file.h"
+#include "app/view/hidden_surface.h"
+#include "app/view/view_window.h"
+#include "gl/functions.h"
 #include "render/counters.h"
-#include "image/image.h"
 
 namespace orris {
 namespace {
@@ -25,6 +26,7 @@ constexpr auto kTitleInterval = std::chrono::milliseconds(500);
 constexpr auto kShortestFrame = std::chrono::milliseconds(4);
 // A frame that took longer, for a reload, moves the camera and the clock no further than this.
 constexpr double kLongestStep = 0.1;
+constexpr double kFixedStep = 1.0 / 60;
 
 volatile std::sig_atomic_t viewInterrupted = 0;
 void onInterrupt(int) { viewInterrupted = 1; }
@@ -34,51 +36,49 @@ double secondsBetween(std::chrono::steady_clock::time_point from,
   return std::chrono::duration<double>(to - from).count();
 }
 
-fs::path withoutEndSlash(const fs::path& path) {
-  return path.has_filename() ? path : path.parent_path();
-}
-
-// A pack's own option file lies beside it and is named like it.
-std::string optionFileOf(const PackOptions& options) {
-  if (!options.settingsFile.empty()) return options.settingsFile;
-  return withoutEndSlash(options.path).string() + ".txt";
-}
-
 // What of a pack can change its picture: all of a zip, and `shaders` of a folder.
 fs::path watchedPart(const std::string& packPath) {
   const fs::path shaders = fs::path(packPath) / "shaders";
   return fs::is_directory(shaders) ? shaders : fs::path(packPath);
 }
 
-std::string freeScreenshotName() {
-  for (int i = 1;; ++i) {
-    std::string name = fmt::format("orris-{:04}.png", i);
-    if (!fs::exists(name)) return name;
-  }
-}
-
 }  // namespace
 
-Viewer::Viewer(const ViewOptions& options)
-    : options_(options), report_(options.output), optionFile_(optionFileOf(options.pack)) {}
+Viewer::Viewer(const ViewOptions& options) : options_(options), report_(options.output) {}
 
 int Viewer::run() {
   if (!open()) return status_;
   std::signal(SIGINT, onInterrupt);
   std::signal(SIGTERM, onInterrupt);
   while (!ended()) drawFrame();
-  tellCounters();
+  sayCounters();
   if (!options_.screenshot.empty()) saveScreenshot(options_.screenshot);
   return status_;
 }
 
 bool Viewer::ended() const {
   const int frames = options_.image.frames;
-  return closed_ || viewInterrupted != 0 || (frames > 0 && session_->frame() >= frames);
+  return closed_ || viewInterrupted != 0 || (player_ && player_->ended()) ||
+         (frames > 0 && !player_ && framesDrawn_ >= frames);
+}
+
+bool Viewer::readScript() {
+  if (options_.script.empty()) return true;
+  auto text = readWholeFile(options_.script, report_, status_);
+  if (!text) return false;
+  Diagnostics diagnostics;
+  auto script = parseViewScript(options_.script, std::move(*text), diagnostics);
+  report_.add(diagnostics);
+  if (!script) {
+    status_ = kUsage;
+    return false;
+  }
+  player_.emplace(std::move(*script));
+  return true;
 }
 
 bool Viewer::open() {
-  if (!openPackFiles(options_.pack.path, report_, status_)) return false;
+  if (!readScript() || !openPackFiles(options_.pack.path, report_, status_)) return false;
   std::optional<World> world = loadScene(options_.scene, options_.pack.dimension, report_, status_);
   if (!world) return false;
   const std::optional<Camera> camera =
@@ -86,15 +86,22 @@ bool Viewer::open() {
   if (!camera) return false;
   const std::string& screenshot = options_.screenshot;
   if (!screenshot.empty() && !checkPicturePath(screenshot, report_, status_)) return false;
-  return openWindow() && openSession(std::move(*world), *camera);
+  if (!openSurface()) return false;
+  pack_ = std::make_unique<LivePack>(options_.pack, *context_, report_);
+  watchFiles();
+  lastFrame_ = lastPoll_ = titleSince_ = Clock::now();
+  return pack_->open(options_.scene, options_.image, std::move(*world), *camera, status_);
 }
 
-bool Viewer::openWindow() {
+bool Viewer::openSurface() {
+  const ImageOptions& image = options_.image;
+  const gl::Backend backend =
+      image.backend == gl::Backend::Auto ? gl::Backend::Glfw : image.backend;
   Diagnostics diagnostics;
-  context_ = gl::createContext({.backend = gl::Backend::Glfw,
-                                .profile = options_.image.context,
-                                .width = options_.image.width,
-                                .height = options_.image.height,
+  context_ = gl::createContext({.backend = backend,
+                                .profile = image.context,
+                                .width = image.width,
+                                .height = image.height,
                                 .title = "Orris"},
                                diagnostics);
   report_.add(diagnostics);
@@ -102,107 +109,99 @@ bool Viewer::openWindow() {
     status_ = kHostFailed;
     return false;
   }
-  window_.emplace(context_->window());
-  window_->setRefreshWait(options_.image.frames == 0);
-  return true;
-}
-
-bool Viewer::openSession(World world, const Camera& camera) {
-  watchFiles();
-  const auto load = readChoices(true);
-  if (!load) return false;
-  SessionRequest request;
-  request.openPack = [path = options_.pack.path](Diagnostics& diagnostics) {
-    return std::shared_ptr<const FileSource>(openPack(path, diagnostics));
-  };
-  request.load = *load;
-  request.versions = options_.pack.versions;
-  if (options_.pack.dimension.empty()) request.load.dimension = world.environment.dimension;
-  request.renderer = {.width = options_.image.width, .height = options_.image.height};
-  request.camera = camera;
-  request.seed = options_.scene.seed;
-  Diagnostics diagnostics;
-  session_ = RenderSession::create(*context_, std::move(request), std::move(world), diagnostics);
-  report_.add(diagnostics);
-  if (!session_) {
-    const auto files = openPackFiles(options_.pack.path, report_, status_);
-    status_ = files ? loadFailureStatus(files, *load) : kUsage;
+  if (backend == gl::Backend::Glfw) {
+    surface_ = std::make_unique<ViewWindow>(context_->window(), !hasFixedTime());
+  } else {
+    surface_ = std::make_unique<HiddenSurface>(image.width, image.height);
   }
-  lastFrame_ = lastPoll_ = titleSince_ = Clock::now();
-  return session_ != nullptr;
-}
-
-// The command line's choices with those of the option file as it is now; a pack need not have one.
-std::optional<LoadRequest> Viewer::readChoices(bool withOptionFile) {
-  PackOptions pack = options_.pack;
-  // Beside a pack lies what came with it: a link there may not lead out of the folder.
-  const fs::path folder = fs::absolute(optionFile_).parent_path();
-  const bool wanted = withOptionFile && (!pack.settingsFile.empty() || liesBelow(folder, optionFile_));
-  pack.settingsFile = wanted ? optionFile_ : "";
-  const auto files = openPackFiles(pack.path, report_, status_);
-  if (!files) return std::nullopt;
-  const MacroDefinitions environment = environmentFor(context_->driver(), options_.pack.versions);
-  auto request = makeLoadRequest(files, pack, environment, report_, status_);
-  if (request) request->name = withoutEndSlash(pack.path).filename().string();
-  return request;
+  return true;
 }
 
 // Before anything is read: an edit during loading is then seen afterwards.
 void Viewer::watchFiles() {
-  watch_.emplace(std::vector<fs::path>{watchedPart(options_.pack.path), optionFile_});
+  watch_.emplace(std::vector<fs::path>{watchedPart(options_.pack.path), pack_->optionFile()});
+}
+
+std::vector<ViewEvent> Viewer::pollEvents() {
+  std::vector<ViewEvent> events = surface_->poll();
+  if (!player_) return events;
+  Diagnostics diagnostics;
+  for (const ViewEvent& event : player_->advance(*this, diagnostics)) events.push_back(event);
+  if (hasErrors(diagnostics) && status_ == kClean) status_ = kProblems;
+  report_.add(diagnostics);
+  return events;
 }
 
 void Viewer::drawFrame() {
   const Clock::time_point now = Clock::now();
-  const double seconds = std::min(secondsBetween(lastFrame_, now), kLongestStep);
+  const double passed = std::min(secondsBetween(lastFrame_, now), kLongestStep);
+  // A script or a given number of frames is a recording: every frame takes the same time.
+  const double seconds = hasFixedTime() ? kFixedStep : passed;
   lastFrame_ = now;
-  handle(window_->poll(), seconds);
+  const bool held = controls_.holdsMouse();
+  handle(controls_.take(pollEvents(), {}), seconds);
+  if (controls_.holdsMouse() != held) surface_->holdMouse(!held);
   pollFiles();
   followWindowSize();
-  // A given number of frames is a recording: every frame takes the same time.
-  if (options_.image.frames == 0) session_->setFrameTime(float(seconds));
-  Diagnostics diagnostics;
-  session_->renderFrame(diagnostics);
-  report_.add(diagnostics);
-  FrameRenderer& renderer = session_->renderer();
-  const Schedule& schedule = renderer.schedule();
-  window_->show(renderer.screenFramebuffer(), schedule.width, schedule.height);
-  tellGlErrors();
-  if (session_->frame() == 1) {
-    const std::string chosen = session_->autoChoices().text();
-    say(chosen.empty() ? "ready" : "ready; AUTO took " + chosen);
-  }
+  drawPicture(seconds);
+  showPicture();
+  sayGlErrors();
   showTimes();
-  if (options_.image.frames == 0) std::this_thread::sleep_until(now + kShortestFrame);
+  if (!hasFixedTime() || player_) std::this_thread::sleep_until(now + kShortestFrame);
+}
+
+void Viewer::drawPicture(double seconds) {
+  if (paused_ && singleFrames_ == 0 && session().frame() > 0) return;
+  singleFrames_ = std::max(singleFrames_ - 1, 0);
+  session().setFrameTime(float(seconds));
+  Diagnostics diagnostics;
+  session().renderFrame(diagnostics);
+  report_.add(diagnostics);
+  if (++framesDrawn_ != 1) return;
+  const std::string chosen = session().autoChoices().text();
+  say(chosen.empty() ? "ready" : "ready; AUTO took " + chosen);
+}
+
+void Viewer::showPicture() {
+  FrameRenderer& renderer = session().renderer();
+  int width = 0, height = 0;
+  surface_->size(width, height);
+  gl::Disable(GL_SCISSOR_TEST);
+  gl::BlitNamedFramebuffer(renderer.screenFramebuffer(), surface_->framebuffer(), 0, 0,
+                           renderer.schedule().width, renderer.schedule().height, 0, 0, width,
+                           height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  if (!windowPicture_.empty()) saveWindow(std::exchange(windowPicture_, ""));
+  surface_->show();
 }
 
 void Viewer::handle(const ViewInput& input, double seconds) {
-  const std::vector<Camera>& cameras = session_->scene().world.cameras;
+  const std::vector<Camera>& cameras = session().scene().world.cameras;
   // The session's camera also moves by the world's events.
-  fly_.set(session_->camera());
+  fly_.set(session().camera());
   if (input.camera >= 0 && input.camera < int(cameras.size())) fly_.set(cameras[input.camera]);
   fly_.scroll(input.scroll);
   fly_.look(input.lookX, input.lookY);
   fly_.move(input.keys, seconds);
-  session_->setCamera(fly_.camera());
+  session().setCamera(fly_.camera());
   closed_ |= input.close;
-  if (input.reload) reload("R pressed", true);
-  if (input.nextProfile) nextProfile();
-  if (input.screenshot) saveScreenshot(freeScreenshotName());
+  for (const ViewCommand command : input.commands) run(command);
 }
 
 void Viewer::followWindowSize() {
   int width = 0, height = 0;
-  window_->size(width, height);
-  const Schedule& schedule = session_->renderer().schedule();
+  surface_->size(width, height);
+  FrameRenderer& renderer = session().renderer();
+  const Schedule& schedule = renderer.schedule();
   const bool same = width == schedule.width && height == schedule.height;
   if (width <= 0 || height <= 0 || same) return;
   Diagnostics diagnostics;
-  session_->renderer().resize(width, height, diagnostics);
+  renderer.resize(width, height, diagnostics);
   report_.add(diagnostics);
+  singleFrames_ = std::max(singleFrames_, 1);  // a pause has no picture of this size
 }
 
 void Viewer::pollFiles() {
+  if (pack_->takeSaved()) watch_->accept(pack_->optionFile());
   const Clock::time_point now = Clock::now();
   if (now - lastPoll_ < kPollInterval) return;
   lastPoll_ = now;
@@ -214,89 +213,23 @@ void Viewer::pollFiles() {
 }
 
 void Viewer::reload(const std::string& cause, bool withOptionFile) {
-  report_.beginAgain();
-  LoadRequest& request = session_->loadRequest();
-  const auto choices = readChoices(withOptionFile);
-  bool succeeded = false;
-  if (choices) {
-    const OptionValues before = std::exchange(request.fileValues, choices->fileValues);
-    Diagnostics diagnostics;
-    succeeded = session_->reload(cause, diagnostics);
-    report_.add(diagnostics);
-    if (!succeeded) request.fileValues = before;
-  }
-  tellReload(succeeded);
-}
-
-// A profile chosen by key counts more than an option file written before.
-void Viewer::nextProfile() {
-  const ShaderPack& pack = session_->renderer().pack();
-  const std::vector<Profile>& profiles = pack.properties.profiles;
-  if (profiles.empty()) return say("this pack has no profiles");
-  LoadRequest& request = session_->loadRequest();
-  const std::string current = pack.currentProfile();
-  const auto at = std::find_if(profiles.begin(), profiles.end(),
-                               [&](const Profile& profile) { return profile.name == current; });
-  const bool last = at == profiles.end() || at + 1 == profiles.end();
-  const std::string before = request.profile;
-  request.profile = last ? profiles.front().name : (at + 1)->name;
-  reload("profile " + request.profile, false);
-  if (!session_->reloads().back().succeeded) request.profile = before;
-}
-
-void Viewer::tellReload(bool succeeded) {
-  status_ = succeeded ? kClean : kProblems;
-  if (!succeeded) return say("not reloaded: the last good pack keeps running");
-  const SessionReload& last = session_->reloads().back();
-  say(fmt::format("reloaded ({}): {} programs built{}{}, {} kept", last.cause,
-                  last.report.programsBuilt, last.report.built.empty() ? "" : ": ",
-                  fmt::join(last.report.built, ", "), last.report.programsReused));
-}
-
-void Viewer::tellGlErrors() {
-  for (const std::string& text : context_->takeErrors()) {
-    report_.error("gl-error", "the GL driver reports: " + text);
-    status_ = kHostFailed;
-  }
-}
-
-// Each once, however the number changes.
-void Viewer::tellCounters() {
-  for (Diagnostic& diagnostic : counterWarnings(session_->renderer())) {
-    if (!toldCounters_.insert(diagnostic.at.line).second) continue;
-    Diagnostics one{std::move(diagnostic)};
-    report_.add(one);
-  }
+  pack_->reload(cause, withOptionFile);
+  sayOutcome();
 }
 
 void Viewer::showTimes() {
   ++titleFrames_;
   const Clock::time_point now = Clock::now();
   if (now - titleSince_ < kTitleInterval) return;
-  tellCounters();
+  sayCounters();
   const double milliseconds = secondsBetween(titleSince_, now) * 1000 / titleFrames_;
-  const ShaderPack& pack = session_->renderer().pack();
+  const ShaderPack& pack = pack_->session().renderer().pack();
   const std::string profile = pack.currentProfile();
-  window_->setTitle(fmt::format("Orris - {} - {} - {:.1f} ms/frame", pack.name,
-                                profile.empty() ? "custom" : profile, milliseconds));
+  const std::string shown = plain_ ? "pack off" : profile.empty() ? "custom" : profile;
+  surface_->setTitle(fmt::format("Orris - {} - {} - {:.1f} ms/frame{}", pack.name, shown,
+                                 milliseconds, paused_ ? " - paused" : ""));
   titleSince_ = now;
   titleFrames_ = 0;
-}
-
-void Viewer::saveScreenshot(const std::string& path) {
-  if (session_->frame() == 0) return;
-  Diagnostics diagnostics;
-  FrameRenderer& renderer = session_->renderer();
-  const bool linear = !path.ends_with(".png");
-  const bool written = linear ? writeImage(path, renderer.screenshotLinear(), diagnostics)
-                              : writeImage(path, renderer.screenshot(), diagnostics);
-  report_.add(diagnostics);
-  if (written) return say("screenshot: " + path);
-  status_ = kUsage;
-}
-
-void Viewer::say(const std::string& line) const {
-  if (!options_.output.quiet) printText(line + "\n");
 }
 
 }  // namespace orris

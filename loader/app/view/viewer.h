@@ -1,4 +1,4 @@
-// The running of `orris view`: a window, a session, and what keys and edited files do to them.
+// The running of `orris view`: a surface, a pack, and what keys, edited files and scripts do to them.
 #pragma once
 
 #include <chrono>
@@ -10,7 +10,10 @@
 #include "app/input/common.h"
 #include "app/report/report.h"
 #include "app/view/file_watch.h"
-#include "app/view/view_window.h"
+#include "app/view/live_pack.h"
+#include "app/view/script_player.h"
+#include "app/view/view_controls.h"
+#include "app/view/view_surface.h"
 #include "gl/context.h"
 #include "render/render_session.h"
 
@@ -22,50 +25,84 @@ struct ViewOptions {
   ImageOptions image{.frames = 0};  ///< frames 0: until the window is closed
   OutputOptions output;
   std::string screenshot;  ///< written at the end, "" for none
+  std::string script;      ///< file of steps, "" for none
 };
 
-class Viewer {
+class Viewer final : public ScriptTarget {
  public:
   explicit Viewer(const ViewOptions& options);
-  /// Until the window is closed, the frames are drawn, or the process is interrupted. Returns the
-  /// exit status: kProblems when the last reload failed and was not repaired.
+  /// Until the window is closed, the frames are drawn, the script ends, or the process is interrupted.
+  /// Returns the exit status: kProblems when the last reload failed and was not repaired, or the script
+  /// met a problem.
   int run();
+
+  nlohmann::json state() override;
+  std::optional<ScreenItem> item(const std::string& name) override;
+  std::string perform(const ScriptStep& step) override;
 
  private:
   using Clock = std::chrono::steady_clock;
+  using Action = std::string (Viewer::*)(const JsonNode&);
 
   bool open();
-  bool openWindow();
-  bool openSession(World world, const Camera& camera);
-  std::optional<LoadRequest> readChoices(bool withOptionFile);
+  bool readScript();
+  bool openSurface();
   void watchFiles();
   void drawFrame();
+  void drawPicture(double seconds);
+  void showPicture();
+  std::vector<ViewEvent> pollEvents();
   void handle(const ViewInput& input, double seconds);
+  void run(ViewCommand command);
   void followWindowSize();
   void pollFiles();
   void reload(const std::string& cause, bool withOptionFile);
-  void nextProfile();
-  void tellReload(bool succeeded);
-  void tellGlErrors();
+  void sayOutcome();
+  void sayGlErrors();
+  void sayCounters();
   void showTimes();
-  void tellCounters();
   void saveScreenshot(const std::string& path);
+  void saveWindow(const std::string& path);
+  /// What is drawn: the pack, or while it is off the host's own programs.
+  RenderSession& session() { return plain_ ? *plain_ : pack_->session(); }
+  bool setPackOn(bool on);
+  bool setCamera(const std::string& name);
+  bool hasFixedTime() const { return options_.image.frames > 0 || player_.has_value(); }
   bool ended() const;
-  void say(const std::string& line) const;
+  void say(const std::string& line);
+
+  std::string setOptionsStep(const JsonNode& value);
+  std::string profileStep(const JsonNode& value);
+  std::string timeStep(const JsonNode& value);
+  std::string rainStep(const JsonNode& value);
+  std::string thunderStep(const JsonNode& value);
+  std::string cameraStep(const JsonNode& value);
+  std::string pauseStep(const JsonNode& value);
+  std::string packStep(const JsonNode& value);
+  std::string resizeStep(const JsonNode& value);
+  std::string screenshotStep(const JsonNode& value);
+  std::string pictureStep(const JsonNode& value);
+  std::string stateStep(const JsonNode& value);
 
   ViewOptions options_;
   Report report_;
   int status_ = 0;
-  std::string optionFile_;
   std::unique_ptr<gl::Context> context_;
-  std::optional<ViewWindow> window_;
-  std::unique_ptr<RenderSession> session_;
+  std::unique_ptr<ViewSurface> surface_;
+  std::unique_ptr<LivePack> pack_;
+  std::unique_ptr<RenderSession> plain_;  ///< only while the pack is off
+  std::optional<ScriptPlayer> player_;
   std::optional<FileWatch> watch_;
+  ViewControls controls_;
   FlyCamera fly_{Camera{}};
-  bool closed_ = false;
+  bool closed_ = false, paused_ = false, fullScreen_ = false;
+  int singleFrames_ = 0;  ///< to be drawn although paused
+  int framesDrawn_ = 0, glErrors_ = 0;
   Clock::time_point lastFrame_, lastPoll_, titleSince_;
   int titleFrames_ = 0;
-  std::set<int> toldCounters_;  ///< lines of shaders.properties
+  std::string said_;          ///< the last line
+  std::string windowPicture_;  ///< file for the window as the next frame shows it, "" for none
+  std::set<int> saidCounters_;  ///< lines of shaders.properties
 };
 
 }  // namespace orris

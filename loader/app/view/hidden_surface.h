@@ -1,0 +1,25 @@
+// A surface without a display, for scripts: a texture in place of a window.
+#pragma once
+
+#include "app/view/view_surface.h"
+#include "gl/framebuffer.h"
+#include "gl/texture.h"
+
+namespace orris {
+
+class HiddenSurface final : public ViewSurface {
+ public:
+  HiddenSurface(int width, int height) { resize(width, height); }
+
+  std::vector<ViewEvent> poll() override { return {}; }
+  void size(int& width, int& height) const override;
+  void resize(int width, int height) override;
+  unsigned framebuffer() override { return framebuffer_.id(); }
+  void show() override {}
+
+ private:
+  gl::Texture texture_;
+  gl::Framebuffer framebuffer_;
+};
+
+}  // namespace orris

@@ -1,0 +1,12 @@
+// What the window draws with the pack switched off: a pack of nothing but the host's own programs.
+#pragma once
+
+#include <memory>
+
+#include "core/file_source.h"
+
+namespace orris {
+
+std::shared_ptr<const FileSource> plainPack();
+
+}  // namespace orris

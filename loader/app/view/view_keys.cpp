@@ -1,0 +1,67 @@
+#include "app/view/view_keys.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "pack/files/text.h"
+
+namespace orris {
+namespace {
+
+constexpr KeyRow kKeyRows[] = {
+    {GLFW_KEY_R, ViewCommand::Reload, "R", "reload the pack from its files"},
+    {GLFW_KEY_P, ViewCommand::NextProfile, "P", "next profile of the pack"},
+    {GLFW_KEY_K, ViewCommand::PackOnOff, "K", "pack on and off"},
+    {GLFW_KEY_F2, ViewCommand::Screenshot, "F2", "write the picture to orris-0001.png and so on"},
+    {GLFW_KEY_COMMA, ViewCommand::Pause, ",", "pause and go on"},
+    {GLFW_KEY_PERIOD, ViewCommand::SingleFrame, ".", "one frame, then pause"},
+    {GLFW_KEY_F11, ViewCommand::FullScreen, "F11", "full screen on and off"},
+};
+
+constexpr KeyHelp kOtherKeys[] = {
+    {"W A S D", "fly; the mouse wheel sets the speed"},
+    {"Space, Shift", "up, down"},
+    {"Click, Esc", "take the mouse to look around, give it back; Esc without the mouse ends"},
+    {"1 to 9", "named cameras of the world, in its order"},
+};
+
+struct NamedKey {
+  const char* name;
+  int key;
+};
+constexpr NamedKey kNamedKeys[] = {
+    {"escape", GLFW_KEY_ESCAPE},   {"enter", GLFW_KEY_ENTER},
+    {"tab", GLFW_KEY_TAB},         {"backspace", GLFW_KEY_BACKSPACE},
+    {"delete", GLFW_KEY_DELETE},   {"space", GLFW_KEY_SPACE},
+    {"left", GLFW_KEY_LEFT},       {"right", GLFW_KEY_RIGHT},
+    {"up", GLFW_KEY_UP},           {"down", GLFW_KEY_DOWN},
+    {"pageup", GLFW_KEY_PAGE_UP},  {"pagedown", GLFW_KEY_PAGE_DOWN},
+    {"home", GLFW_KEY_HOME},       {"end", GLFW_KEY_END},
+    {"shift", GLFW_KEY_LEFT_SHIFT}, {"control", GLFW_KEY_LEFT_CONTROL},
+    {"alt", GLFW_KEY_LEFT_ALT},    {".", GLFW_KEY_PERIOD},
+    {",", GLFW_KEY_COMMA}};
+
+constexpr int kFunctionKeys = 12;
+
+}  // namespace
+
+std::span<const KeyRow> keyRows() { return kKeyRows; }
+
+std::span<const KeyHelp> otherKeys() { return kOtherKeys; }
+
+std::optional<int> keyNamed(std::string_view name) {
+  const std::string word = lowerCase(std::string(name));
+  // GLFW numbers letters and digits as ASCII does, letters by their capitals.
+  if (word.size() == 1 && std::isalnum(static_cast<unsigned char>(word[0])) != 0)
+    return std::toupper(static_cast<unsigned char>(word[0]));
+  for (int i = 1; i <= kFunctionKeys; ++i)
+    if (word == "f" + std::to_string(i)) return GLFW_KEY_F1 + i - 1;
+  const auto found = std::ranges::find(kNamedKeys, word, &NamedKey::name);
+  if (found == std::end(kNamedKeys)) return std::nullopt;
+  return found->key;
+}
+
+}  // namespace orris

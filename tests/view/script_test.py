@@ -1,0 +1,166 @@
+"""Runs `orris view --script` without a display, in an EGL context.
+
+script_test.py --list          names of the cases
+script_test.py ORRIS CASE      runs one; exit status 77 means skipped
+"""
+
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+from view_test import mean, read_png, share_within_one  # noqa: E402
+
+HERE = pathlib.Path(__file__).resolve().parent
+TIMEOUT = 120
+SKIPPED = 77
+BREAK = {"replace": "pack/shaders/lib/tint.glsl", "old": "vec3 tinted(", "new": "vec3 tinted(;"}
+REPAIR = {"replace": "pack/shaders/lib/tint.glsl", "old": "vec3 tinted(;", "new": "vec3 tinted("}
+
+
+class Skip(Exception):
+    pass
+
+
+class Test:
+    """A folder with a copy of the pack, in which scripts run."""
+
+    def __init__(self, orris, folder):
+        self.orris, self.folder = orris, folder
+        shutil.copytree(HERE / "pack", folder / "pack")
+
+    def view(self, steps, status=0, *arguments):
+        """Runs the steps; the finished process."""
+        (self.folder / "script.json").write_text(json.dumps(steps, indent=1))
+        environment = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
+        process = subprocess.run(
+            [str(word) for word in [self.orris, "view", "pack", HERE / "world", "--size", "320x240",
+                                    "--backend", "egl", "--script", "script.json", *arguments]],
+            cwd=self.folder, env=environment, capture_output=True, text=True, timeout=TIMEOUT)
+        if process.returncode == 3 and "EGL" in process.stderr:
+            raise Skip("no EGL context here")
+        assert process.returncode == status, (process.returncode, process.stderr, process.stdout)
+        return process
+
+    def picture(self, name):
+        return read_png(self.folder / name)
+
+
+def script_draws_what_render_draws(test):
+    test.view([{"frames": 3}, {"picture": "view.png"}, {"screenshot": "window.png"}, {"frames": 1}])
+    subprocess.run([test.orris, "render", "pack", HERE / "world", "--size", "320x240", "--frames", "3",
+                    "--backend", "egl", "-o", "render.png"], cwd=test.folder, check=True, timeout=TIMEOUT)
+    assert test.picture("view.png") == test.picture("render.png")
+    assert test.picture("window.png") == test.picture("render.png")
+
+
+def option_is_taken_over_saved_and_read_back(test):
+    test.view([{"frames": 1}, {"picture": "plain.png"}, {"set": {"TINT": "2"}}, {"frames": 1},
+               {"expect": {"/changed": {"TINT": "2"}, "/load/built": ["composite"], "/load/kept": 3,
+                           "/profile": "BLUE"}},
+               {"picture": "blue.png"}])
+    assert (test.folder / "pack.txt").read_text() == "TINT=2\n"
+    test.view([{"frames": 1}, {"expect": {"/values/TINT": "2", "/loads": 1}}, {"picture": "again.png"},
+               {"set": {"TINT": ""}}, {"expect": {"/changed": {}, "/values/TINT": "0"}}])
+    assert (test.folder / "pack.txt").read_text() == ""
+    assert mean(test.picture("blue.png"))[0] < 0.4 * mean(test.picture("plain.png"))[0]
+    assert test.picture("again.png") == test.picture("blue.png")
+
+
+def own_save_is_no_edit(test):
+    test.view([{"frames": 1}, {"set": {"TINT": "1"}}, {"frames": 120},
+               {"expect": {"/loads": 2, "/load/cause": "TINT=1"}},
+               {"write": "pack.txt", "text": "TINT=2\n"}, {"until": {"/values/TINT": "2"}, "seconds": 20},
+               {"expect": {"/load/cause": "pack.txt changed"}}])
+
+
+def broken_pack_keeps_the_last_good_picture(test):
+    for damage, repair in ((BREAK, REPAIR),
+                           ({"rename": "pack/shaders/lib/tint.glsl", "to": "tint.glsl"},
+                            {"rename": "tint.glsl", "to": "pack/shaders/lib/tint.glsl"}),
+                           ({"rename": "pack", "to": "gone"}, {"rename": "gone", "to": "pack"})):
+        process = test.view(
+            [{"frames": 2}, {"picture": "before.png"}, damage, {"until": {"/load/succeeded": False}},
+             {"frames": 2}, {"picture": "broken.png"},
+             {"state": "broken.json"}, repair, {"until": {"/load/succeeded": True}},
+             {"expect": {"/problems": [], "/glErrors": 0}}, {"picture": "after.png"}])
+        state = json.loads((test.folder / "broken.json").read_text())
+        assert state["problems"], state
+        assert process.stderr.count(": error:") >= 1, process.stderr
+        assert test.picture("broken.png") == test.picture("before.png") == test.picture("after.png")
+
+
+def pack_off_shows_the_hosts_own_programs(test):
+    test.view([{"set": {"TINT": "1"}}, {"frames": 2}, {"picture": "on.png"}, {"key": "K"},
+               {"expect": {"/packOn": False}}, {"frames": 2}, {"picture": "off.png"}, {"key": "K"},
+               {"expect": {"/packOn": True, "/loads": 2}}, {"frames": 2}, {"picture": "again.png"}])
+    assert share_within_one(test.picture("on.png"), test.picture("off.png")) < 0.9
+    assert test.picture("again.png") == test.picture("on.png")
+
+
+def pause_holds_the_picture_and_single_frames_go_on(test):
+    test.view([{"frames": 3}, {"key": ","}, {"state": "a.json"}, {"frames": 5}, {"state": "b.json"},
+               {"key": "."}, {"state": "c.json"}, {"resize": [100, 80]}, {"frames": 2},
+               {"expect": {"/paused": True, "/width": 100, "/height": 80}},
+               {"key": ","}, {"frames": 3}, {"expect": {"/paused": False}}, {"state": "d.json"}])
+    frames = [json.loads((test.folder / f"{name}.json").read_text())["frame"] for name in "abcd"]
+    assert frames[1] == frames[0] and frames[2] == frames[0] + 1 and frames[3] > frames[2] + 1, frames
+
+
+def time_weather_and_camera(test):
+    test.view([{"frames": 1}, {"time": 18000}, {"rain": 0.5}, {"camera": "top"}, {"frames": 1},
+               {"expect": {"/time": 18000, "/rain": 0.5, "/camera/name": "top", "/camera/pitch": 85}},
+               {"key": "1"}, {"expect": {"/camera/name": "front"}}])
+
+
+def tiny_and_odd_sizes_survive(test):
+    test.view([{"frames": 1}] + [step for size in ([1, 1], [2, 3], [17, 5], [640, 1], [320, 240])
+                                 for step in ({"resize": size}, {"frames": 2},
+                                              {"expect": {"/width": size[0], "/glErrors": 0}})])
+
+
+def mistakes_in_scripts_are_located(test):
+    for steps, status, expected in (
+            ([{"keys": "R"}], 2, "script.json:3:3: error: there is no step \"keys\""),
+            ([{"key": 5}], 2, "script.json:3:10: error: \"key\" takes a text"),
+            ([{"key": "R", "hard": 1}], 2, "has no member \"hard\""),
+            ({"key": "R"}, 2, "a script is a list of steps"),
+            ([{"frames": 1}, {"expect": {"/profile": "RED"}}], 1,
+             "script.json:5:2: error: step 2 (expect): /profile is \"PLAIN\", expected \"RED\""),
+            ([{"until": {"/nothing": 1}, "seconds": 0.2}], 1, "/nothing is absent, expected 1, after 0.2 s"),
+            ([{"key": "Hyper"}], 1, "there is no key \"Hyper\""),
+            ([{"set": {"TINT": "9"}}], 1, "TINT cannot be \"9\": its values are the texts 0, 1, 2"),
+            ([{"click": "nothing"}], 1, "nothing on the screen is named \"nothing\""),
+            ([{"remove": "nothing.glsl"}], 1, "nothing.glsl does not exist")):
+        process = test.view(steps, status)
+        assert expected in process.stderr, (expected, process.stderr)
+        assert process.stderr.count("error:") == 1, process.stderr
+
+
+CASES = [script_draws_what_render_draws, option_is_taken_over_saved_and_read_back, own_save_is_no_edit,
+         broken_pack_keeps_the_last_good_picture, pack_off_shows_the_hosts_own_programs,
+         pause_holds_the_picture_and_single_frames_go_on, time_weather_and_camera,
+         tiny_and_odd_sizes_survive, mistakes_in_scripts_are_located]
+
+
+def main():
+    if sys.argv[1:] == ["--list"]:
+        print("\n".join(case.__name__ for case in CASES))
+        return 0
+    orris, name = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2]
+    case = next(case for case in CASES if case.__name__ == name)
+    with tempfile.TemporaryDirectory() as folder:
+        try:
+            case(Test(orris, pathlib.Path(folder)))
+        except Skip as reason:
+            print(f"skipped: {reason}")
+            return SKIPPED
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
