@@ -35,9 +35,8 @@ foreach(file include/math/color.glsl include/math/sampling.glsl include/blocks.g
   string(APPEND functions "${text}\n")
 endforeach()
 orris_glsl_to_cpp(include/voxel/voxel.glsl text)
-foreach(pattern "static constexpr int voxel_lamp[^;]*;" "static constexpr float small_lamp_radius[^;]*;"
-        "static constexpr float small_lamp_boost[^;]*;" "struct Voxel {[^}]*};"
-        "vec3 lamp_radiance[^}]*}")
+foreach(pattern "static constexpr float small_lamp_radius[^;]*;"
+        "static constexpr float small_lamp_boost[^;]*;" "vec3 lamp_radiance[^}]*}")
   orris_glsl_part("${text}" "${pattern}" part)
   string(APPEND functions "${part}")
 endforeach()

@@ -9,10 +9,15 @@ GI = "program/d0_gi.glsl"
 HIT = "include/lighting/hit.glsl"
 OCTANTS = "include/voxel/octants.glsl"
 VOXEL = "include/voxel/voxel.glsl"
+SHADOW = "program/shadow.glsl"
+TINT = "include/lighting/sun_tint.glsl"
+SUN = "include/lighting/sun_visibility.glsl"
 
 HOUSE = "Views/Reference.*/house"
 HALL = "Views/Reference.*/hall"
 BEND = "Views/Reference.*/bend"
+CAVE = "Views/Reference.*/cave"
+GLASS = "ReferenceGlass.*"
 ONE = "Views/Reference.*/one_bounce"
 
 MUTANTS = [
@@ -32,4 +37,10 @@ MUTANTS = [
     ("no sun on what pixels' rays hit", HOUSE, [(GI, "radiance += throughput * sun_at(hit, light, s.light.y);", ";")]),
     ("sun bounce without 1/pi, one bounce", ONE, [(HIT, "(max(dot(hit.normal, light), 0.0) / pi)", "max(dot(hit.normal, light), 0.0)")]),
     ("sky of rays halved, one bounce", ONE, [(HIT, "return sky_radiance(direction) *", "return 0.5 * sky_radiance(direction) *")]),
+    ("sun through glass by mean alpha", GLASS, [(SHADOW, "textureLod(gtexture, place, 0.0).a < 0.1", "textureLod(gtexture, place, 4.0).a < 0.1")]),
+    ("sun through glass by an edge that repeats", GLASS, [(SHADOW, "fract((place - tile.xy) / size)", "clamp((place - tile.xy) / size, 0.0, 1.0)")]),
+    ("sun behind stained glass white", GLASS, [(TINT, "way > sheet_distance ?", "false ?")]),
+    ("glass is nothing to shadow volumes", GLASS, [(SUN, "lit *= open_share(player, normal, light);", "")]),
+    ("lava green", CAVE, [("include/blocks.glsl", "vec3(1.0, 0.34, 0.06));  // 9", "vec3(0.34, 1.0, 0.06));  // 9")]),
+    ("lamp levels linear", CAVE, [(VOXEL, "EMISSION_STRENGTH * share * share", "EMISSION_STRENGTH * share")]),
 ]

@@ -132,8 +132,8 @@ MUTANTS = [
                      "    if (frameCounter % FLOODFILL_INTERVAL == 1) light *= 1.0 - 0.082;\n"
                      "    if (frameCounter % FLOODFILL_INTERVAL == 2) light /= 1.0 - 0.082;")]),
     ("A15 emission limited", "A15.*",
-     [(VOXEL, "return v.color * (EMISSION_STRENGTH * level * level);",
-       "return min(v.color * (EMISSION_STRENGTH * level * level), vec3(1000.0));")]),
+     [(VOXEL, "return color * (EMISSION_STRENGTH * share * share);",
+       "return min(color * (EMISSION_STRENGTH * share * share), vec3(1000.0));")]),
     ("A16 no bounds", "A16.*", [(VOLUME, INSIDE, "return cell.y >= 0 && cell.y < VOLUME;")]),
     ("A16 layers above the top are others' bottom", "A16.*",
      [(VOLUME, INSIDE, "return all(greaterThanEqual(cell.xz, ivec2(0))) &&"

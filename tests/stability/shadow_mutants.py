@@ -10,8 +10,8 @@ LIT = "program/d4_lighting.glsl"
 TRANSLUCENT = "program/gbuffers_translucent.glsl"
 
 MUTANTS = [
-    ("C1 filter wider than its bias", "*C1*", [(MAP, "y <= radius; ++y", "y <= radius + 1; ++y"),
-                                              (MAP, "x <= radius; ++x", "x <= radius + 1; ++x")]),
+    ("C1 filter wider than its bias", "*C1*", [(MAP, "y <= radius; ++y)\n        for (int x = -radius; x <= radius; ++x)\n",
+                                               "y <= radius + 1; ++y)\n        for (int x = -radius; x <= radius + 1; ++x)\n")]),
     ("C2 constant bias", "C2.*", [(MAP, "max(0.05 * (1.0 - cosine), 0.005)", "0.0005")]),
     ("C3 published bias in blocks", "C3.published*",
      [(MAP, "max(0.05 * (1.0 - cosine), 0.005)",

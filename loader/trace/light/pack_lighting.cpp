@@ -61,14 +61,14 @@ vec3 PackLighting::reflectDirect(const vec3& albedo, const vec3& n, const vec3& 
 }
 
 float PackLighting::emissionScale(int level) const {
-  return functions_->lamp_radiance({vec3(1), Functions::voxel_lamp + level}).x;
+  return functions_->lamp_radiance(vec3(1), level).x;
 }
 
 LampLight PackLighting::lampLight(int id, int level, const vec3& mean) const {
   const float brightest = std::max(std::max(mean.r, mean.g), std::max(mean.b, 1e-3f));
   const vec3 listed = functions_->is_lamp(id) ? functions_->lamp_color(id) : vec3(0);
   const vec3 color = listed == vec3(0) ? mean / brightest : listed;
-  const vec3 radiance = functions_->lamp_radiance({color, Functions::voxel_lamp + level});
+  const vec3 radiance = functions_->lamp_radiance(color, level);
   if (!functions_->is_small_lamp(id)) return {radiance, 6};
   const float radius = Functions::small_lamp_radius;
   return {radiance * Functions::small_lamp_boost, 4 * Functions::pi * radius * radius, radius};

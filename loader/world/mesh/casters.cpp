@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <set>
 #include <tuple>
 
 namespace orris {
@@ -44,6 +45,19 @@ class Coverage {
   std::map<std::tuple<int, int, int, int>, float> shares_;
 };
 
+/// Blocks that are mostly holes on some side: their frames and edges alone are no casters.
+std::set<std::uint16_t> openStates(const BlockMesh& mesh, Coverage& coverage) {
+  std::set<std::uint16_t> open;
+  for (const MeshSection& section : mesh.sections) {
+    if (section.layer != RenderLayer::Cutout) continue;
+    for (std::uint32_t i = 0; i + 3 < section.count; i += 4) {
+      const BlockVertex* v = &mesh.vertices[section.first + i];
+      if (coverage.of(v) < kCasterCoverage) open.insert(v->state);
+    }
+  }
+  return open;
+}
+
 glm::ivec3 middleOf(const BlockMesh& mesh) {
   glm::ivec3 low(std::numeric_limits<int>::max()), high(std::numeric_limits<int>::min());
   for (const MeshSection& section : mesh.sections) {
@@ -59,6 +73,7 @@ CasterSet castersOf(const BlockMesh& mesh, const BlockAtlas& atlas) {
   CasterSet set;
   set.origin = middleOf(mesh);
   Coverage coverage(atlas);
+  const std::set<std::uint16_t> open = openStates(mesh, coverage);
   for (const MeshSection& section : mesh.sections) {
     if (section.layer == RenderLayer::Translucent) continue;
     const glm::vec3 offset(section.origin - set.origin);
@@ -66,7 +81,7 @@ CasterSet castersOf(const BlockMesh& mesh, const BlockAtlas& atlas) {
       const BlockVertex* v = &mesh.vertices[section.first + i];
       CasterFace face;
       face.seeThrough = section.layer != RenderLayer::Solid;
-      if (face.seeThrough && coverage.of(v) < kCasterCoverage) continue;
+      if (face.seeThrough && open.count(v->state) != 0) continue;
       for (std::size_t k = 0; k < 4; ++k) face.corners[k] = offset + v[k].position;
       face.normal = glm::normalize(v[0].normal);
       set.faces.push_back(face);

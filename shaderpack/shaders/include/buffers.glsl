@@ -19,7 +19,8 @@
 // colortex6    RGBA16F   window  0      deferred1, 2, 3               deferred2, 3, 4
 //   colortex3 smoothed; kept where the picture rests (include/lighting/rest.glsl)
 // shadowcolor0 RGBA8     shadow  0      shadow                        prepare, deferred, translucent
-//   voxels in the bottom rows (include/voxel/voxel.glsl), unused above them
+//   voxels in the bottom rows (include/voxel/voxel.glsl), above them what the surface nearest to the light
+//   takes of it (include/lighting/sheets.glsl)
 // shadowtex0   depth     shadow  1      shadow                        shadowcomp7, deferred, deferred4, translucent
 //   shadow map with translucent blocks: how far light goes through water
 // shadowtex1   depth     shadow  1      shadow                        deferred, deferred4, translucent

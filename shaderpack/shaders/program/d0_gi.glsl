@@ -146,13 +146,14 @@ vec3 gather(Surface s, vec3 light, int index) {
             radiance += throughput * lamp_light(hit.voxel) *
                         float(!lit_directly(bounce, hit.position));
 #endif
-            break;
         }
         normal = hit.normal;
         origin = hit.position + normal * ray_offset;
-        throughput *= hit.voxel.color;
+        throughput *= voxel_albedo(hit.voxel);
         radiance += throughput * sun_at(hit, light, s.light.y);
 #if AIR_LIGHT
+        // The cells before a lamp hold its own light: what it reflects is not known.
+        if (is_lamp_voxel(hit.voxel.code)) break;
         radiance += throughput * light_at_face(hit.position, normal, next_random().xy) *
                     FLOODFILL_STRENGTH;
 #elif FACES
@@ -186,9 +187,9 @@ vec3 mirrored(Surface s, vec3 light) {
     Hit hit = trace_from_face(to_volume(s.player) + s.normal * ray_offset, direction);
     weight *= hit.transmittance;
     if (!hit.found) return weight * sky_beyond(hit, direction, s.light.y);
-    if (is_lamp_voxel(hit.voxel.code)) return weight * lamp_light(hit.voxel);
+    vec3 lamp = is_lamp_voxel(hit.voxel.code) ? lamp_light(hit.voxel) : vec3(0.0);
     vec3 cached = trusted(imageLoad(face_light, face_texel(hit.cell, face_of_hit(hit)))).rgb;
-    return weight * hit.voxel.color * (sun_at(hit, light, s.light.y) + cached);
+    return weight * (lamp + voxel_albedo(hit.voxel) * (sun_at(hit, light, s.light.y) + cached));
 }
 #endif
 

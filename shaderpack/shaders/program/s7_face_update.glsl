@@ -32,14 +32,13 @@ vec4 light_of(ivec3 cell, int face) {
 vec3 hemisphere_sample(Face f, vec2 u, vec3 light) {
     vec3 direction = cosine_direction(f.from.normal, u);
     Hit hit = trace_from_face(f.from.origin, direction);
-    vec3 radiance;
+    vec3 radiance = vec3(0.0);
     if (!hit.found) {
         radiance = sky_beyond(hit, direction, f.sky);
-    } else if (is_lamp_voxel(hit.voxel.code)) {
-        radiance = met_lamp(hit, f.from, direction);
     } else {
-        radiance = hit.voxel.color * (sun_at(hit, light, f.sky) +
-                                      light_of(hit.cell, face_of_hit(hit)).rgb);
+        if (is_lamp_voxel(hit.voxel.code)) radiance = met_lamp(hit, f.from, direction);
+        radiance += voxel_albedo(hit.voxel) * (sun_at(hit, light, f.sky) +
+                                               light_of(hit.cell, face_of_hit(hit)).rgb);
     }
     return hit.transmittance * radiance;
 }

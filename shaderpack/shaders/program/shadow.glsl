@@ -4,12 +4,10 @@
 #include "/include/uniforms.glsl"
 #include "/include/blocks.glsl"
 #include "/include/lighting/shadow_space.glsl"
-#if VOXELS || LAMPS
 #include "/include/math/color.glsl"
-#endif
+#include "/include/voxel/voxel.glsl"
 #if VOXELS
 #include "/include/voxel/volume.glsl"
-#include "/include/voxel/voxel.glsl"
 #endif
 
 #if defined VERTEX_STAGE
@@ -66,12 +64,29 @@ in vec3 vertex_player[];
 
 out vec2 uv;
 flat out vec4 voxel;  // a 0: part of the shadow map
+flat out vec4 sheet;  // as include/lighting/sheets.glsl stores it; 0: nothing
+flat out vec2 lattice;
+flat out vec4 tile;  // the quad's part of the atlas: low, high
 
 #if VOXELS || LAMPS
 
 uniform sampler2D gtexture;
 
+#include "/include/lighting/sheets.glsl"
+
 uniform int blockEntityId;
+
+/// What a triangle of the map takes of the light. Panes take as much as a block.
+vec4 sheet_of_triangle() {
+    int id = int(floor(vertex_id[0] + 0.5));
+    if (renderStage != MC_RENDER_STAGE_TERRAIN_TRANSLUCENT)
+        return id == block_plant || id == block_open || id == block_glass || id == block_pane ? sheet_with_holes
+                                                                                              : vec4(0.0);
+    vec3 color = to_linear(textureLod(gtexture, vertex_mid_uv[0], 4.0).rgb) * to_linear(vertex_tint[0]);
+    float slope = abs((mat3(shadowModelView) * vertex_normal[0]).z);
+    float way = id == block_open ? 1.0 : id == block_translucent ? 1.0 / max(slope, 0.25) : 0.0;
+    return encode_sheet(color, way);
+}
 
 /// Quads of blocks, once: they arrive as pairs of triangles.
 bool is_new_quad() {
@@ -101,9 +116,6 @@ Block block_of_quad() {
     return Block(cell + 0.5 - cameraPositionFract, told ? blockEntityId : block_open,
                  told ? lamp_level(blockEntityId) : 0.0);
 }
-
-/// As bright as a colour of that hue can be.
-vec3 brightest(vec3 color) { return color / max(max(color.r, color.g), max(color.b, 1e-3)); }
 
 #endif
 
@@ -154,10 +166,9 @@ vec4 block_voxel(int id, float emission, vec3 normal) {
     vec3 color = face.rgb;
     int level = int(clamp(emission, 0.0, 15.0) + 0.5);
     if (level > 0) {
-        vec3 listed = is_lamp(id) ? lamp_color(id) : vec3(0.0);
-        bool is_listed = any(greaterThan(listed, vec3(0.0)));
-        return encode_voxel(is_listed ? listed : brightest(color),
-                            level + (is_small_lamp(id) ? voxel_small_lamp : voxel_lamp));
+        int digit = is_lamp(id) ? id % 10 : 0;
+        if (!is_small_lamp(id)) return encode_voxel(color, voxel_lamp + 16 * digit + level);
+        return encode_voxel(digit > 0 ? lamp_color(digit) : brightest(color), voxel_small_lamp + level);
     }
     if (id == block_plant || id == block_open || is_small_lamp(id)) return vec4(0.0);
     bool surface = id == block_water && normal.y > 0.5;
@@ -172,8 +183,13 @@ vec4 block_voxel(int id, float emission, vec3 normal) {
     if (id == block_fence) return encode_voxel(color, voxel_fence);
     if (id == block_wall) return encode_voxel(color, voxel_wall);
     if (id == block_chest) return encode_voxel(color, voxel_chest);
+    holes = clamp(int((1.0 - face.a) * 8.0 + 0.5), 0, 7);
+    if (id == block_glass) return encode_voxel(color, voxel_glass + holes);
+    if (id == block_pane) return encode_voxel(color, voxel_pane + holes);
+    if (id == block_cover) return encode_voxel(color, voxel_cover);
 #else
-    if (id == block_fence || id == block_wall || id == block_chest) return vec4(0.0);
+    bool is_thin = id == block_glass || id == block_pane || id == block_cover;
+    if (is_thin || id == block_fence || id == block_wall || id == block_chest) return vec4(0.0);
 #endif
     return encode_voxel(color, voxel_solid);
 }
@@ -219,6 +235,9 @@ void emit_voxel() {
         vec2 unit = (corner + legs[i]) / float(SHADOW_TARGET);
         gl_Position = vec4(unit * 2.0 - 1.0, depth, 1.0);
         uv = vec2(0.0);
+        sheet = vec4(0.0);
+        lattice = vec2(0.0);
+        tile = vec4(0.0);
         EmitVertex();
     }
     EndPrimitive();
@@ -227,6 +246,14 @@ void emit_voxel() {
 #endif
 
 void emit_triangle() {
+    sheet = vec4(0.0);
+#if VOXELS
+    sheet = sheet_of_triangle();
+#endif
+    lattice = shadow_lattice();
+    vec2 low = min(vertex_uv[0], min(vertex_uv[1], vertex_uv[2]));
+    vec2 high = max(vertex_uv[0], max(vertex_uv[1], vertex_uv[2]));
+    tile = vec4(mix(low, high, 0.001), mix(low, high, 0.999));
     for (int i = 0; i < 3; ++i) {
         gl_Position = gl_in[i].gl_Position;
         uv = vertex_uv[i];
@@ -252,8 +279,18 @@ void main() {
 
 in vec2 uv;
 flat in vec4 voxel;
+flat in vec4 sheet;
+flat in vec2 lattice;
+flat in vec4 tile;
 
 uniform sampler2D gtexture;
+
+/// What reaches over an edge goes on at the opposite one, as in a neighbour with the same texture: the edge itself, a
+/// frame of glass, would count too often.
+vec2 in_tile(vec2 place) {
+    vec2 size = max(tile.zw - tile.xy, vec2(1e-7));
+    return tile.xy + size * fract((place - tile.xy) / size);
+}
 
 /* RENDERTARGETS: 0 */
 layout(location = 0) out vec4 out_voxel;
@@ -263,8 +300,12 @@ void main() {
     bool is_voxel = voxel.a > 0.0;
     // Triangles that cross the lower edge of the map would cover voxels.
     if (in_map == is_voxel) discard;
-    if (!is_voxel && texture(gtexture, uv).a < 0.1) discard;
-    out_voxel = voxel;
+    // Holes by one point of the texel each, another in every texel, so that their mean is right however they lie to the
+    // lattice of texels. Of the full size: the mean alpha of a smaller level would close what is open.
+    vec2 off = point_in_texel(gl_FragCoord.xy - lattice) - 0.5;
+    vec2 place = in_tile(uv + dFdx(uv) * off.x + dFdy(uv) * off.y);
+    if (!is_voxel && textureLod(gtexture, place, 0.0).a < 0.1) discard;
+    out_voxel = is_voxel ? voxel : sheet;
 }
 
 #endif

@@ -9,7 +9,9 @@ trace() {
   rm -f "$5.trace"
 }
 folder=tests/shaderpack/references
-for view in h4_house:inside deep_hall:mouth bend_grey:lit; do
+for view in h4_house:inside deep_hall:mouth bend_grey:lit lava_cave:water; do
   trace "$1" "${view%:*}" "${view#*:}" 4096 "$folder/${view%:*}.exr"
 done
-trace "$1" h4_house inside 1 "$folder/h4_house_1.exr"
+for bounces in 1 2 4; do
+  trace "$1" h4_house inside "$bounces" "$folder/h4_house_$bounces.exr"
+done

@@ -25,15 +25,25 @@ bool first_of_face(ivec3 cell, int face) {
     return (imageAtomicOr(face_seen, cell, bit) & bit) == 0u;
 }
 
+void enter_face(uint entry) {
+    uint slot = imageAtomicAdd(face_tally, tally_faces, 1u);
+    if (slot < face_capacity) imageStore(face_list, face_slot(slot), uvec4(entry));
+}
+
+void enter_lamp(uint entry) {
+    uint slot = imageAtomicAdd(face_tally, tally_lamps, 1u);
+    if (slot < lamp_capacity) imageStore(face_list, lamp_slot(slot), uvec4(entry));
+}
+
+/// Lamps are faces, too: they reflect what light they get.
 void list_face(ivec3 cell, int face, int code, int sky) {
     bool lamp = is_lamp_voxel(code);
-    if (code >= voxel_small_lamp) face = face_ball;
-    if (!lamp && !is_due(cell, face)) return;
+    if (is_ball(code)) face = face_ball;
+    bool due = face != face_ball && is_due(cell, face);
+    if (!lamp && !due) return;
     if (!first_of_face(cell, face)) return;
-    uint slot = imageAtomicAdd(face_tally, lamp ? tally_lamps : tally_faces, 1u);
-    if (slot >= (lamp ? lamp_capacity : face_capacity)) return;
-    imageStore(face_list, lamp ? lamp_slot(slot) : face_slot(slot),
-               uvec4(pack_face(cell, face, lamp ? code & 15 : sky)));
+    if (lamp) enter_lamp(pack_face(cell, face, code & 15));
+    if (due) enter_face(pack_face(cell, face, sky));
 }
 
 #endif

@@ -83,7 +83,7 @@ float density_of_ball(float far) {
 
 /// Light of a lamp that a ray into the hemisphere met, without what rays to lamps count of it.
 vec3 met_lamp(Hit hit, Receiver r, vec3 direction) {
-    bool ball = hit.voxel.code >= voxel_small_lamp;
+    bool ball = is_ball(hit.voxel.code);
     float density = ball ? density_of_ball(distance(vec3(hit.cell) + 0.5, r.origin))
                          : density_of_face(distance(hit.position, r.origin), -dot(hit.normal, direction));
     return lamp_light(hit.voxel) * (1.0 - sampled_share(density, listed_lamps(), dot(direction, r.normal)));

@@ -13,7 +13,7 @@ const float ray_offset = 0.02;
 
 /// Radiance of a lamp where a ray hits it: small ones are balls.
 vec3 lamp_light(Voxel v) {
-    return lamp_radiance(v) * (v.code >= voxel_small_lamp ? small_lamp_boost : 1.0);
+    return lamp_radiance(v) * (is_ball(v.code) ? small_lamp_boost : 1.0);
 }
 
 /// The way from `origin` to where a ray leaves its first cell.
@@ -33,7 +33,7 @@ Hit trace_from_face(vec3 origin, vec3 direction) {
     float along = dot(to_center, direction);
     float off = dot(to_center, to_center) - along * along;
     const float ball = small_lamp_radius * small_lamp_radius;
-    if (own.code >= voxel_small_lamp && along > 0.0 && off < ball && dot(to_center, to_center) > ball)
+    if (is_ball(own.code) && along > 0.0 && off < ball && dot(to_center, to_center) > ball)
         return Hit(true, cell, origin, -direction, own, vec3(1.0), false);
     Walk walk = begin_walk(origin, direction);
     vec3 within = floor((origin - vec3(cell)) * 2.0);

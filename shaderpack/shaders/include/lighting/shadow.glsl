@@ -71,6 +71,27 @@ float light_visibility(vec3 player, vec3 normal, vec3 light, int radius, float s
     return outside ? unmapped_visibility(sky) : lit / taps;
 }
 
+#if SHADOW_VOLUMES && defined READ_VOXELS
+#include "/include/lighting/sheets.glsl"
+#include "/include/voxel/voxel.glsl"
+
+/// Share of the light that passes what has no shadow volume: glass, panes, plants.
+float open_share(vec3 player, vec3 normal, vec3 light) {
+    const int radius = 1;
+    vec4 receiver = shadow_receiver(player, normal, light, radius);
+    float lit = 0.0;
+    for (int y = -radius; y <= radius; ++y) {
+        for (int x = -radius; x <= radius; ++x) {
+            vec2 position = receiver.xy + vec2(x, y);
+            ivec2 texel = clamp(ivec2(floor(position)), ivec2(0), shadow_map_size - 1);
+            bool holes = has_holes(texelFetch(shadowcolor0, texel + ivec2(0, shadow_map_bottom), 0));
+            lit += holes ? lit_at(position, receiver.z - receiver.w) : 1.0;
+        }
+    }
+    return lit / float((2 * radius + 1) * (2 * radius + 1));
+}
+#endif
+
 #else
 
 const int shadow_radius = 0;

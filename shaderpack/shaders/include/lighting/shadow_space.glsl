@@ -31,6 +31,19 @@ vec2 shadow_snap() {
 #endif
 }
 
+/// First texel of a lattice that rests in the world, as the texels do.
+vec2 shadow_lattice() {
+    vec3 anchor = -vec3(cameraPositionInt & 1023) - cameraPositionFract;
+    vec2 texels = 0.5 * vec2(shadow_map_size);
+    return floor((shadowProjection * (shadowModelView * vec4(anchor, 1.0))).xy * texels);
+}
+
+/// A point of the square 0..1 for each place of the lattice; those of neighbours lie far apart.
+vec2 point_in_texel(vec2 place) {
+    place = mod(floor(place), 1024.0);
+    return fract(place.x * vec2(0.7548777, 0.5698403) + place.y * vec2(0.3247180, 0.8191725));
+}
+
 /// More texels for what is near the eye. `clip` is x and y, -1..1.
 vec2 distort_shadow(vec2 clip) {
     return clip / (SHADOW_DISTORTION * length(clip) + (1.0 - SHADOW_DISTORTION));

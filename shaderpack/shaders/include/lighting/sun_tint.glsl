@@ -1,12 +1,16 @@
-// The colour of sun or moon light in water and behind stained glass. READ_VOXELS.
+// The colour of sun or moon light in water, in stained glass and behind it. READ_VOXELS.
 #if !defined INCLUDED_LIGHTING_SUN_TINT
 #define INCLUDED_LIGHTING_SUN_TINT
 
 #include "/include/lighting/shadow_space.glsl"
+#include "/include/lighting/sheets.glsl"
 #include "/include/voxel/voxel.glsl"
 
 #if SHADOW_MAP
 uniform sampler2D shadowtex0;
+
+// Nearer than this, in blocks, the surface in the map is the one that is lit.
+const float sheet_distance = 0.2;
 
 /// What is left of the light at a point of the surface before which `cell` lies: the map that holds
 /// translucent blocks knows how far away their surface is.
@@ -18,7 +22,8 @@ vec3 sun_tint(vec3 player, ivec3 cell) {
     texel = clamp(texel, ivec2(0), shadow_map_size - 1) + ivec2(0, shadow_map_bottom);
     float depth_per_block = 0.5 * abs(shadowProjection[2][2]);
     float way = max(0.0, unit.z - texelFetch(shadowtex0, texel, 0).r) / depth_per_block;
-    return is_filter_voxel(before.code) ? filtered(before.color, way) : vec3(1.0);
+    if (is_filter_voxel(before.code)) return filtered(before.color, way);
+    return way > sheet_distance ? sheet_tint(texelFetch(shadowcolor0, texel, 0)) : vec3(1.0);
 }
 #else
 vec3 sun_tint(vec3 player, ivec3 cell) { return vec3(1.0); }

@@ -10,7 +10,11 @@
 uniform usampler2D stenciltex0;
 
 float sun_visibility(ivec2 pixel, vec3 player, vec3 normal, vec3 light, float sky) {
-    return float(texelFetch(stenciltex0, pixel, 0).r == 0u);
+    float lit = float(texelFetch(stenciltex0, pixel, 0).r == 0u);
+#if SHADOW_MAP && defined READ_VOXELS
+    lit *= open_share(player, normal, light);
+#endif
+    return lit;
 }
 
 #else

@@ -118,10 +118,10 @@ Meeting meet_octants(Walk walk, uint octants, vec2 ways) {
 }
 
 /// Is this point of a block's side in one of its holes? Where they are in its texture is not known: a square
-/// in each quarter, as large as what the texture leaves open. `within`: from the lower end of the cell;
+/// in each quarter, of glass one in the middle, as large as what the texture leaves open. `within`: from the lower end of the cell;
 /// `axis`: that of the side.
 bool in_hole(int code, vec3 within, vec3 axis) {
-    vec3 off = abs(fract(2.0 * within) - 0.5) * (1.0 - axis);
+    vec3 off = abs(fract((code >= voxel_glass ? 1.0 : 2.0) * within) - 0.5) * (1.0 - axis);
     return max(off.x, max(off.y, off.z)) < 0.5 * sqrt(hole_share(code));
 }
 
@@ -155,7 +155,7 @@ Meeting meet(Walk walk, int code) {
     vec3 to_center = walk.cell + 0.5 - walk.origin;
     float along = dot(to_center, walk.direction);
     float miss_squared = dot(to_center, to_center) - along * along;
-    met.found = met.found || (code >= voxel_small_lamp &&
+    met.found = met.found || (is_ball(code) &&
                               miss_squared < small_lamp_radius * small_lamp_radius);
 #if NOTICE_CHANGES
     Meeting post = meet_post(walk, code);
