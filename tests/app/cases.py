@@ -328,6 +328,15 @@ ONCE = [
          [r"^/lib/all\.glsl:5:\d+: error: expected #endif after this line: nothing closes the #ifdef in "
           r"line 2 \[conditional-unbalanced\]$", OWN],
          stderr=[r"\A/lib/all\.glsl:5:", r"^  note: /lib/all\.glsl:2:1: the #ifdef without #endif$", *FOLLOW]),
+    Case("a_misspelt_define", ["validate pack"], 1,
+         two_programs("#defien EXPOSURE 1.0\n" + SHADE, MORE),
+         [r"^/lib/all\.glsl:1:1: error: unknown preprocessor directive '#defien' \[directive-unknown\]$", OWN],
+         stderr=[r"\A/lib/all\.glsl:1:1: ", *FOLLOW, "hint: did you mean #define\\?"]),
+    Case("a_misspelt_ifdef", ["validate pack"], 1,
+         two_programs("#ifndef LIB\n#define LIB\n#define EXPOSURE 1.0\n#ifdfe FAST\nfloat fast() {\n  return 2.0;\n}\n"
+                      "#endif\n\n" + SHADE + "#endif\n", MORE),
+         [OWN], stderr=[r"^/lib/all\.glsl:4:1: warning: unknown preprocessor directive '#ifdfe'",
+                        *FOLLOW, "hint: did you mean #ifdef\\?"]),
     Case("endif_too_many", ["validate pack"], 1,
          two_programs("#ifndef LIB\n#define LIB\n#define EXPOSURE 1.0\n\n#ifdef FAST\nfloat fast() {\n#endif\n"
                       "  return 2.0;\n}\n#endif\n\n" + SHADE + "#endif\n", MORE),

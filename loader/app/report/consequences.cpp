@@ -22,9 +22,10 @@ struct RepairStage {
 };
 
 // A comment may swallow an #endif, and that a brace: what comes first is repaired first.
-constexpr std::array<RepairStage, 6> kStages = {
+constexpr std::array<RepairStage, 7> kStages = {
     {{{"include-missing"}},
      {{"comment-nested", "comment-unclosed"}},
+     {{"directive-unknown"}},
      {{"conditional-unbalanced"}},
      {{"brace-unbalanced"}},
      {{"include-probably-missing", "name-misspelt"}, false},

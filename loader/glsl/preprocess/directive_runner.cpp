@@ -1,15 +1,14 @@
-#include "glsl/preprocess/directive_runner.h"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <charconv>
-#include <iterator>
-#include <utility>
 
 #include "core/limits.h"
 #include "core/message_limits.h"
 #include "glsl/preprocess/condition.h"
+#include "glsl/preprocess/directive_runner.h"
+#include "glsl/syntax/directive_slip.h"
+#include <algorithm>
+#include <charconv>
+#include <fmt/format.h>
+#include <iterator>
+#include <utility>
 
 namespace orris {
 namespace {
@@ -156,9 +155,21 @@ void DirectiveRunner::run(std::vector<Token> tokens, const Origin& hash) {
     tokens.front().origin = {tokens.front().origin.site, hash.line, hash.column};
     (this->*directive->run)(tokens);
   } else if (!directive && conditionals_.active() && tokens.front().kind != TokenKind::Number) {
-    report(Severity::Warning, "directive-unknown", hash,
-           fmt::format("unknown preprocessor directive '#{}'", tokens.front().text), kTolerated);
+    reportUnknown(tokens.front().text, std::string(directiveMeant(tokens.front().text)), hash);
   }
+}
+
+void DirectiveRunner::reportUnknown(const std::string& name, const std::string& meant,
+                                    const Origin& hash) {
+  const std::size_t before = diagnostics_.size();
+  report(Severity::Warning, "directive-unknown", hash,
+         fmt::format("unknown preprocessor directive '#{}'", name),
+         meant.empty() ? kTolerated : fmt::format("did you mean #{}?", meant));
+  std::string line(reader_.textOf(hash));
+  const std::size_t at = line.find(name, std::size_t(hash.column));
+  if (meant.empty() || diagnostics_.size() == before || at == line.npos) return;
+  diagnostics_.back().repair = LineEdit{locate(sites_, hash).file, hash.line,
+                                        line.replace(at, name.size(), meant), true};
 }
 
 void DirectiveRunner::warnTrailing(const std::vector<Token>& tokens, std::size_t from,
@@ -263,9 +274,7 @@ bool DirectiveRunner::reportInFiles() {
   unbalanced_ = findUnbalancedConditionals(source_);
   for (const UnbalancedConditional& found : *unbalanced_) {
     if (found.kind == UnbalancedConditional::Kind::Misspelt) {
-      report(Severity::Warning, "directive-unknown", found.at,
-             fmt::format("unknown preprocessor directive '#{}'", found.directive),
-             fmt::format("did you mean #{}?", found.meant));
+      reportUnknown(found.directive, found.meant, found.at);
     } else {
       reportUnbalanced(found);
     }

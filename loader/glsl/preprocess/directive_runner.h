@@ -38,6 +38,7 @@ class DirectiveRunner : public TokenSource {
   bool takeDirective();
   void report(Severity severity, std::string id, const Origin& at, std::string message,
               std::string hint = "");
+  void reportUnknown(const std::string& name, const std::string& meant, const Origin& hash);
   void reportUnbalanced(const Origin& at, std::string problem);
   void reportUnbalanced(const UnbalancedConditional& found);
   void reportUnclosedComment(const Origin& at);

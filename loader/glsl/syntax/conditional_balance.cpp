@@ -13,6 +13,7 @@
 #include "glsl/preprocess/line_code.h"
 #include "glsl/syntax/brace_check.h"
 #include "glsl/syntax/branch_room.h"
+#include "glsl/syntax/directive_slip.h"
 #include "glsl/syntax/nesting.h"
 
 namespace orris {
@@ -42,21 +43,10 @@ std::optional<Kind> kindOf(std::string_view directive) {
   return std::nullopt;
 }
 
-/// Is `word` one letter short of `whole`?
-bool lacksOne(std::string_view word, std::string_view whole) {
-  if (word.size() + 1 != whole.size()) return false;
-  const auto differs = std::ranges::mismatch(word, whole).in1 - word.begin();
-  return word.substr(std::size_t(differs)) == whole.substr(std::size_t(differs) + 1);
-}
-
-/// The conditional that `word` is a slip of: letters exchanged, one missing or one too many.
-std::string_view conditionalMeant(std::string_view word) {
-  if (word == "line") return "";
-  for (const std::string_view known : {"endif", "else", "elif", "ifdef", "ifndef"}) {
-    const bool same = word.size() == known.size() && std::ranges::is_permutation(word, known);
-    if (word != known && (same || lacksOne(word, known) || lacksOne(known, word))) return known;
-  }
-  return "";
+/// The conditional that a directive is a slip of, or "".
+std::string_view conditionalMeant(std::string_view directive) {
+  const std::string_view meant = directiveMeant(directive);
+  return kindOf(meant) ? meant : "";
 }
 
 /// Equal for directives that read alike but for blanks.
