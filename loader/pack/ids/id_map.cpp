@@ -115,11 +115,12 @@ void addFilters(const PropertyEntry& entry, int id, BlockIdMap& map, Diagnostics
   for (const PropertyWord& word : locatedWords(entry)) {
     std::vector<std::string> badParts;
     map.filters.push_back(parseBlockFilter(word.text, id, badParts));
-    for (const std::string& part : badParts) {
-      diagnostics.push_back(
-          wordDiagnostic(Severity::Warning, "id-state", word,
-                         fmt::format("\"{}\" in {} is no property=value", part, word.text)));
-    }
+    if (badParts.empty()) continue;
+    const std::string more =
+        badParts.size() == 1 ? " is" : fmt::format(" and {} more are", badParts.size() - 1);
+    diagnostics.push_back(wordDiagnostic(
+        Severity::Warning, "id-state", word,
+        fmt::format("\"{}\" in {}{} no property=value", badParts.front(), word.text, more)));
   }
 }
 
