@@ -58,7 +58,7 @@ constexpr std::size_t kWorldJsonValues = 500'000;
 constexpr std::size_t kWorldJsonDepth = 32;
 constexpr std::size_t kWorldErrors = 100;
 constexpr std::size_t kWorldBlocks = std::size_t{1} << 25;
-constexpr std::size_t kWorldWork = std::size_t{1} << 28;
+constexpr std::size_t kWorldWork = std::size_t{1} << 27;
 constexpr std::size_t kWorldCameras = 1'000;
 constexpr std::size_t kSchematicBytes = std::size_t{64} << 20;
 

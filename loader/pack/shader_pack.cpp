@@ -16,6 +16,18 @@
 namespace orris {
 namespace {
 
+/// What splitLines() has at `index`, "" when it has less: thousands of messages may name one file.
+std::string lineOf(std::string_view text, size_t index) {
+  for (; index > 0 && !text.empty(); --index) {
+    const size_t end = text.find_first_of("\r\n");
+    if (end == text.npos) return "";
+    text.remove_prefix(end + (text.substr(end, 2) == "\r\n" ? 2 : 1));
+  }
+  std::string line(text.substr(0, text.find_first_of("\r\n")));
+  std::erase(line, '\0');
+  return line;
+}
+
 int scanRank(const ProgramSource& program) {
   constexpr ProgramGroup kFirst[] = {ProgramGroup::ShadowComp, ProgramGroup::Begin,
                                      ProgramGroup::Prepare};
@@ -239,8 +251,7 @@ std::string ShaderPack::sourceLine(const std::string& file, int line) const {
   const auto known = files.find(file);
   if (known != files.end()) return index < known->second.size() ? known->second[index] : "";
   const auto text = source ? readText(*source, file) : std::nullopt;
-  const FileLines lines = splitLines(text.value_or(""));
-  return index < lines.size() ? lines[index] : "";
+  return lineOf(text.value_or(""), index);
 }
 
 std::string ShaderPack::currentProfile() const {

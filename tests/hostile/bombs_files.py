@@ -135,7 +135,7 @@ BOMBS = {
     "files-70-000": lambda: (files_many, "pack-too-large"),
     "fifo": lambda: (fifo, None),
     "link-to-itself": lambda: (link_to_itself, None),
-    "folder-as-program": lambda: (folder_as_program, "no-programs"),
+    "folder-as-program": lambda: (folder_as_program, "program-file-alone"),
     "names": lambda: (named_badly, None),
     "zip-newlines": lambda: (zip_of(*((f"shaders/lib{i}.glsl", b"\n" * (20 << 20)) for i in range(4))), None),
     "zip-newlines-used": lambda: (zip_of(*((f"shaders/lib{i}.glsl", b"\n" * (20 << 20)) for i in range(4)),

@@ -21,6 +21,9 @@ struct RepairStage {
       false;  ///< only where another finding names what was meant: checking again takes time
 };
 
+// Each is compared with all other findings.
+constexpr std::size_t kMostNamed = 200;
+
 // A comment may swallow an #endif, and that a brace: what comes first is repaired first.
 constexpr std::array<RepairStage, 7> kStages = {
     {{{"include-missing"}},
@@ -122,11 +125,12 @@ class ConsequenceSearch {
  private:
   std::vector<std::size_t> causesOf(const RepairStage& stage) const {
     std::vector<std::size_t> causes;
+    std::size_t asked = 0;
     for (std::size_t i = 0; i < report_.all().size(); ++i) {
       const Diagnostic& d = report_.all()[i];
       const bool listed = std::ranges::find(stage.ids, d.id) != stage.ids.end();
       if (listed && d.repair && d.severity != Severity::Note && folds_.isOpen(i) &&
-          (!stage.named || isNamed(i)))
+          (!stage.named || (++asked <= kMostNamed && isNamed(i))))
         causes.push_back(i);
     }
     return causes;
