@@ -141,7 +141,94 @@ def mistakes_in_scripts_are_located(test):
         assert process.stderr.count("error:") == 1, process.stderr
 
 
-CASES = [script_draws_what_render_draws, option_is_taken_over_saved_and_read_back, own_save_is_no_edit,
+def options_are_walked_changed_and_reset(test):
+    properties = test.folder / "pack" / "shaders" / "shaders.properties"
+    properties.write_text(properties.read_text() + "screen=<profile> [COLORS] NOTHING\n"
+                          "screen.COLORS=TINT <empty>\nsliders=TINT\n")
+    test.view([{"frames": 2}, {"key": "O"}, {"frames": 1},
+               {"expect": {"/panels/options": True, "/items": {"contains": "[COLORS]"}}},
+               {"click": "[COLORS]"}, {"frames": 2}, {"expect": {"/panels/screen": "COLORS", "/loads": 1}},
+               {"drag": "TINT", "to": 0.99}, {"frames": 1},
+               {"expect": {"/changed": {"TINT": "2"}, "/load/built": ["composite"], "/load/kept": 3, "/loads": 2}},
+               {"drag": "TINT", "to": 0.55}, {"frames": 1}, {"expect": {"/changed": {"TINT": "1"}, "/loads": 3}},
+               {"click": "Back"}, {"expect": {"/panels/screen": ""}},
+               {"click": "<profile>"}, {"frames": 1}, {"expect": {"/profile": "BLUE", "/load/cause": "profile BLUE"}},
+               {"click": "<profile>", "button": "right"}, {"frames": 1}, {"expect": {"/profile": "RED"}},
+               {"click": "Reset all"}, {"frames": 1}, {"expect": {"/changed": {}, "/profile": "PLAIN"}},
+               {"click": "Search"}, {"text": "tin"}, {"expect": {"/panels/search": "tin"}},
+               {"expect": {"/items": {"contains": "TINT"}, "/glErrors": 0}},
+               {"key": "Escape"}, {"expect": {"/panels/options": False}}])
+    assert (test.folder / "pack.txt").read_text() == ""
+
+
+def problems_are_on_screen_over_the_last_good_picture(test):
+    test.view([{"frames": 2}, {"screenshot": "good.png"}, {"frames": 1}, BREAK,
+               {"until": {"/load/succeeded": False}}, {"frames": 2},
+               {"expect": {"/items": {"contains": "problem"}, "/problems/0/file": "/lib/tint.glsl"}},
+               {"screenshot": "broken.png"}, {"picture": "picture.png"}, {"frames": 1},
+               {"key": "Escape"}, {"frames": 1}, {"expect": {"/items": []}}, {"screenshot": "closed.png"},
+               {"frames": 1}, REPAIR, {"until": {"/load/succeeded": True}},
+               {"expect": {"/items": [], "/glErrors": 0}}])
+    assert test.picture("picture.png") == test.picture("good.png") == test.picture("closed.png")
+    assert share_within_one(test.picture("broken.png"), test.picture("good.png")) < 0.95
+
+
+def passes_are_timed_and_pixels_probed_only_while_shown(test):
+    test.view([{"frames": 3}, {"state": "before.json"}, {"picture": "before.png"}, {"key": "F3"}, {"frames": 3},
+               {"click": [40, 200]}, {"frames": 2}, {"state": "open.json"}, {"key": "F3"}, {"frames": 2},
+               {"state": "after.json"}, {"picture": "after.png"}])
+    before, opened, after = [json.loads((test.folder / f"{name}.json").read_text())
+                             for name in ("before", "open", "after")]
+    assert not before["interface"] and before["timedSteps"] == 0 and before["probe"] == []
+    assert opened["steps"] == before["steps"] == after["steps"]
+    assert opened["timedSteps"] == len(opened["steps"]), opened
+    assert after["timedSteps"] == 0 and after["probe"] == [], after
+    assert opened["probe"][-1]["buffer"] == "screen"
+    pixel = test.picture("before.png")[200][40]
+    assert [round(value * 255) for value in opened["probe"][-1]["value"][:3]] == list(pixel)
+    assert test.picture("before.png") == test.picture("after.png")
+    command = [test.orris, "render", "pack", HERE / "world", "--size", "320x240", "--frames", "3", "--backend",
+               "egl", "-o", "render.png", "--probe", "40,200", "--json"]
+    output = subprocess.run(command, cwd=test.folder, check=True, capture_output=True, timeout=TIMEOUT).stdout
+    headless = json.loads(output)["probe"]
+    assert [(one["step"], one["buffer"], one["value"]) for one in headless] == \
+        [(one["step"], one["buffer"], one["value"]) for one in opened["probe"]]
+
+
+def scene_is_chosen_in_its_panel(test):
+    test.view([{"frames": 2}, {"key": "T"}, {"frames": 2}, {"click": "midnight"}, {"expect": {"/time": 18000}},
+               {"drag": "rain", "to": 0.98}, {"expect": {"/rain": {"min": 0.9}}},
+               {"click": "camera"}, {"frames": 1}, {"click": "camera top"}, {"expect": {"/camera/name": "top"}},
+               {"click": "pack on"}, {"expect": {"/packOn": False}}, {"frames": 2}, {"click": "pack on"},
+               {"click": "paused"}, {"expect": {"/packOn": True, "/paused": True}},
+               {"click": "world"}, {"frames": 1}, {"click": "world cornell"}, {"frames": 2},
+               {"expect": {"/world": "cornell", "/glErrors": 0, "/load/succeeded": True}}])
+
+
+def panels_survive_any_size(test):
+    test.view([{"key": key} for key in ("F1", "O", "T", "F3")] +
+              [step for size in ([1, 1], [40, 30], [5, 400], [1200, 20], [320, 240])
+               for step in ({"resize": size}, {"frames": 3}, {"expect": {"/width": size[0], "/glErrors": 0}})] +
+              [{"key": "Escape"}, {"frames": 1}, {"expect": {"/items": []}}])
+
+
+def error_is_opened_in_the_editor(test):
+    editor = test.folder / "editor"
+    editor.write_text('#!/bin/sh\necho "$@" > opened.txt.new\nmv opened.txt.new opened.txt\n')
+    editor.chmod(0o755)
+    os.environ["VISUAL"] = str(editor)
+    test.view([{"frames": 1}, {"key": "E"}, {"expect": {"/said": "there is no error to open"}}, BREAK,
+               {"until": {"/load/succeeded": False}}, {"key": "E"},
+               {"expect": {"/said": {"contains": "opened /lib/tint.glsl:3:"}}}, {"frames": 60}, REPAIR,
+               {"until": {"/load/succeeded": True}}])
+    opened = (test.folder / "opened.txt").read_text()
+    assert opened == f"+3 {test.folder.resolve()}/pack/shaders/lib/tint.glsl\n", opened
+
+
+CASES = [options_are_walked_changed_and_reset, problems_are_on_screen_over_the_last_good_picture,
+         passes_are_timed_and_pixels_probed_only_while_shown, scene_is_chosen_in_its_panel,
+         panels_survive_any_size, error_is_opened_in_the_editor,
+         script_draws_what_render_draws, option_is_taken_over_saved_and_read_back, own_save_is_no_edit,
          broken_pack_keeps_the_last_good_picture, pack_off_shows_the_hosts_own_programs,
          pause_holds_the_picture_and_single_frames_go_on, time_weather_and_camera,
          tiny_and_odd_sizes_survive, mistakes_in_scripts_are_located]

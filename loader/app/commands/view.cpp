@@ -11,8 +11,8 @@ namespace {
 constexpr const char* kKeys =
     "Keys: W A S D, space and shift fly, a click takes the mouse and Esc gives it back or ends, "
     "the\n"
-    "wheel sets the speed; 1 to 9 named cameras; R reload, P next profile, K pack on and off, F2\n"
-    "screenshot, comma pause, dot one frame, F11 full screen.\n"
+    "wheel sets the speed; 1 to 9 named cameras; F1 lists all keys: O options, T time and weather,\n"
+    "F3 passes and pixels, R reload, P next profile, K pack on and off, F2 screenshot.\n"
     "Edited pack files and PACK.txt are taken over at once; what does not compile changes nothing.";
 
 }  // namespace
@@ -37,9 +37,10 @@ void addViewCommand(CLI::App& app, int& status) {
   command->callback([options, &status] {
     const gl::Backend backend = options->image.backend;
     const bool window = backend == gl::Backend::Auto || backend == gl::Backend::Glfw;
-    if (!window && options->script.empty()) {
-      throw CLI::ValidationError("--backend",
-                                 "view needs a window: without --script only glfw can be asked for");
+    const bool hidden = backend == gl::Backend::Egl && !options->script.empty();
+    if (!window && !hidden) {
+      throw CLI::ValidationError(
+          "--backend", "view needs a window: glfw, or egl with --script");
     }
     Viewer viewer(*options);
     status = viewer.run();

@@ -154,6 +154,12 @@ bool LivePack::setOptions(const std::string& cause, const OptionValues& changes)
 
 bool LivePack::resetOptions() { return choose("all options reset", {}); }
 
+bool LivePack::chooseProfile(const std::string& name) {
+  const std::vector<Profile>& profiles = session_->asked().properties.profiles;
+  const auto found = std::ranges::find(profiles, name, &Profile::name);
+  return found != profiles.end() && setOptions("profile " + name, found->values);
+}
+
 void LivePack::save() {
   const ShaderPack& pack = session_->asked();
   if (replaceFile(optionFile_, writeOptionFile(pack.options, pack.values))) {

@@ -42,6 +42,8 @@ class LivePack {
   /// option file once it runs. An empty value takes the option back to its default.
   bool setOptions(const std::string& cause, const OptionValues& changes);
   bool resetOptions();
+  /// The values of a profile over those in force, saved like others chosen by hand.
+  bool chooseProfile(const std::string& name);
 
   /// Non-default values in force, as asked for.
   const OptionValues& values() const { return session_->asked().values; }

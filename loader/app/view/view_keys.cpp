@@ -12,6 +12,11 @@ namespace orris {
 namespace {
 
 constexpr KeyRow kKeyRows[] = {
+    {GLFW_KEY_F1, ViewCommand::Help, "F1", "this list"},
+    {GLFW_KEY_O, ViewCommand::Options, "O", "the pack's options; a change is saved to its option file"},
+    {GLFW_KEY_T, ViewCommand::Scene, "T", "time of day, weather, world, camera"},
+    {GLFW_KEY_F3, ViewCommand::Passes, "F3", "the passes with their times; click on a pixel to probe it"},
+    {GLFW_KEY_E, ViewCommand::Editor, "E", "open $VISUAL at the first error"},
     {GLFW_KEY_R, ViewCommand::Reload, "R", "reload the pack from its files"},
     {GLFW_KEY_P, ViewCommand::NextProfile, "P", "next profile of the pack"},
     {GLFW_KEY_K, ViewCommand::PackOnOff, "K", "pack on and off"},
@@ -24,7 +29,7 @@ constexpr KeyRow kKeyRows[] = {
 constexpr KeyHelp kOtherKeys[] = {
     {"W A S D", "fly; the mouse wheel sets the speed"},
     {"Space, Shift", "up, down"},
-    {"Click, Esc", "take the mouse to look around, give it back; Esc without the mouse ends"},
+    {"Click, Esc", "take the mouse to look around; give it back, close what is open, end"},
     {"1 to 9", "named cameras of the world, in its order"},
 };
 

@@ -9,6 +9,11 @@
 namespace orris {
 
 enum class ViewCommand {
+  Help,
+  Options,
+  Scene,
+  Passes,
+  Editor,
   Reload,
   NextProfile,
   PackOnOff,

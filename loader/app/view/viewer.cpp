@@ -139,7 +139,9 @@ void Viewer::drawFrame() {
   const double seconds = hasFixedTime() ? kFixedStep : passed;
   lastFrame_ = now;
   const bool held = controls_.holdsMouse();
-  handle(controls_.take(pollEvents(), {}), seconds);
+  std::vector<ViewEvent> events = pollEvents();
+  beginPanels(events, seconds);
+  handle(controls_.take(events, taken_), seconds);
   if (controls_.holdsMouse() != held) surface_->holdMouse(!held);
   pollFiles();
   followWindowSize();
@@ -154,9 +156,21 @@ void Viewer::drawPicture(double seconds) {
   if (paused_ && singleFrames_ == 0 && session().frame() > 0) return;
   singleFrames_ = std::max(singleFrames_ - 1, 0);
   session().setFrameTime(float(seconds));
+  FrameRenderer& renderer = session().renderer();
+  renderer.setTimings(panels_.passes);
+  std::optional<PixelProbe> probe;
+  if (panels_.passes && pixel_) {
+    probe.emplace(renderer, pixel_->first, pixel_->second);
+    renderer.watchSteps([&](const Step& step) { probe->after(step); });
+  }
   Diagnostics diagnostics;
   session().renderFrame(diagnostics);
   report_.add(diagnostics);
+  if (panels_.passes) times_.add(renderer.schedule(), renderer.stepTimes());
+  if (probe) {
+    renderer.watchSteps({});
+    probe_ = probe->values();
+  }
   if (++framesDrawn_ != 1) return;
   const std::string chosen = session().autoChoices().text();
   say(chosen.empty() ? "ready" : "ready; AUTO took " + chosen);
@@ -170,8 +184,10 @@ void Viewer::showPicture() {
   gl::BlitNamedFramebuffer(renderer.screenFramebuffer(), surface_->framebuffer(), 0, 0,
                            renderer.schedule().width, renderer.schedule().height, 0, 0, width,
                            height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  endPanels();
   if (!windowPicture_.empty()) saveWindow(std::exchange(windowPicture_, ""));
   surface_->show();
+  apply(std::exchange(requests_, {}));
 }
 
 void Viewer::handle(const ViewInput& input, double seconds) {

@@ -14,6 +14,7 @@
 #include "app/view/script_player.h"
 #include "app/view/view_controls.h"
 #include "app/view/view_surface.h"
+#include "app/window/panels.h"
 #include "gl/context.h"
 #include "render/render_session.h"
 
@@ -51,6 +52,14 @@ class Viewer final : public ScriptTarget {
   void drawFrame();
   void drawPicture(double seconds);
   void showPicture();
+  /// Those that are open take their part of the events.
+  void beginPanels(std::vector<ViewEvent>& events, double seconds);
+  void endPanels();
+  void apply(const PanelRequests& requests);
+  bool panelsShown() const;
+  void closePanels();
+  bool setWorld(const std::string& name);
+  void openEditor();
   std::vector<ViewEvent> pollEvents();
   void handle(const ViewInput& input, double seconds);
   void run(ViewCommand command);
@@ -94,6 +103,14 @@ class Viewer final : public ScriptTarget {
   std::optional<ScriptPlayer> player_;
   std::optional<FileWatch> watch_;
   ViewControls controls_;
+  std::unique_ptr<Interface> interface_;  ///< made when the first panel opens
+  PanelState panels_;
+  bool building_ = false;  ///< between beginPanels() and endPanels()
+  InputTaken taken_;
+  PanelRequests requests_;  ///< of this frame
+  StepHistory times_;
+  std::optional<std::pair<int, int>> pixel_;  ///< that is probed, from the top left
+  std::vector<ProbeValue> probe_;
   FlyCamera fly_{Camera{}};
   bool closed_ = false, paused_ = false, fullScreen_ = false;
   int singleFrames_ = 0;  ///< to be drawn although paused

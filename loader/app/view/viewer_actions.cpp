@@ -26,7 +26,21 @@ std::string freeScreenshotName() {
 }  // namespace
 
 void Viewer::run(ViewCommand command) {
+  const auto toggle = [this](bool& panel) {
+    panel = !panel;
+    if (panel) controls_.giveMouseBack();
+  };
   switch (command) {
+    case ViewCommand::Help:
+      return toggle(panels_.help);
+    case ViewCommand::Options:
+      return toggle(panels_.options);
+    case ViewCommand::Scene:
+      return toggle(panels_.scene);
+    case ViewCommand::Passes:
+      return toggle(panels_.passes);
+    case ViewCommand::Editor:
+      return openEditor();
     case ViewCommand::Reload:
       return reload("R pressed", true);
     case ViewCommand::NextProfile:
@@ -88,6 +102,7 @@ bool Viewer::setCamera(const std::string& name) {
 void Viewer::sayOutcome() {
   const LoadOutcome& last = pack_->outcome();
   status_ = last.succeeded ? kClean : kProblems;
+  panels_.problems = true;
   if (!last.succeeded) return say("not reloaded: the last good pack keeps running");
   say(fmt::format("reloaded ({}): {} programs built{}{}, {} kept, {:.2f} s", last.cause,
                   last.report.programsBuilt, last.report.built.empty() ? "" : ": ",

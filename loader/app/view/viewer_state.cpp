@@ -22,6 +22,22 @@ nlohmann::json outcomeState(const LoadOutcome& outcome) {
           {"kept", outcome.report.programsReused}};
 }
 
+nlohmann::json panelsState(const PanelState& panels) {
+  return {{"help", panels.help},
+          {"options", panels.options},
+          {"scene", panels.scene},
+          {"passes", panels.passes},
+          {"screen", panels.screens.empty() ? "" : panels.screens.back()},
+          {"search", panels.search}};
+}
+
+nlohmann::json probeState(const std::vector<ProbeValue>& probe) {
+  nlohmann::json chain = nlohmann::json::array();
+  for (const ProbeValue& value : probe)
+    chain.push_back({{"step", value.step}, {"buffer", value.side.name}, {"value", value.value}});
+  return chain;
+}
+
 }  // namespace
 
 nlohmann::json Viewer::state() {
@@ -30,6 +46,11 @@ nlohmann::json Viewer::state() {
   nlohmann::json values = nlohmann::json::object();
   for (const auto& [name, option] : pack.options.all())
     values[name] = pack.options.value(pack.values, name);
+  nlohmann::json items = nlohmann::json::array(), steps = items;
+  if (interface_ && panelsShown())
+    for (const auto& [name, item] : interface_->items()) items.push_back(name);
+  FrameRenderer& renderer = session().renderer();
+  for (const Step& step : renderer.schedule().frame) steps.push_back(step.name);
   int width = 0, height = 0;
   surface_->size(width, height);
   const World& world = session().scene().world;
@@ -38,6 +59,12 @@ nlohmann::json Viewer::state() {
           {"width", width},
           {"height", height},
           {"paused", paused_},
+          {"panels", panelsState(panels_)},
+          {"items", items},
+          {"interface", interface_ != nullptr},
+          {"steps", steps},
+          {"timedSteps", renderer.stepTimes().size()},
+          {"probe", probeState(probe_)},
           {"packOn", plain_ == nullptr},
           {"pack", pack.name},
           {"profile", pack.currentProfile()},
@@ -55,6 +82,11 @@ nlohmann::json Viewer::state() {
           {"said", said_}};
 }
 
-std::optional<ScreenItem> Viewer::item(const std::string&) { return std::nullopt; }
+std::optional<ScreenItem> Viewer::item(const std::string& name) {
+  if (!interface_ || !panelsShown()) return std::nullopt;
+  const auto found = interface_->items().find(name);
+  if (found == interface_->items().end()) return std::nullopt;
+  return found->second;
+}
 
 }  // namespace orris

@@ -1,0 +1,114 @@
+// The panels over the picture, and what the user asks for in them.
+#include <fmt/format.h>
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "app/input/shipped_worlds.h"
+#include "app/view/open_editor.h"
+#include "app/view/viewer.h"
+
+namespace orris {
+
+bool Viewer::panelsShown() const {
+  const bool problems = panels_.problems && !pack_->outcome().succeeded;
+  return panels_.help || panels_.options || panels_.scene || panels_.passes || problems;
+}
+
+void Viewer::closePanels() {
+  panels_.help = panels_.options = panels_.scene = panels_.passes = panels_.problems = false;
+}
+
+void Viewer::beginPanels(std::vector<ViewEvent>& events, double seconds) {
+  taken_ = {};
+  building_ = panelsShown();
+  if (!building_) return;
+  if (!interface_) interface_ = std::make_unique<Interface>(surface_->scale());
+  building_ = interface_->usable();
+  if (!building_) return;
+  int width = 0, height = 0;
+  surface_->size(width, height);
+  interface_->begin(events, width, height, seconds);
+  taken_ = interface_->taken();
+  const auto isEscape = [](const ViewEvent& event) {
+    return event.kind == ViewEvent::Kind::Key && event.code == GLFW_KEY_ESCAPE && event.pressed;
+  };
+  if (!controls_.holdsMouse() && std::erase_if(events, isEscape) > 0) closePanels();
+  if (!panels_.passes || taken_.mouse || controls_.holdsMouse()) return;
+  // With the passes open a click on the picture is for its pixel.
+  for (const ViewEvent& event : events) {
+    if (event.kind != ViewEvent::Kind::Button || !event.pressed) continue;
+    const auto [x, y] = interface_->mouse();
+    pixel_ = std::pair(std::clamp(int(x), 0, width - 1), std::clamp(int(y), 0, height - 1));
+    singleFrames_ = std::max(singleFrames_, 1);
+    taken_.mouse = true;
+  }
+}
+
+void Viewer::endPanels() {
+  if (!building_) return;
+  building_ = false;
+  const PanelFacts facts{*pack_,  session(), plain_ == nullptr, paused_,
+                         times_, pixel_,    probe_};
+  if (panels_.options) drawOptions(*interface_, panels_, facts, requests_);
+  if (panels_.scene) drawScene(*interface_, panels_, facts, requests_);
+  if (panels_.passes) drawPasses(*interface_, panels_, facts, requests_);
+  if (panels_.problems && !pack_->outcome().succeeded) drawProblems(*interface_, panels_, facts);
+  if (panels_.help) drawHelp(*interface_, panels_);
+  interface_->end(surface_->framebuffer());
+  if (!panels_.passes) {
+    times_ = {};
+    pixel_.reset();
+    probe_.clear();
+  }
+}
+
+void Viewer::apply(const PanelRequests& requests) {
+  if (requests.resetAll) pack_->resetOptions();
+  if (!requests.profile.empty()) pack_->chooseProfile(requests.profile);
+  for (const auto& [name, value] : requests.set)
+    pack_->setOptions(value.empty() ? name + " reset" : fmt::format("{}={}", name, value), {{name, value}});
+  if (requests.resetAll || !requests.profile.empty() || !requests.set.empty()) sayOutcome();
+  Environment& environment = session().environment();
+  if (requests.time) session().setTime(*requests.time);
+  if (requests.rain) environment.rain = *requests.rain;
+  if (requests.thunder) environment.thunder = *requests.thunder;
+  if (!requests.camera.empty()) setCamera(requests.camera);
+  if (!requests.world.empty()) setWorld(requests.world);
+  if (requests.pause) paused_ = *requests.pause;
+  if (requests.singleFrame) run(ViewCommand::SingleFrame);
+  if (requests.dropPixel) {
+    pixel_.reset();
+    probe_.clear();
+  }
+  if (requests.packOn) setPackOn(*requests.packOn);
+}
+
+bool Viewer::setWorld(const std::string& name) {
+  setPackOn(true);
+  const std::string path = findWorld(name);
+  Diagnostics diagnostics;
+  auto world = path.empty() ? std::nullopt : loadWorld(path, options_.scene.seed, diagnostics);
+  bool done = false;
+  if (world && !world->cameras.empty()) {
+    const Camera camera = world->cameras.front();
+    done = pack_->session().setWorld(std::move(*world), camera, diagnostics);
+  }
+  report_.add(diagnostics);
+  say(done ? "world " + name : fmt::format("the world {} cannot be drawn", name));
+  return done;
+}
+
+void Viewer::openEditor() {
+  const Diagnostics& problems = pack_->outcome().problems;
+  const auto located = std::ranges::find_if(problems, [](const Diagnostic& one) {
+    return one.severity == Severity::Error && one.at.line > 0;
+  });
+  if (located == problems.end()) return say("there is no error to open");
+  const std::string opened = openInEditor(options_.pack.path, located->at);
+  say(opened.empty() ? "opened " + formatLocation(located->at) : opened);
+}
+
+}  // namespace orris

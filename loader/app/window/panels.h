@@ -1,0 +1,72 @@
+// What is drawn over the picture: help, options, scene, passes, problems. Each panel shows what it is
+// given and leaves what the user asks for in the requests; none changes anything itself.
+#pragma once
+
+#include <array>
+#include <deque>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/view/live_pack.h"
+#include "app/window/interface.h"
+#include "render/pixel_probe.h"
+
+namespace orris {
+
+/// Which panels are open and where the user is in them.
+struct PanelState {
+  bool help = false, options = false, scene = false, passes = false;
+  bool problems = true;              ///< shown while the last load failed
+  std::vector<std::string> screens;  ///< from the main screen to the one shown
+  std::string search;
+  std::map<std::string, int> dragged;  ///< sliders being dragged: index of the value under the mouse
+};
+
+/// The steps of a frame, each name once: geometry drawn in several layers is counted.
+std::vector<std::string> stepLabels(const Schedule& schedule);
+
+/// Times of the last frames by label of the step, for a median.
+struct StepHistory {
+  static constexpr std::size_t kFrames = 32;
+  std::map<std::string, std::deque<StepTime>> steps;
+  void add(const Schedule& schedule, const std::vector<StepTime>& times);
+  /// Milliseconds that passed and that processors worked; 0 before the first frame.
+  std::pair<double, double> median(const std::string& step) const;
+};
+
+/// What the panels show.
+struct PanelFacts {
+  LivePack& pack;
+  RenderSession& session;  ///< what is drawn: the pack's, or that of the host's own programs
+  bool packOn = true, paused = false;
+  const StepHistory& times;
+  const std::optional<std::pair<int, int>>& pixel;  ///< that is probed
+  const std::vector<ProbeValue>& probe;
+};
+
+/// What the user asked for in this frame.
+struct PanelRequests {
+  OptionValues set;  ///< "" for the default
+  bool resetAll = false;
+  std::string profile;
+  std::optional<int> time;
+  std::optional<float> rain, thunder;
+  std::string camera, world;
+  std::optional<bool> pause, packOn;
+  bool singleFrame = false;
+  bool dropPixel = false;
+};
+
+void drawHelp(Interface& interface, PanelState& state);
+void drawOptions(Interface& interface, PanelState& state, const PanelFacts& facts,
+                 PanelRequests& requests);
+void drawScene(Interface& interface, PanelState& state, const PanelFacts& facts,
+               PanelRequests& requests);
+void drawPasses(Interface& interface, PanelState& state, const PanelFacts& facts,
+                PanelRequests& requests);
+void drawProblems(Interface& interface, PanelState& state, const PanelFacts& facts);
+
+}  // namespace orris

@@ -1,0 +1,116 @@
+// The passes of the frame in order: times, what each writes, and a pixel through all of them.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "app/window/panel_parts.h"
+#include "app/window/panels.h"
+
+namespace orris {
+namespace {
+
+constexpr ImGuiTableFlags kTable = ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV |
+                                   ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_ScrollY;
+
+std::string sideName(const BufferSide& side) { return side.name + (side.alt ? " alt" : ""); }
+
+void textCell(const std::string& text) {
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(text.c_str());
+}
+
+void drawSteps(Interface& interface, const PanelFacts& facts) {
+  const FrameRenderer& renderer = facts.session.renderer();
+  const std::vector<std::string> names = stepLabels(renderer.schedule());
+  double total = 0;
+  for (const std::string& name : names) total += facts.times.median(name).first;
+  ImGui::TextUnformatted(fmt::format("median of the last {} frames; all passes {:.2f} ms",
+                                     StepHistory::kFrames, total).c_str());
+  const ImVec2 size(0, ImGui::GetContentRegionAvail().y * (facts.pixel ? 0.5f : 0.9f));
+  if (!ImGui::BeginTable("steps", 4, kTable, size)) return;
+  ImGui::TableSetupScrollFreeze(0, 1);
+  for (const char* head : {"pass", "ms", "processor ms", "writes"}) ImGui::TableSetupColumn(head);
+  ImGui::TableHeadersRow();
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    std::vector<std::string> writes;
+    for (const BufferSide& side : renderer.writesOf(renderer.schedule().frame[i]))
+      writes.push_back(sideName(side));
+    const auto [passed, worked] = facts.times.median(names[i]);
+    textCell(names[i]);
+    textCell(fmt::format("{:.3f}", passed));
+    textCell(fmt::format("{:.3f}", worked));
+    textCell(fmt::format("{}", fmt::join(writes, ", ")));
+  }
+  ImGui::EndTable();
+  interface.name("steps");
+}
+
+void drawPixel(Interface& interface, const PanelFacts& facts, PanelRequests& requests) {
+  if (!facts.pixel) {
+    ImGui::TextUnformatted("click on the picture: the pixel after every pass that wrote it");
+    return;
+  }
+  ImGui::TextUnformatted(fmt::format("pixel {},{}", facts.pixel->first, facts.pixel->second).c_str());
+  ImGui::SameLine();
+  if (ImGui::SmallButton("stop probing")) requests.dropPixel = true;
+  interface.name("stop probing");
+  if (!ImGui::BeginTable("pixel", 3, kTable)) return;
+  for (const ProbeValue& value : facts.probe) {
+    std::vector<std::string> numbers;
+    for (const float number : value.value) numbers.push_back(fmt::format("{:.6g}", number));
+    textCell(value.step);
+    textCell(sideName(value.side));
+    textCell(fmt::format("{}", fmt::join(numbers, "  ")));
+  }
+  ImGui::EndTable();
+  interface.name("pixel");
+}
+
+}  // namespace
+
+std::vector<std::string> stepLabels(const Schedule& schedule) {
+  std::map<std::string, int> met;
+  std::vector<std::string> labels;
+  for (const Step& step : schedule.frame) {
+    const int count = ++met[step.name];
+    labels.push_back(count == 1 ? step.name : fmt::format("{} ({})", step.name, count));
+  }
+  return labels;
+}
+
+void StepHistory::add(const Schedule& schedule, const std::vector<StepTime>& times) {
+  // Steps before the frame (setup) and steps left out for the driver have no place in the list.
+  if (times.size() != schedule.frame.size()) return;
+  const std::vector<std::string> labels = stepLabels(schedule);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const StepTime& time = times[i];
+    std::deque<StepTime>& history = steps[labels[i]];
+    history.push_back(time);
+    if (history.size() > kFrames) history.pop_front();
+  }
+}
+
+std::pair<double, double> StepHistory::median(const std::string& step) const {
+  const auto found = steps.find(step);
+  if (found == steps.end() || found->second.empty()) return {0, 0};
+  const auto middle = [&](double StepTime::*member) {
+    std::vector<double> values;
+    for (const StepTime& time : found->second) values.push_back(time.*member * 1e3);
+    const auto at = values.begin() + std::ptrdiff_t(values.size() / 2);
+    std::nth_element(values.begin(), at, values.end());
+    return *at;
+  };
+  return {middle(&StepTime::seconds), middle(&StepTime::processorSeconds)};
+}
+
+void drawPasses(Interface& interface, PanelState& state, const PanelFacts& facts,
+                PanelRequests& requests) {
+  if (beginPanel("Passes", &state.passes, ImVec2(0.45f, 0.05f), ImVec2(0.53f, 0.9f))) {
+    drawSteps(interface, facts);
+    drawPixel(interface, facts, requests);
+  }
+  ImGui::End();
+}
+
+}  // namespace orris
