@@ -133,8 +133,11 @@ class OptionsPanel {
   }
 
   std::string tooltipOf(const OptionCell& cell) const {
-    std::string text = cell.comment;
+    // The label may not fit into its cell.
+    std::string text = withoutCodes(cell.label) + ": " + withoutCodes(cell.valueLabel);
+    if (cell.kind == OptionCell::Kind::Screen) text = withoutCodes(cell.label);
     const auto add = [&](const std::string& line) { text += (text.empty() ? "" : "\n\n") + line; };
+    if (!cell.comment.empty()) add(cell.comment);
     if (cell.labelMissing && cell.kind != OptionCell::Kind::Screen)
       add("no text option." + cell.name + " in the language file");
     if (const Option* option = pack_.options.find(cell.name); option != nullptr && cell.changed)
@@ -194,9 +197,11 @@ class OptionsPanel {
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     const ImVec2 size = ImGui::CalcTextSize(format.c_str());
     const ImVec4 color = cell.changed ? kChangedColor : ImGui::GetStyle().Colors[ImGuiCol_Text];
+    ImGui::PushClipRect(low, high, true);
     ImGui::GetWindowDrawList()->AddText(
         ImVec2(std::max(low.x, (low.x + high.x - size.x) / 2), low.y + ImGui::GetStyle().FramePadding.y),
         ImGui::GetColorU32(color), format.c_str());
+    ImGui::PopClipRect();
     const bool released = ImGui::IsItemDeactivated();
     if (ImGui::IsItemActive()) {
       state_.dragged[cell.name] = index;
