@@ -41,8 +41,9 @@ std::array<glm::dvec3, 2> lampWall(PackSession& pack) {
   std::array<glm::dvec3, 2> radiance = {glm::dvec3(1e9), glm::dvec3(0)};
   for (int i = 0; i < 25; ++i) {
     const std::array<float, 4> light = field.at({3 + i % 5, 2 + i / 5, 0}, kSouth);
-    const glm::dvec3 sent = own + glm::dvec3(root[0] * root[0] * light[0], root[1] * root[1] * light[1],
-                                             root[2] * root[2] * light[2]);
+    const glm::dvec3 sent =
+        own + glm::dvec3(root[0] * root[0] * light[0], root[1] * root[1] * light[1],
+                         root[2] * root[2] * light[2]);
     radiance = {glm::min(radiance[0], sent), glm::max(radiance[1], sent)};
   }
   return radiance;

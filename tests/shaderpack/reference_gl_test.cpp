@@ -1,7 +1,7 @@
 // Global illumination against stored pictures of the path tracer: sun and sky through windows,
-// daylight deep in a hall, a lamp round a corner, a cave with lava; and BOUNCE_N against light that is
-// cut off after as many rays. The pictures are traced once (references/make.sh), so that a mistake in what pack and
-// tracer share shows as well.
+// daylight deep in a hall, a lamp round a corner, a cave with lava, stained windows; and BOUNCE_N
+// against light that is cut off after as many rays. The pictures are traced once
+// (references/make.sh), so that a mistake in what pack and tracer share shows as well.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -114,13 +114,13 @@ void PrintTo(const Pane& pane, std::ostream* out) { *out << pane.name; }
 double sunOnFloor(const char* blocks, int time, const char* shadows) {
   double red = 0;
   for (const char* direct : {"PHONG", "NONE"}) {
-    PackSession pack(fmt::format(R"({{"size": [32, 16, 32],
+    PackSession pack(
+        fmt::format(R"({{"size": [32, 16, 32],
         "blocks": [{{"box": "white_concrete", "min": [0, 0, 0], "max": [31, 0, 31]}}{}],
         "cameras": [{{"name": "eye", "position": [16, 3.5, 16], "target": [16.01, 0, 16], "fov": 100}}],
         "environment": {{"time": {}}}}})",
-                                 blocks, time),
-                     {{"GI_METHOD", "BOUNCE_1"}, {"SHADOW_METHOD", shadows}, {"DIRECT_LIGHT", direct}},
-                     128, 72);
+                    blocks, time),
+        {{"GI_METHOD", "BOUNCE_1"}, {"SHADOW_METHOD", shadows}, {"DIRECT_LIGHT", direct}}, 128, 72);
     pack.renderFrames(1);
     red = pack.meanRadiance().r - red;
   }
@@ -142,9 +142,13 @@ INSTANTIATE_TEST_SUITE_P(
     , ReferenceGlass,
     testing::Values(
         Pane{"glass", R"(, {"box": "glass", "min": [0, 4, 0], "max": [31, 4, 31]})", 4000, .491},
-        Pane{"stained", R"(, {"box": "red_stained_glass", "min": [0, 4, 0], "max": [31, 4, 31]})", 4000, .298},
-        Pane{"panes", R"(, {"box": "glass_pane[north=true,south=true]", "min": [12, 1, 0], "max": [12, 14, 31]},
-             {"box": "glass_pane[north=true,south=true]", "min": [20, 1, 0], "max": [20, 14, 31]})", 2500, .514}),
+        Pane{"stained", R"(, {"box": "red_stained_glass", "min": [0, 4, 0], "max": [31, 4, 31]})",
+             4000, .298},
+        Pane{
+            "panes",
+            R"(, {"box": "glass_pane[north=true,south=true]", "min": [12, 1, 0], "max": [12, 14, 31]},
+             {"box": "glass_pane[north=true,south=true]", "min": [20, 1, 0], "max": [20, 14, 31]})",
+            2500, .514}),
     [](const auto& tested) { return std::string(tested.param.name); });
 
 class Reference : public testing::TestWithParam<View> {};
@@ -172,6 +176,7 @@ INSTANTIATE_TEST_SUITE_P(
                     View{"hall", "deep_hall", 1, "deep_hall", "FACE_CACHE", .02, .07},
                     View{"bend", "bend_grey", 0, "bend_grey", "FACE_CACHE", .02, .03},
                     View{"cave", "lava_cave", 1, "lava_cave", "FACE_CACHE", .05, .06},
+                    View{"chapel", "chapel", 0, "chapel", "FACE_CACHE", .05, .08},
                     View{"two_bounces", "h4_house", 1, "h4_house_2", "BOUNCE_2", .035, .09},
                     View{"four_bounces", "h4_house", 1, "h4_house_4", "BOUNCE_4", .035, .09},
                     View{"one_bounce", "h4_house", 1, "h4_house_1", "BOUNCE_1", .035, .09},

@@ -17,6 +17,7 @@ HOUSE = "Views/Reference.*/house"
 HALL = "Views/Reference.*/hall"
 BEND = "Views/Reference.*/bend"
 CAVE = "Views/Reference.*/cave"
+CHAPEL = "Views/Reference.*/chapel"
 GLASS = "ReferenceGlass.*"
 ONE = "Views/Reference.*/one_bounce"
 
@@ -43,4 +44,5 @@ MUTANTS = [
     ("glass is nothing to shadow volumes", GLASS, [(SUN, "lit *= open_share(player, normal, light);", "")]),
     ("lava green", CAVE, [("include/blocks.glsl", "vec3(1.0, 0.34, 0.06));  // 9", "vec3(0.34, 1.0, 0.06));  // 9")]),
     ("lamp levels linear", CAVE, [(VOXEL, "EMISSION_STRENGTH * share * share", "EMISSION_STRENGTH * share")]),
+    ("stained panes clear to rays", CHAPEL, [(SHADOW, "id == block_translucent || id == block_tinted_pane;", "id == block_translucent;")]),
 ]

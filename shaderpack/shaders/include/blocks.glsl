@@ -17,6 +17,7 @@ const int block_translucent = 21;  // stained glass, ice, slime
 const int block_glass = 22;        // clear, a full block
 const int block_pane = 23;         // posts with thin arms and holes
 const int block_cover = 24;        // carpets
+const int block_tinted_pane = 25;  // stained
 const int block_polished = 30;     // full blocks with a smooth coat
 const int block_metal = 31;        // full blocks
 const int block_lamp = 100;        // full cubes, 100 + colour
@@ -28,7 +29,7 @@ const int block_lamps_end = 360;
 /// Not what a roof is made of.
 bool lets_light_pass(int id) {
     return id == block_plant || id == block_open || id == block_water || id == block_translucent ||
-           id == block_glass || id == block_pane;
+           id == block_glass || id == block_pane || id == block_tinted_pane;
 }
 
 /// Does block.properties list it? What it does not is 65535, 0 or -1.

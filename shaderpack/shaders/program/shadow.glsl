@@ -84,7 +84,7 @@ vec4 sheet_of_triangle() {
                                                                                               : vec4(0.0);
     vec3 color = to_linear(textureLod(gtexture, vertex_mid_uv[0], 4.0).rgb) * to_linear(vertex_tint[0]);
     float slope = abs((mat3(shadowModelView) * vertex_normal[0]).z);
-    float way = id == block_open ? 1.0 : id == block_translucent ? 1.0 / max(slope, 0.25) : 0.0;
+    float way = id == block_translucent ? 1.0 / max(slope, 0.25) : float(id == block_tinted_pane);
     return encode_sheet(color, way);
 }
 
@@ -173,7 +173,8 @@ vec4 block_voxel(int id, float emission, vec3 normal) {
     if (id == block_plant || id == block_open || is_small_lamp(id)) return vec4(0.0);
     bool surface = id == block_water && normal.y > 0.5;
     if (surface) return encode_voxel(color, voxel_water_surface);
-    if (id == block_water || id == block_translucent) return encode_voxel(color, voxel_translucent);
+    bool filters = id == block_water || id == block_translucent || id == block_tinted_pane;
+    if (filters) return encode_voxel(color, voxel_translucent);
     if (id == block_slab_bottom) return encode_voxel(color, voxel_slab_bottom);
     if (id == block_slab_top) return encode_voxel(color, voxel_slab_top);
 #if NOTICE_CHANGES

@@ -9,7 +9,7 @@ trace() {
   rm -f "$5.trace"
 }
 folder=tests/shaderpack/references
-for view in h4_house:inside deep_hall:mouth bend_grey:lit lava_cave:water; do
+for view in h4_house:inside deep_hall:mouth bend_grey:lit lava_cave:water chapel:nave; do
   trace "$1" "${view%:*}" "${view#*:}" 4096 "$folder/${view%:*}.exr"
 done
 for bounces in 1 2 4; do
