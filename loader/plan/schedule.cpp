@@ -83,7 +83,9 @@ class Builder {
     step.name = std::move(name);
     step.flipped = flipped_;
     step.shadowFlipped = shadowFlipped_;
-    step.flippedInGroup = groupFlips_;
+    // Iris: IrisRenderingPipeline's samplers of gbuffers and shadow know of no flips.
+    const bool geometry = kind == Kind::Draw || kind == Kind::DrawShadow;
+    step.flippedInGroup = geometry ? 0 : groupFlips_;
     steps.push_back(std::move(step));
     return steps.back();
   }

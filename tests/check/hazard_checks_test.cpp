@@ -35,6 +35,16 @@ TEST(TargetFeedback, own_texels_are_a_note_and_other_sides_are_fine) {
   EXPECT_THAT(messagesOf(checkFeedback, files), IsEmpty());
 }
 
+TEST(TargetFeedback, a_texture_of_the_pack_stays_where_a_deferred_program_flips_the_buffer) {
+  Files files = cleanPack();
+  addProgram(files, "gbuffers_water", fragmentStage("0,5", {"colortex5"}));
+  addProgram(files, "deferred", fragmentStage("0,5", {"colortex0"}));
+  EXPECT_THAT(messagesOf(checkFeedback, files), testing::SizeIs(1));
+  files["/shaders.properties"] = "texture.gbuffers.colortex5=a.png\n";
+  files["/a.png"] = "";
+  EXPECT_THAT(messagesOf(checkFeedback, files), IsEmpty());
+}
+
 TEST(TargetFeedback, another_texel_is_a_warning_whatever_else_the_program_asks_of_its_pixel) {
   const auto severityOf = [](const std::string& read) {
     Files files = cleanPack();
