@@ -87,7 +87,8 @@ Loaded loadVoxy(const std::string& opaque, std::map<std::string, std::string> ty
   const std::string interface =
       "{ \"unused\": \"\n#define far near\n\", \"blending\": {-1: \"off\"},\n"
       "  \"uniforms\": [\"far\", \"own\"\n#ifndef VOXY\n, \"unknown\"\n#endif\n],\n"
-      "  \"samplers\": [\"noisetex\"], \"ssbos\": {\"0\": \"{vec3 a; float b;}\"} }\n";
+      "  \"samplers\": [\"noisetex\"], \"ssbos\": {-1: \"\",\n"
+      "  \"0\": \"{vec3 a; float b;}\", 1:\"{float c;} own1\"} }\n";
   loaded.pack = loadShaderPack(memorySource({{"/final.fsh", kFragment},
                                              {"/shaders.properties", "uniform.bool.own = true\n"},
                                              {"/voxy.json", interface},
@@ -100,7 +101,7 @@ TEST(Mods, voxy_gets_what_its_interface_file_lists) {
   const std::string opaque =
       "layout(location = 0) out vec4 color;\n"
       "void voxy_emitFragment(VoxyFragmentParameters p) {\n"
-      "  color = p.sampledColour * far * float(own) * b + texture(noisetex, p.uv);\n}\n";
+      "  color = p.sampledColour * far * float(own) * b * own1.c + texture(noisetex, p.uv);\n}\n";
   const Loaded loaded = loadVoxy(opaque, {{"far", "float"}});
   ASSERT_TRUE(loaded.pack);
   EXPECT_THAT(names(loaded.pack->modPrograms), ElementsAre("voxy_opaque"));

@@ -23,12 +23,14 @@ void main() {
 }
 )";
 
+using TextPairs = std::vector<std::pair<std::string, std::string>>;
+
 /// Reads `"key": [ ... ]` and `"key": { ... }` out of tokens.
 class ListReader {
  public:
   explicit ListReader(const TokenStream& json) : json_(json), tokens_(json.tokens) {}
 
-  /// The texts of the list of that key: those of an array, or keys and values by turns.
+  /// The texts of the list of that key.
   std::vector<std::string> texts(std::string_view key) {
     std::vector<std::string> found;
     if (!enter(key)) return found;
@@ -38,6 +40,29 @@ class ListReader {
       if (text == "[" || text == "{") ++depth;
       if (text == "]" || text == "}") --depth;
       if (text == "\"") found.push_back(quoted());
+    }
+    return found;
+  }
+  /// The keys, with or without quotes, and texts of the object of that key.
+  TextPairs pairs(std::string_view key) {
+    TextPairs found;
+    if (!enter(key) || tokens_[at_].text != "{") return found;
+    std::string name;
+    bool named = false;
+    for (++at_; at_ < tokens_.size() && tokens_[at_].text != "}"; ++at_) {
+      const std::string& text = tokens_[at_].text;
+      if (text == "\"" && named) {
+        found.emplace_back(name, quoted());
+      } else if (text == "\"") {
+        name = quoted();
+      } else if (text == ":") {
+        named = true;
+      } else if (text == ",") {
+        name.clear();
+        named = false;
+      } else if (!named) {
+        name += text;
+      }
     }
     return found;
   }
@@ -76,12 +101,6 @@ class ListReader {
   size_t at_ = 0;
 };
 
-std::vector<std::pair<std::string, std::string>> pairs(const std::vector<std::string>& texts) {
-  std::vector<std::pair<std::string, std::string>> result;
-  for (size_t i = 0; i + 1 < texts.size(); i += 2) result.emplace_back(texts[i], texts[i + 1]);
-  return result;
-}
-
 std::vector<Token> hostTokens(std::string_view text) {
   std::vector<Token> tokens = tokenize(text);
   for (Token& token : tokens) token.origin = {};
@@ -101,13 +120,14 @@ VoxyInterface readVoxyInterface(const TokenStream& json) {
   ListReader reader(json);
   VoxyInterface interface;
   interface.uniforms = reader.texts("uniforms");
-  const std::vector<std::string> samplers = reader.texts("samplers");
   if (reader.isArray("samplers")) {
-    for (const std::string& name : samplers) interface.samplers.emplace_back(name, "sampler2D");
+    for (const std::string& name : reader.texts("samplers"))
+      interface.samplers.emplace_back(name, "sampler2D");
   } else {
-    interface.samplers = pairs(samplers);
+    interface.samplers = reader.pairs("samplers");
   }
-  interface.buffers = pairs(reader.texts("ssbos"));
+  interface.buffers = reader.pairs("ssbos");
+  std::erase_if(interface.buffers, [](const auto& buffer) { return buffer.second.empty(); });
   return interface;
 }
 

@@ -24,7 +24,7 @@ bool isVoxyFile(std::string_view path);
 struct VoxyInterface {
   std::vector<std::string> uniforms;
   std::vector<std::pair<std::string, std::string>> samplers;  ///< name, GLSL type
-  std::vector<std::pair<std::string, std::string>> buffers;   ///< binding, "{members}"
+  std::vector<std::pair<std::string, std::string>> buffers;   ///< binding, "{members} name"
 };
 
 /// From the preprocessed file. It is no strict JSON (texts run over lines, keys may lack quotes), so
