@@ -1,5 +1,7 @@
 #include "check/pack/slip_checks.h"
 
+#include "check/pack/decimal_conditions.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -48,10 +50,28 @@ std::vector<std::string> textSlips(const std::string& final,
 
 TEST(Slips, decimals_in_conditions) {
   EXPECT_THAT(
-      textSlips("#define A 0.5\n#if A > 0.25 // 0.1\n#elif A == 1\n  #elif .5 < A\n#endif\n",
-                checkDecimals),
-      ElementsAre("2:9 conditions count in whole numbers: Iris takes 0.25 for 0",
-                  "4:9 conditions count in whole numbers: Iris takes .5 for 0"));
+      textSlips("#if A > 0.25 // 0.1\n#elif A == 1\n  #elif .5 < A\n#endif\n", checkDecimals),
+      ElementsAre("1:9 conditions count in whole numbers: Iris takes 0.25 for 0",
+                  "3:9 conditions count in whole numbers: Iris takes .5 for 0"));
+}
+
+TEST(Slips, a_decimal_condition_names_a_value_that_it_takes_for_another) {
+  const std::string lists = "#define A 2.0 // [0.5 1.0 2.0]\n#define B A\n#define C 1.5 * A\n";
+  const Files files{{"/final.fsh", kVersion + lists +
+                                       "#if A > 0.0 && 1.0 <= B\n#elif A + 1.0 > 1.0\n"
+                                       "#elif C > 1.0\n#endif\nvoid main() {}\n"}};
+  Diagnostics diagnostics;
+  const ShaderPack pack = loadFolder(files);
+  checkDecimals({&pack, 1}, diagnostics);
+  std::vector<std::string> told;
+  for (const Diagnostic& d : diagnostics)
+    told.push_back((d.severity == Severity::Note ? "note " : "") + d.message);
+  const std::string counts = "conditions count in whole numbers: ";
+  // 0.5, 1.0 and 2.0 are at least 1.0 or not, whether cut or not.
+  EXPECT_THAT(told, ElementsAre(counts + "with A at 0.5 Iris compares 0 > 0",
+                                "note " + counts + "Iris takes 1.0 for 1",
+                                counts + "Iris takes 1.0 for 1", counts + "Iris takes 1.0 for 1",
+                                counts + "Iris takes 1.0 for 1"));
 }
 
 TEST(Slips, a_macro_that_iris_never_defines) {

@@ -9,6 +9,7 @@
 #include "check/options/option_checks.h"
 #include "check/options/screen_checks.h"
 #include "check/pack/condition_names.h"
+#include "check/pack/decimal_conditions.h"
 #include "check/pack/directive_checks.h"
 #include "check/pack/expression_checks.h"
 #include "check/pack/file_name_checks.h"

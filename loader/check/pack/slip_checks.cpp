@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "check/pack/pack_texts.h"
-#include "glsl/tokens/token.h"
 #include "pack/files/text.h"
 
 namespace orris {
@@ -51,28 +50,6 @@ void checkMacroNames(std::span<const ShaderPack> folders, Diagnostics& diagnosti
            .sourceLine = lines[i],
            .hint = "ask for MC_GL_RENDERER_MESA, MC_GL_RENDERER_GALLIUM or MC_GL_VENDOR_OTHER"});
       return;
-    }
-  }
-}
-
-void checkDecimals(std::span<const ShaderPack> folders, Diagnostics& diagnostics) {
-  for (const auto& [file, lines] : folders.front().files) {
-    for (size_t i = 0; i < lines.size(); ++i) {
-      const std::string_view line = trim(lines[i]);
-      if (!line.starts_with("#if ") && !line.starts_with("#elif ")) continue;
-      for (const Token& token : tokenize(lines[i])) {
-        if (token.kind == TokenKind::Comment) break;
-        if (token.kind != TokenKind::Number || token.text.find('.') == std::string::npos) continue;
-        const std::string whole = token.text.substr(0, token.text.find('.'));
-        diagnostics.push_back(
-            {.severity = Severity::Warning,
-             .id = "condition-decimal",
-             .at = {file, static_cast<int>(i) + 1, token.origin.column},
-             .message = fmt::format("conditions count in whole numbers: Iris takes {} for {}",
-                                    token.text, whole.empty() ? "0" : whole),
-             .sourceLine = lines[i],
-             .hint = "compare an option of whole numbers, or compute with it in the code"});
-      }
     }
   }
 }

@@ -14,7 +14,4 @@ void checkPropertyNames(std::span<const ShaderPack> folders, Diagnostics& diagno
 /// Conditions that ask for a macro which Iris never defines.
 void checkMacroNames(std::span<const ShaderPack> folders, Diagnostics& diagnostics);
 
-/// Decimals in #if and #elif, which count in whole numbers.
-void checkDecimals(std::span<const ShaderPack> folders, Diagnostics& diagnostics);
-
 }  // namespace orris
