@@ -58,13 +58,38 @@ TEST(Varyings, flat_on_one_side_only) {
                   "declaration"));
 }
 
+TEST(Varyings, from_glsl_440_on_the_fragment_stage_alone_says_how_it_interpolates) {
+  const std::string vertex = "out vec3 a;\nvoid main() { a = vec3(1); }";
+  const std::string fragment = "flat in vec3 a;\nvoid main() { gl_FragColor = a.xyzx; }";
+  const std::string version = "#version 460 compatibility\n";
+  EXPECT_THAT(messages({{"/composite.vsh", version + vertex}, {"/composite.fsh", version + fragment}}),
+              IsEmpty());
+  EXPECT_THAT(messages({{"/composite.vsh", kVersion + vertex}, {"/composite.fsh", version + fragment}}),
+              testing::SizeIs(1));
+}
+
+TEST(Varyings, a_missing_one_names_the_line_that_declares_it_for_other_options) {
+  const ShaderPack pack = loadFolder(
+      packOf("#ifdef LATER\nflat out int a;\n#endif\nvoid main() { gl_Position = ftransform(); }",
+             "flat in int a;\nvoid main() { gl_FragColor = vec4(a); }"));
+  Diagnostics diagnostics;
+  const Schedule schedule = buildSchedule(pack, 64, 32, {}, diagnostics);
+  checkDeclarations({.pack = pack, .schedule = schedule, .target = *findTarget("iris")},
+                    diagnostics);
+  const auto missing = std::ranges::find_if(
+      diagnostics, [](const Diagnostic& d) { return d.id == "varying-missing"; });
+  ASSERT_NE(missing, diagnostics.end());
+  EXPECT_THAT(missing->notes,
+              ElementsAre("in /composite", "/composite.vsh:3 declares it for other options or programs"));
+}
+
 TEST(Varyings, a_missing_one_is_reported_only_where_it_is_read) {
   EXPECT_THAT(
       messages(
           fragmentOf("in vec3 a;\nin vec3 b;\nvoid unused() { b; }\nvoid unused2() { unused(); }\n"
                      "void main() { gl_FragColor = a.xyzx; }")),
       ElementsAre("varying-missing /composite.fsh:2:9: warning: 'a' is read here, and the vertex "
-                  "stage does not write it"));
+                  "stage does not declare it"));
 }
 
 TEST(Varyings, locations_match_before_names) {
@@ -92,7 +117,7 @@ TEST(Varyings, blocks_match_by_block_name_and_members) {
                       "in Other { vec2 uv; } v;\n"
                       "void main() { gl_FragColor = v.uv.xyxy; }")),
       ElementsAre("varying-missing /composite.fsh:2:4: error: 'Other' is read here, and the "
-                  "vertex stage does not write it"));
+                  "vertex stage does not declare it"));
 }
 
 TEST(Varyings, geometry_stages_see_arrays) {
@@ -139,7 +164,7 @@ TEST(Varyings, one_renamed_in_one_stage_is_told_in_both) {
   EXPECT_THAT(messages(packOf("out vec3 a;\nout vec2 c;\nvoid main() { a = vec3(1); c = a.xy; }",
                               "in vec3 b;\nvoid main() { gl_FragColor = b.xyzx; }")),
               ElementsAre("varying-missing /composite.fsh:2:9: warning: 'b' is read here, and the "
-                          "vertex stage does not write it",
+                          "vertex stage does not declare it",
                           "varying-unread /composite.vsh:2:10: warning: 'a' is written, and the "
                           "fragment stage does not read it"));
 }

@@ -86,6 +86,18 @@ TEST(Names, variables_of_shaders_properties_are_not_seen_by_shaders) {
                   "shaders.properties, which shaders do not see"));
 }
 
+TEST(Names, an_attribute_that_is_a_uniform_is_said_to_be_one) {
+  const ShaderPack pack =
+      loadFolder(packOf("in int blockEntityId;\nvoid main() { gl_Position = vec4(blockEntityId); }",
+                        "void main() { gl_FragColor = vec4(1); }"));
+  Diagnostics diagnostics;
+  const Schedule schedule = buildSchedule(pack, 64, 32, {}, diagnostics);
+  checkDeclarations({.pack = pack, .schedule = schedule, .target = *findTarget("iris")},
+                    diagnostics);
+  ASSERT_EQ(diagnostics.size(), 1u);
+  EXPECT_EQ(diagnostics[0].hint, "it is a uniform: write uniform int blockEntityId;");
+}
+
 TEST(Names, unknown_attributes) {
   EXPECT_THAT(messages(packOf("in vec4 at_tangant;\nin vec4 mc_Entity;\n"
                               "void main() { gl_Position = at_tangant + mc_Entity; }",

@@ -7,6 +7,7 @@
 
 #include "check/pack/version_checks.h"
 #include "glsl/compile/compiler_log.h"
+#include "pack/files/text.h"
 
 namespace orris {
 namespace {
@@ -110,6 +111,16 @@ bool DeclarationReport::known(const SourceLocation& at, const Finding& finding) 
   Severity& severity = diagnostics_[entry->second].severity;
   severity = std::max(severity, finding.severity);
   return true;
+}
+
+// The first line of the final text is the host's #version, and comes from its author's.
+int DeclarationReport::writtenVersion(const StageInterface& stage) const {
+  const SourceLocation at = stage.stage->text.locate(1, 1);
+  const std::string line = folder.pack.sourceLine(at.file, at.line);
+  const std::size_t word = line.find("#version");
+  if (word == std::string::npos) return 0;
+  const std::string_view rest = trim(std::string_view(line).substr(word + 8));
+  return static_cast<int>(parseInteger(leadingWord(rest)).value_or(0));
 }
 
 std::string DeclarationReport::placeName(const StageInterface& stage, const TextPlace& place) {

@@ -44,6 +44,8 @@ class DeclarationReport {
   };
   void addPair(const Side& from, const Side& to, const Finding& finding);
   void finishPairs();
+  /// The number in the author's #version of the stage, 0 for none. The final text has the host's.
+  int writtenVersion(const StageInterface& stage) const;
   /// "/lib/a.glsl:3" of a place in a final text.
   static std::string placeName(const StageInterface& stage, const TextPlace& place);
 

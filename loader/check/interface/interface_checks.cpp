@@ -5,6 +5,7 @@
 
 #include "check/interface/declaration_checks.h"
 #include "check/interface/glsl_types.h"
+#include "check/pack/pack_texts.h"
 #include "pack/files/text.h"
 
 namespace orris {
@@ -119,9 +120,15 @@ class StagePair {
       reportUnwritten(out, in);
     }
     if (out.interpolation != in.interpolation && in.used && to_.stage->stage == Stage::Fragment &&
-        !in.block) {
+        !in.block && !mayInterpolateAnew()) {
       reportInterpolation(out, in);
     }
+  }
+
+  // GLSL asks for the same qualifiers on both sides up to 4.30. Iris keeps the author's number.
+  bool mayInterpolateAnew() const {
+    constexpr int kFirst = 440;
+    return std::min(report_.writtenVersion(from_), report_.writtenVersion(to_)) >= kFirst;
   }
 
   void compareMembers(const StageGlobal& out, const StageGlobal& in) {
@@ -166,16 +173,40 @@ class StagePair {
   void reportMissing(const StageGlobal& in) {
     const bool repaired = !in.block && isNumeric(in.type);
     const char* from = stageName(from_.stage->stage);
+    std::vector<std::string> notes = {note()};
+    if (const std::string place = otherDeclaration(in); !place.empty())
+      notes.push_back(fmt::format("{} declares it for other options or programs", place));
     report_.add(
         to_, in.place,
         {repaired ? Severity::Warning : Severity::Error,
          "varying-missing",
-         fmt::format("'{}' is read here, and the {} stage does not write it", spoken(in), from),
+         fmt::format("'{}' is read here, and the {} stage does not declare it", spoken(in), from),
          repaired ? fmt::format("Iris makes it zero, other hosts refuse the program: "
                                 "declare it in the {} stage",
                                 from)
                   : fmt::format("declare it in the {} stage", from),
-         {note()}});
+         std::move(notes)});
+  }
+
+  /// The first line of the earlier stage's files that declares an output of that name, in a branch that
+  /// is not taken; "" for none.
+  std::string otherDeclaration(const StageGlobal& in) const {
+    const auto& files = report_.folder.pack.files;
+    for (const IncludeSite& site : from_.stage->text.sites) {
+      const auto file = files.find(site.file);
+      if (file == files.end()) continue;
+      for (std::size_t i = 0; i < file->second.size(); ++i) {
+        const std::string_view line = trim(file->second[i]);
+        bool output = false, named = false;
+        forEachWord(line, [&](std::string_view word) {
+          output = output || word == "out" || word == "varying";
+          named = named || word == spoken(in);
+        });
+        if (output && named && !line.starts_with("//"))
+          return fmt::format("{}:{}", site.file, i + 1);
+      }
+    }
+    return "";
   }
 
   void reportUnwritten(const StageGlobal& out, const StageGlobal& in) {

@@ -162,6 +162,9 @@ class StageNames {
     // An attribute with a number of its own is found by the number, on some hosts and drivers.
     const bool numbered = kind == NameKind::Attribute && global.layout.location >= 0;
     std::string hint = nearest.empty() ? "" : fmt::format("did you mean {}?", nearest);
+    const auto& uniforms = knownNames(NameKind::Uniform);
+    if (kind == NameKind::Attribute && std::ranges::find(uniforms, global.name) != uniforms.end())
+      hint = fmt::format("it is a uniform: write uniform {} {};", global.type, global.name);
     if (hint.empty() && kind == NameKind::Uniform)
       hint = "define it in shaders.properties: uniform.<type>.<name> = <expression>";
     report_.add(stage_, global.place,
@@ -190,21 +193,15 @@ void checkConflicts(const ProgramInterface& program, DeclarationReport& report) 
       if (global.storage != Storage::Uniform || global.block) continue;
       const auto [first, isNew] = seen.try_emplace(global.name, Seen{&stage, &global});
       if (isNew || first->second.global->type == global.type) continue;
-      const Seen sides[] = {{&stage, &global}, first->second};
-      for (int i = 0; i < 2; ++i) {
-        const Seen& there = sides[1 - i];
-        report.add(*sides[i].stage, sides[i].global->place,
-                   {Severity::Error,
-                    "uniform-conflict",
-                    fmt::format("'{}' is {} here and {} in the {} stage", global.name,
-                                sides[i].global->type, there.global->type,
-                                stageName(there.stage->stage->stage)),
-                    "use one type in all stages",
-                    {"in " + program.name(), fmt::format("in the {} stage it is declared at {}",
-                                                         stageName(there.stage->stage->stage),
-                                                         DeclarationReport::placeName(
-                                                             *there.stage, there.global->place))}});
-      }
+      const Seen& there = first->second;
+      report.addPair({*there.stage, there.global->place}, {stage, global.place},
+                     {Severity::Error,
+                      "uniform-conflict",
+                      fmt::format("'{}' is {} in the {} stage and {} in the {} stage", global.name,
+                                  there.global->type, stageName(there.stage->stage->stage),
+                                  global.type, stageName(stage.stage->stage)),
+                      "use one type in all stages",
+                      {"in " + program.name()}});
     }
   }
 }

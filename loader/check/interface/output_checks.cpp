@@ -121,7 +121,9 @@ class FragmentOutputs {
         {Severity::Warning,
          "output-unlisted",
          fmt::format("{} is written to no buffer: the program draws to {}", what, bufferList()),
-         fmt::format("list {} buffers in RENDERTARGETS, or drop the output", needed()),
+         needed() > std::size_t{kMostOutputs}
+             ? "number outputs by their place in RENDERTARGETS, from 0: drivers have 8"
+             : fmt::format("list {} buffers in RENDERTARGETS, or drop the output", needed()),
          {listed ? fmt::format("they are listed at {}:{}", directive.file, directive.line)
                  : "without RENDERTARGETS or DRAWBUFFERS these are the buffers"}});
   }
@@ -188,20 +190,25 @@ class FragmentOutputs {
   void checkWritten() {
     const ProgramDirectives& directives = program_.program->directives;
     if (!directives.drawBuffers || written_.empty() || anyIndex_ || chosenByDriver()) return;
-    std::string unwritten;
+    std::vector<std::string> unwritten;
     Severity severity = Severity::Note;
     for (std::size_t slot = 0; slot < buffers().size(); ++slot) {
       if (written_.contains(static_cast<int>(slot))) continue;
       if (!writtenInSomeBranch(slot)) severity = Severity::Warning;
-      unwritten += fmt::format("{}{}", unwritten.empty() ? "" : ", ", buffers()[slot]);
+      unwritten.push_back(std::to_string(buffers()[slot]));
     }
     if (unwritten.empty()) return;
+    const bool one = unwritten.size() == 1;
     report_.add(
         directives.drawBuffersAt,
         {severity,
          "output-unwritten",
-         fmt::format("buffer {} is listed, and the program writes nothing to it", unwritten),
-         "its contents become undefined: drop it from the list, or write it",
+         one ? fmt::format("buffer {} is listed, and the program writes nothing to it",
+                           unwritten.front())
+             : fmt::format("buffers {} are listed, and the program writes nothing to them",
+                           joinNames(unwritten)),
+         one ? "its contents become undefined: drop it from the list, or write it"
+             : "their contents become undefined: drop them from the list, or write them",
          {"in " + program_.name()}});
   }
 

@@ -75,17 +75,12 @@ class StageCounts {
   }
 
  private:
-  // The first line of the text is the host's #version; its author's line says the pack's number.
   void checkVersion() {
-    const SourceLocation at = stage_.stage->text.locate(1, 1);
-    const std::string line = report_.folder.pack.sourceLine(at.file, at.line);
-    const std::size_t word = line.find("#version");
-    if (word == std::string::npos) return;
-    const std::string_view rest = trim(std::string_view(line).substr(word + 8));
-    const auto version = parseInteger(leadingWord(rest));
-    if (!version || *version <= target_.glslVersion) return;
-    report(at, fmt::format("#version {} is more than {} offers: {}", *version, target_.fullName,
-                           target_.glslVersion));
+    const int version = report_.writtenVersion(stage_);
+    if (version <= target_.glslVersion) return;
+    report(stage_.stage->text.locate(1, 1),
+           fmt::format("#version {} is more than {} offers: {}", version, target_.fullName,
+                       target_.glslVersion));
   }
 
   void checkCount(const Count& count) {
