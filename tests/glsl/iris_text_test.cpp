@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "glsl/glsl_test.h"
+#include "glsl/iris/iris_names.h"
 
 namespace orris {
 namespace {
@@ -11,6 +12,9 @@ constexpr IrisProgram kFullscreen{.patch = IrisPatch::Fullscreen};
 constexpr IrisProgram kVanilla{.patch = IrisPatch::Vanilla};
 constexpr IrisProgram kEntities{.patch = IrisPatch::Vanilla, .entities = true};
 constexpr IrisProgram kTerrain{.patch = IrisPatch::Terrain};
+constexpr IrisProgram kClouds{.patch = IrisPatch::Vanilla, .clouds = true};
+constexpr IrisProgram kDistant{.patch = IrisPatch::DistantHorizons};
+constexpr IrisProgram kDistantGeneric{.patch = IrisPatch::DistantHorizons, .generic = true};
 
 TokenStream streamOf(const std::string& text, Stage stage, const IrisProgram& program,
                      RewriteResult* result = nullptr) {
@@ -126,6 +130,24 @@ TEST(IrisNames, a_function_of_iris_keeps_the_authors_of_that_name) {
   EXPECT_EQ(sent(text, kVanilla, Stage::Vertex).find("signNotZero"), std::string::npos);
 }
 
+/// Does Iris declare what the author declares as well?
+bool isTwice(const std::string& declaration, const IrisProgram& program) {
+  const std::string text = sent("#version 120\n" + declaration + "\n", program, Stage::Vertex);
+  const std::size_t first = text.find(declaration);
+  return first != std::string::npos && text.find(declaration, first + 1) != std::string::npos;
+}
+
+TEST(IrisNames, of_clouds_and_distant_terrain_are_there_beside_the_authors) {
+  EXPECT_TRUE(isTwice("uniform isamplerBuffer CloudFaces;", kClouds));
+  EXPECT_FALSE(isTwice("uniform isamplerBuffer CloudFaces;", kVanilla));
+  EXPECT_TRUE(isTwice("uniform vec3 modelOffset;", kDistant));
+  EXPECT_FALSE(isTwice("uniform vec3 modelOffset;", kDistantGeneric));
+  EXPECT_TRUE(isTwice("uniform int uSkyLight;", kDistantGeneric));
+  EXPECT_FALSE(isTwice("uniform int uSkyLight;", kDistant));
+  EXPECT_TRUE(isTwice("vec3 _vert_normal;", kDistantGeneric));
+  EXPECT_TRUE(isTakenByIris("FLAG_EXTRA_X"));
+}
+
 TEST(IrisNames, of_fog_coordinates_are_the_same_in_all_stages) {
   EXPECT_EQ(sent("#version 120\nvoid main() { gl_FogFragCoord = 1.0; }\n", kTerrain,
                  Stage::Geometry),
@@ -138,6 +160,15 @@ TEST(IrisEntity, is_unsigned_where_sodium_draws_and_the_author_wants_int) {
   EXPECT_EQ(sent(text, kVanilla, Stage::Vertex), "in int mc_Entity;\n");
   EXPECT_EQ(sent("#version 330\nin vec2 mc_Entity;\n", kTerrain, Stage::Vertex),
             "in vec2 mc_Entity;\n");
+}
+
+TEST(IrisEntity, is_an_integer_input_of_a_fragment_stage_where_sodium_draws) {
+  const std::string code = "in vec4 mc_Entity;\nfloat a = mc_Entity.x;\n";
+  const std::string text = "#version 330 compatibility\n" + code;
+  EXPECT_EQ(sent(text, kTerrain),
+            "in uint mc_Entity; vec4 iris_Entity = vec4(0);\nfloat a = iris_Entity.x;\n");
+  EXPECT_EQ(sent(text, kVanilla), code);
+  EXPECT_EQ(sent("#version 330 core\n" + code, kTerrain), code);
 }
 
 TEST(ReservedNames, an_authors_noise_stands_in_place_of_the_old_built_in) {

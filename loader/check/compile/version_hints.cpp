@@ -147,6 +147,12 @@ void explainVersion(Diagnostic& d, const SentVersion& version) {
     return;
   }
   if (says(d, "syntax error")) return explainSyntax(d, version);
+  if (says(d, "must be qualified as flat") && d.sourceLine.find("mc_Entity") != std::string::npos) {
+    d.hint =
+        "read mc_Entity in the vertex stage and hand it on as a flat out: Iris makes an integer input "
+        "of it here";
+    return;
+  }
   if (isAboutEntity(d)) {
     d.hint =
         "where Sodium draws, Iris makes a uint of an int mc_Entity: declare it as vec2 or vec4, "
@@ -195,6 +201,8 @@ void explainVersion(Diagnostic& d, const SentVersion& version) {
 void explainVersions(const std::vector<const StageText*>& stages, const SourceLines& lines,
                      Diagnostics& found) {
   for (Diagnostic& d : found) {
+    if (d.hint.empty() && says(d, "conversion on return values"))
+      d.hint = "some drivers refuse it: return a value of the function's type, 0.0 for 0";
     if (d.severity != Severity::Error || !d.hint.empty()) continue;
     const StageText* stage = stageOf(stages, d);
     if (!stage) continue;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 namespace orris {
 namespace {
@@ -156,7 +157,7 @@ constexpr std::array<IrisName, 10> kTerrainNames{{
     {"u_FadePeriodInv", "", kGlobals, true},
     {"u_UseRGSS", "", kGlobals, true},
 }};
-constexpr std::array<IrisName, 24> kTerrainVertexNames{{
+constexpr std::array<IrisName, 26> kTerrainVertexNames{{
     {"u_CurrentTime", "", "uniform int u_CurrentTime;", true},
     {"u_RegionID", "", "uniform uint u_RegionID;", true},
     {"u_SectionTimeInfo", "", "uniform isamplerBuffer u_SectionTimeInfo;", true},
@@ -181,7 +182,61 @@ constexpr std::array<IrisName, 24> kTerrainVertexNames{{
     {"signNotZero", "", "vec2 signNotZero(vec2 v) { return v; }", true},
     {"decodeOct24", "", "vec3 decodeOct24(uint v) { return vec3(0.0); }", true},
     {"decode_diamond", "", "vec2 decode_diamond(float v) { return vec2(0.0); }", true},
+    {"onb_from_normal", "", "void onb_from_normal(vec3 n, out vec3 t, out vec3 b) { }", true},
+    {"decode_diamond_tangent_with_sign", "",
+     "vec4 decode_diamond_tangent_with_sign(vec3 n, int q, bool s) { return vec4(0.0); }", true},
 }};
+
+// Vertex stages of Distant Horizons' programs: all of them, those of terrain, dh_generic. Clouds.
+constexpr std::array<IrisName, 7> kDistantNames{{
+    {"_vert_position", "", "vec3 _vert_position;", true},
+    {"_vert_tex_light_coord", "", "vec2 _vert_tex_light_coord;", true},
+    {"dhMaterialId", "", "int dhMaterialId;", true},
+    {"_vert_color", "", "vec4 _vert_color;", true},
+    {"_vert_normal", "", "vec3 _vert_normal;", true},
+    {"irisNormals", "",
+     "const vec3 irisNormals[6] = vec3[6](vec3(0), vec3(0), vec3(0), vec3(0), vec3(0), vec3(0));",
+     true},
+    {"getVertexPosition", "", "vec4 getVertexPosition() { return vec4(0.0); }", true},
+}};
+constexpr std::array<IrisName, 2> kDistantTerrainNames{{
+    {"mircoOffset", "", "uniform float mircoOffset;", true},
+    {"modelOffset", "", "uniform vec3 modelOffset;", true},
+}};
+constexpr std::array<IrisName, 6> kDistantGenericNames{{
+    {"uOffsetChunk", "", "uniform ivec3 uOffsetChunk;", true},
+    {"uOffsetSubChunk", "", "uniform vec3 uOffsetSubChunk;", true},
+    {"uCameraPosChunk", "", "uniform ivec3 uCameraPosChunk;", true},
+    {"uCameraPosSubChunk", "", "uniform vec3 uCameraPosSubChunk;", true},
+    {"uSkyLight", "", "uniform int uSkyLight;", true},
+    {"uBlockLight", "", "uniform int uBlockLight;", true},
+}};
+constexpr std::array<IrisName, 6> kCloudNames{{
+    {"FLAG_MASK_DIR", "", "const int FLAG_MASK_DIR = 7;", true},
+    {"FLAG_INSIDE_FACE", "", "const int FLAG_INSIDE_FACE = 16;", true},
+    {"FLAG_USE_TOP_COLOR", "", "const int FLAG_USE_TOP_COLOR = 32;", true},
+    {"FLAG_EXTRA_Z", "", "const int FLAG_EXTRA_Z = 64;", true},
+    {"FLAG_EXTRA_X", "", "const int FLAG_EXTRA_X = 128;", true},
+    {"CloudFaces", "", "uniform isamplerBuffer CloudFaces;", true},
+}};
+
+/// The lists of names that a stage has beside the rows.
+std::vector<std::span<const IrisName>> ownNames(const IrisProgram& program, Stage stage,
+                                                bool core) {
+  std::vector<std::span<const IrisName>> lists;
+  const bool vertex = stage == Stage::Vertex;
+  if (program.patch == IrisPatch::Terrain) {
+    lists.emplace_back(kTerrainNames);
+    if (vertex) lists.emplace_back(kTerrainVertexNames);
+  }
+  if (program.patch == IrisPatch::DistantHorizons && vertex) {
+    lists.emplace_back(kDistantNames);
+    lists.push_back(program.generic ? std::span<const IrisName>(kDistantGenericNames)
+                                    : std::span<const IrisName>(kDistantTerrainNames));
+  }
+  if (program.clouds && vertex && !core) lists.emplace_back(kCloudNames);
+  return lists;
+}
 
 // What EntityPatcher makes known in programs whose vertices name an entity.
 constexpr std::array<IrisName, 4> kEntityNames{{
@@ -201,25 +256,27 @@ std::vector<IrisName> irisNames(const IrisProgram& program, Stage stage, bool co
       names.push_back(row.name);
     }
   }
-  if (program.patch == IrisPatch::Terrain) {
-    names.insert(names.end(), kTerrainNames.begin(), kTerrainNames.end());
-    if (stage == Stage::Vertex)
-      names.insert(names.end(), kTerrainVertexNames.begin(), kTerrainVertexNames.end());
-  }
+  for (const auto list : ownNames(program, stage, core))
+    names.insert(names.end(), list.begin(), list.end());
   if (program.entities) names.insert(names.end(), kEntityNames.begin(), kEntityNames.end());
   return names;
 }
 
 bool isIrisFunction(const IrisProgram& program, Stage stage, std::string_view name) {
-  if (program.patch != IrisPatch::Terrain || stage != Stage::Vertex) return false;
-  return std::ranges::any_of(kTerrainVertexNames, [name](const IrisName& known) {
+  const auto isFunction = [name](const IrisName& known) {
     return known.name == name && known.declaration.ends_with('}');
+  };
+  return std::ranges::any_of(ownNames(program, stage, false), [&](std::span<const IrisName> list) {
+    return std::ranges::any_of(list, isFunction);
   });
 }
 
 bool isTakenByIris(std::string_view name) {
   const auto is = [name](const IrisName& known) { return known.taken && known.name == name; };
-  return std::ranges::any_of(kTerrainNames, is) || std::ranges::any_of(kTerrainVertexNames, is) ||
+  const std::span<const IrisName> lists[] = {kTerrainNames,        kTerrainVertexNames,
+                                             kDistantNames,        kDistantTerrainNames,
+                                             kDistantGenericNames, kCloudNames};
+  return std::ranges::any_of(lists, [&](auto list) { return std::ranges::any_of(list, is); }) ||
          std::ranges::any_of(kRows, [&](const Row& row) { return is(row.name); });
 }
 

@@ -24,6 +24,8 @@ struct IrisProgram {
   IrisPatch patch = IrisPatch::None;
   bool entities = false;  ///< its vertices name an entity and have an overlay colour
   bool lines = false;     ///< gbuffers_line: Iris takes it for core GLSL whatever it says
+  bool clouds = false;    ///< gbuffers_clouds: no attributes, its vertices come from a buffer
+  bool generic = false;   ///< dh_generic, which has uniforms of its own
 };
 
 /// Does Iris take a stage for core GLSL (names such as vaPosition), not for compatibility GLSL (names
@@ -40,7 +42,8 @@ inline constexpr int kLeastIrisVersion = 330;
 /// - iris-const: `const` is dropped where the initialiser names a const parameter, and where it calls
 ///   a function that glslang does not fold
 /// - iris-frag-data: gl_FragColor and gl_FragData[n] -> iris_FragDataN
-/// - iris-entity: an int mc_Entity of terrain becomes a uint made of an int
+/// - iris-entity: an int mc_Entity of terrain becomes a uint made of an int; in a fragment stage any
+///   becomes a uint input
 /// - iris-names: built-ins of compatibility GLSL that Iris knows -> its own; others stay, and core
 ///   GLSL has no such name. What Iris declares by itself and the author declares, too, is there twice
 /// - iris-version: the author's version, at least 330, and core

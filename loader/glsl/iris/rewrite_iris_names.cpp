@@ -130,28 +130,45 @@ class IrisNaming {
   std::vector<Token> declarations_;
 };
 
+bool isNumberType(std::string_view type) {
+  constexpr std::string_view kTypes[] = {"float", "vec2",  "vec3",  "vec4",
+                                         "int",   "ivec2", "ivec3", "ivec4"};
+  return std::ranges::find(kTypes, type) != std::end(kTypes);
+}
+
 }  // namespace
 
-// Sodium's vertices hold the id as a uint. Iris: SodiumTransformer.replaceMCEntity, which makes all
-// types of it that it knows as the author wrote them but this one.
+// Sodium's vertices hold the id as a uint. Iris: SodiumTransformer.replaceMCEntity, which makes all types
+// of it that it knows as the author wrote them but int. In compatibility GLSL it does so in each stage:
+// a fragment stage gets an integer input without flat, which no driver takes.
 void ruleIrisEntity(RewriteContext& context) {
-  if (context.iris->patch != IrisPatch::Terrain || context.stage != Stage::Vertex) return;
+  const bool fragment = context.stage == Stage::Fragment;
+  if (context.iris->patch != IrisPatch::Terrain || (context.stage != Stage::Vertex && !fragment))
+    return;
+  if (fragment && isCoreForIris(context.stream, *context.iris)) return;
   auto& tokens = context.stream.tokens;
-  const bool named = std::ranges::any_of(
-      tokens, [](const Token& token) { return isIdentifier(token, "mc_Entity"); });
-  if (!named) return;
+  const auto isEntity = [](const Token& token) { return isIdentifier(token, "mc_Entity"); };
+  if (std::ranges::none_of(tokens, isEntity)) return;
   for (const OutlineItem& item : outline(tokens)) {
     if (item.kind != OutlineItem::Kind::Declaration) continue;
     const Declaration found = parseDeclaration(tokens, item);
     if (found.declarators.size() != 1 || found.qualifiers.empty() ||
-        !isIdentifier(tokens[found.declarators[0].name], "mc_Entity") ||
-        !isIdentifier(tokens[found.type], "int"))
+        !isEntity(tokens[found.declarators[0].name]))
       continue;
+    const std::string type = tokens[found.type].text;
+    if (fragment ? !isNumberType(type) : type != "int") continue;
     const Origin place = tokens[found.declarators[0].name].origin;
     context.fired("iris-entity", place);
-    std::vector<Token> made = hostTokens("uint mc_Entity = int(0);", false);
+    const int newlines = tokens[item.begin].newlinesBefore;
+    if (fragment) {
+      for (Token& token : tokens) token.text = isEntity(token) ? "iris_Entity" : token.text;
+    }
+    std::vector<Token> made = hostTokens(
+        fragment ? "in uint mc_Entity; " + type + " iris_Entity = " + type + "(0);"
+                 : "uint mc_Entity = int(0);",
+        false);
     for (Token& token : made) token.origin = place;
-    made.front().newlinesBefore = tokens[item.begin].newlinesBefore;
+    made.front().newlinesBefore = newlines;
     TokenEdits edits;
     edits.insertBefore(item.begin, std::move(made));
     edits.erase(item.begin, item.end);

@@ -126,12 +126,14 @@ IrisProgram irisProgramOf(const ProgramFile& program) {
     return std::find(std::begin(names), std::end(names), program.program) != std::end(names);
   };
   if (isFullscreen(program.group)) return {.patch = IrisPatch::Fullscreen};
-  if (program.group == ProgramGroup::DistantHorizons) return {.patch = IrisPatch::DistantHorizons};
+  if (program.group == ProgramGroup::DistantHorizons)
+    return {.patch = IrisPatch::DistantHorizons, .generic = program.program == "dh_generic"};
   if (program.group != ProgramGroup::Gbuffers && program.group != ProgramGroup::Shadow) return {};
   if (isOneOf(kTerrain)) return {.patch = IrisPatch::Terrain};
   return {.patch = IrisPatch::Vanilla,
           .entities = isOneOf(kEntities),
-          .lines = program.program == "gbuffers_line"};
+          .lines = program.program == "gbuffers_line",
+          .clouds = program.program == "gbuffers_clouds"};
 }
 
 std::string_view fallbackOf(std::string_view program) {
