@@ -35,6 +35,18 @@ TEST(IdBlock, blocks_of_mods_and_of_other_versions_are_left_alone) {
               IsEmpty());
 }
 
+TEST(IdTwice, words_of_a_line_that_was_meant_as_a_comment_are_left_alone) {
+  EXPECT_THAT(blocks("block.1=stone \\\n\n// of shapes\nblock.2=dirt \\\n\n// of shapes\n"),
+              IsEmpty());
+}
+
+TEST(IdProperty, a_value_that_runs_into_the_next_name_is_said_to_lack_a_blank) {
+  EXPECT_THAT(blocks("block.1=iron_door:open=false\\\nspruce_door:open=true\n"),
+              ElementsAre("id-property /block.properties:1:1: warning: \"falsespruce_door\" in "
+                          "iron_door:open=falsespruce_door:open=true is no value of open | a blank "
+                          "seems to be missing after false"));
+}
+
 TEST(IdTwice, a_state_after_its_block_is_lost_and_before_it_is_not) {
   EXPECT_THAT(
       blocks("block.1=lantern\nblock.2=lantern:hanging=true\n"),

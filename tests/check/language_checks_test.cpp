@@ -78,6 +78,8 @@ TEST(LanguageKeys, what_is_left_over_is_one_finding) {
               ElementsAre("language-stale /lang/en_us.lang:1:1: warning: the pack has no option "
                           "BLOOM, and 3 more lines are for nothing | take lines away whose options "
                           "are gone"));
+  EXPECT_THAT(checkedLanguage(checkLanguageKeys, "option.BLOOM=a\nvalue.MODE.SLOW=d\n"),
+              ElementsAre(HasSubstr("the pack has no option BLOOM, and one more line is for nothing")));
   EXPECT_THAT(checkedLanguage(checkLanguageKeys, "value.MODE.SLOW=d\n"),
               ElementsAre("language-stale /lang/en_us.lang:1:1: warning: MODE has no value SLOW | "
                           "take lines away whose options are gone"));

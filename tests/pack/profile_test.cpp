@@ -84,6 +84,14 @@ TEST(ProfileTable, problems_are_placed_on_the_word) {
                   "true, false"));
 }
 
+TEST(ProfileTable, a_number_that_is_no_value_is_placed_between_its_neighbours) {
+  EXPECT_THAT(profileProblems("profile.P = SAMPLES=5"),
+              ElementsAre("profile-value 1:13 warning: 5 is not in the list of SAMPLES | the values "
+                          "beside it are 4 and 8"));
+  EXPECT_THAT(profileProblems("profile.P = SAMPLES=4!FOG FOG!BLOOM"),
+              testing::Contains(testing::HasSubstr("a blank is missing before !")));
+}
+
 TEST(ProfileTable, a_second_way_to_a_profile_is_a_circle_to_iris) {  // Iris: ProfileSet.parse
   EXPECT_THAT(profileProblems("profile.A=FOG\nprofile.B=profile.A\nprofile.C=profile.A profile.B"),
               ElementsAre("profile-repeated 2:11 warning: C reaches profile A a second time | Iris "

@@ -72,6 +72,8 @@ class BlockCheck {
 
   void add(const PropertyEntry& entry) {
     for (const PropertyWord& word : locatedWords(entry)) {
+      // Words of a line that its author took for a comment, swallowed by the line before.
+      if (trim(word.sourceLine).starts_with("//")) continue;
       std::vector<std::string> told;
       BlockFilter filter = parseBlockFilter(word.text, 0, told);
       checkStates(filter, word);
@@ -166,8 +168,22 @@ class BlockCheck {
     diagnostics_.push_back(wordDiagnostic(
         Severity::Warning, "id-property", word,
         fmt::format("\"{}\" in {} is no value of {}", value, word.text, property.name),
-        meant.empty() ? "its values are " + joinNames(known)
-                      : fmt::format("did you mean {}?", meant)));
+        !meant.empty()              ? fmt::format("did you mean {}?", meant)
+        : !gluedTo(value, known).empty()
+            ? fmt::format("a blank seems to be missing after {}", gluedTo(value, known))
+            : "its values are " + joinNames(known)));
+  }
+
+  /// The value that stands before a block's name in "falsespruce_door"; "" for none.
+  static std::string gluedTo(std::string_view value, const std::vector<std::string>& known) {
+    constexpr size_t kShortestBlock = 3;
+    std::string longest;
+    for (const std::string& start : known) {
+      if (value.starts_with(start) && value.size() >= start.size() + kShortestBlock &&
+          start.size() > longest.size() && value.find('_') != std::string_view::npos)
+        longest = start;
+    }
+    return longest;
   }
 
   const Branches& branches_;

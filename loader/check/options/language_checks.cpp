@@ -153,10 +153,11 @@ class FileCheck {
             : likelyMeant(key.name, untranslated(known->second, translated_[key.group()]));
     if (meant.empty() && !late) meant = optionOfValue(key);
     if (!meant.empty()) return misspelt(entry, key.name, meant);
+    const bool option = key.kind != "screen" && key.kind != "profile";
+    const bool defined = option && pack_.options.rejected(key.name);
     stale_.emplace_back(
-        &entry,
-        fmt::format("the pack has no {} {}",
-                    key.kind == "screen" || key.kind == "profile" ? key.kind : "option", key.name));
+        &entry, fmt::format("the pack has no {} {}{}", option ? "option" : key.kind, key.name,
+                            defined ? ": " + missingOptionHint(pack_.options, key.name) : ""));
   }
 
   /// All of a file are one finding: they are what is left of options that are gone.
@@ -164,8 +165,9 @@ class FileCheck {
     if (stale_.empty()) return;
     const auto& [entry, message] = stale_.front();
     const std::string others =
-        stale_.size() > 1 ? fmt::format(", and {} more lines are for nothing", stale_.size() - 1)
-                          : "";
+        stale_.size() < 2    ? ""
+        : stale_.size() == 2 ? ", and one more line is for nothing"
+                             : fmt::format(", and {} more lines are for nothing", stale_.size() - 1);
     report(Severity::Warning, "language-stale", *entry, message + others,
            "take lines away whose options are gone");
     for (const auto& [other, reason] :

@@ -39,11 +39,14 @@ std::vector<std::string> listOf(const std::string& line) {
 }
 
 /// What Iris makes of the characters between two values. Iris: StringOption.
-void checkSeparators(AuthorLines& lines, const Option& option, Diagnostics& diagnostics) {
+void checkSeparators(AuthorLines& lines, const Option& option, bool shown,
+                     Diagnostics& diagnostics) {
   const SourceLocation& place = option.at.front();
   const auto report = [&](const char* id, std::string message, std::string hint) {
-    diagnostics.push_back(optionDiagnostic(lines, Severity::Warning, id, place, option.name,
-                                           std::move(message), std::move(hint)));
+    // Nobody meets the values of an option that no screen shows: "[0.1, 1.0]" may be a remark.
+    diagnostics.push_back(optionDiagnostic(lines, shown ? Severity::Warning : Severity::Note, id,
+                                           place, option.name, std::move(message),
+                                           std::move(hint)));
   };
   const auto comma = std::ranges::find_if(
       option.values, [](const std::string& value) { return value.ends_with(','); });
@@ -62,17 +65,23 @@ void checkSeparators(AuthorLines& lines, const Option& option, Diagnostics& diag
   }
 }
 
-void checkList(AuthorLines& lines, const Option& option, bool slider, Diagnostics& diagnostics) {
-  checkSeparators(lines, option, diagnostics);
+/// How the screens show an option.
+struct Shown {
+  bool at = false, slider = false;
+};
+
+void checkList(AuthorLines& lines, const Option& option, Shown shown, Diagnostics& diagnostics) {
+  checkSeparators(lines, option, shown.at, diagnostics);
   const SourceLocation& place = option.at.front();
   const std::vector<std::string> list = listOf(lines.at(place));
   std::set<std::string_view> seen;
   for (const std::string& value : list) {
     if (seen.insert(value).second) continue;
     diagnostics.push_back(optionDiagnostic(
-        lines, slider ? Severity::Note : Severity::Warning, "option-value-twice", place,
+        lines, shown.slider ? Severity::Note : Severity::Warning, "option-value-twice", place,
         option.name, fmt::format("the list of {} has {} twice", option.name, value),
-        slider ? "" : "the button that steps through the values never gets past the second one"));
+        shown.slider ? ""
+                     : "the button that steps through the values never gets past the second one"));
     break;
   }
   if (!seen.contains(option.defaultValue)) {
@@ -222,11 +231,12 @@ ShownOptions::ShownOptions(const ShaderPack& pack) {
 void checkOptionLists(std::span<const ShaderPack> folders, Diagnostics& diagnostics) {
   const ShaderPack& pack = folders.front();
   AuthorLines lines(pack);
+  const ShownOptions shown(pack);
   for (const auto& [name, option] : pack.options.all()) {
     if (option.isBoolean) continue;
     const auto& sliders = pack.properties.sliders;
     const bool slider = std::find(sliders.begin(), sliders.end(), name) != sliders.end();
-    checkList(lines, option, slider, diagnostics);
+    checkList(lines, option, {.at = shown.contains(name), .slider = slider}, diagnostics);
     checkSameLists(lines, option, diagnostics);
   }
 }

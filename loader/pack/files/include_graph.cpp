@@ -109,7 +109,7 @@ class Reader {
       const bool works = target && source_.contains(*target);
       report("include-escape", text, fmt::format("\"{}\" leads out of the shaders folder", written),
              works ? fmt::format("Iris takes it for {}, other hosts refuse it", *target)
-                   : "paths start at shaders/ with / or at the folder of this file",
+                   : escapeHint(written),
              works ? Severity::Warning : Severity::Error);
       return works ? target : std::nullopt;
     }
@@ -121,12 +121,33 @@ class Reader {
     return std::nullopt;
   }
 
+  /// "/../shaders/lib/a.glsl" is meant to be "/lib/a.glsl".
+  std::string escapeHint(std::string_view written) const {
+    constexpr std::string_view kShaders = "/shaders/";
+    const size_t at = written.rfind(kShaders);
+    const std::string inside =
+        at == written.npos ? "" : std::string(written.substr(at + kShaders.size() - 1));
+    if (!inside.empty() && source_.contains(inside)) return fmt::format("write \"{}\"", inside);
+    return "paths start at shaders/ with / or at the folder of this file";
+  }
+
+  static std::string_view fileName(std::string_view path) {
+    return path.substr(path.rfind('/') + 1);
+  }
+  /// Paths of one folder are much alike: the names of the files must be as well.
+  static bool isLike(std::string_view a, std::string_view b) {
+    return editDistance(lowerCase(a), lowerCase(b)) <= a.size() / 3 + 1;
+  }
+
   void reportMissing(const std::string& target, const std::string& text) {
-    const std::string nearest =
+    std::string nearest =
         hints_++ < limits::kSuggestions ? nearestName(target, source_.files()) : "";
+    if (!isLike(fileName(target), fileName(nearest))) nearest.clear();
+    const bool capitals = lowerCase(nearest) == lowerCase(target);
     report("include-missing", text, fmt::format("no such file: {}", target),
            nearest.empty() ? "a missing #include refuses the whole pack, even in an inactive branch"
-                           : fmt::format("did you mean {}?", nearest));
+                           : fmt::format("did you mean {}?{}", nearest,
+                                         capitals ? " Capitals count in a zip and on Linux" : ""));
     if (nearest.empty()) return;
     diagnostics_.back().repair = LineEdit{open_.back().file, open_.back().line,
                                           fmt::format("#include \"{}\"", nearest), true};

@@ -61,6 +61,23 @@ std::vector<Profile> profilesOf(const PackFiles& files) {
   return early.profiles;
 }
 
+Diagnostic noPrograms(const FileSource& source) {
+  Diagnostic d{.severity = Severity::Error,
+               .id = "no-programs",
+               .at = {.file = "/"},
+               .message = "the pack has no program that this host knows",
+               .hint = "program files are named like composite.fsh, in shaders/ or shaders/world0/"};
+  for (const char* script : {"/pack.ts", "/pack.js"}) {
+    if (!source.contains(script)) continue;
+    d.at.file = script;
+    d.message = "this is a pack for Aperture, a newer pipeline that a script sets up; this host reads "
+                "packs for Iris, of program files like composite.fsh";
+    d.hint = "give the pack's version for Iris, if it has one";
+    break;
+  }
+  return d;
+}
+
 }  // namespace
 
 std::shared_ptr<const PackFiles> readPackFiles(std::shared_ptr<const FileSource> source,
@@ -71,12 +88,7 @@ std::shared_ptr<const PackFiles> readPackFiles(std::shared_ptr<const FileSource>
   files->dimensions = readDimensions(*source, environment, found);
   files->entries = programFiles(*source, files->dimensions);
   if (files->entries.empty()) {
-    found.push_back({.severity = Severity::Error,
-                     .id = "no-programs",
-                     .at = {.file = "/"},
-                     .message = "the pack has no program that this host knows",
-                     .hint = "program files are named like composite.fsh, in shaders/ or "
-                             "shaders/world0/"});
+    found.push_back(noPrograms(*source));
   }
   std::vector<std::string> roots = files->entries;
   if (!roots.empty()) {

@@ -110,6 +110,14 @@ void addLayer(const PropertyEntry& entry, std::string_view layer, BlockIdMap& ma
   }
 }
 
+std::string badPartHint(std::string_view part, std::string_view word) {
+  if (word.find("::") != std::string_view::npos) return "write one colon after the namespace";
+  if (parseInteger(part))
+    return "numbers of states are of the game before 1.13: Iris leaves this one out, so that all "
+           "states match";
+  return "";
+}
+
 /// The filters of one entry, with a warning for what is no state.
 void addFilters(const PropertyEntry& entry, int id, BlockIdMap& map, Diagnostics& diagnostics) {
   for (const PropertyWord& word : locatedWords(entry)) {
@@ -120,7 +128,8 @@ void addFilters(const PropertyEntry& entry, int id, BlockIdMap& map, Diagnostics
         badParts.size() == 1 ? " is" : fmt::format(" and {} more are", badParts.size() - 1);
     diagnostics.push_back(wordDiagnostic(
         Severity::Warning, "id-state", word,
-        fmt::format("\"{}\" in {}{} no property=value", badParts.front(), word.text, more)));
+        fmt::format("\"{}\" in {}{} no property=value", badParts.front(), word.text, more),
+        badPartHint(badParts.front(), word.text)));
   }
 }
 

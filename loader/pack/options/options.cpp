@@ -180,7 +180,11 @@ std::string missingOptionHint(const OptionSet& options, std::string_view name) {
   }
   std::vector<std::string> names;
   for (const auto& entry : options.all()) names.push_back(entry.first);
-  return suggest(name, names);
+  // Of hundreds of options one is always a little like an option that is gone.
+  const std::string nearest = nearestName(name, names);
+  const bool near = !nearest.empty() && editDistance(lowerCase(name), lowerCase(nearest)) <=
+                                            std::max<size_t>(2, name.size() / 4);
+  return near ? fmt::format("did you mean {}?", nearest) : "";
 }
 
 OptionSet discoverOptions(const std::map<std::string, FileLines>& files, Diagnostics& diagnostics) {

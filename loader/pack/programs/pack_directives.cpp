@@ -118,11 +118,15 @@ class PackReader {
       return;
     }
     const std::string nearest = nearestName(line.value, internalFormatNames());
+    const std::string written =
+        line.value.empty() ? "nothing stands after the =," : line.value + " is no texture format;";
     report(Severity::Warning, "format-unknown", line,
-           fmt::format("{} is no texture format; {} keeps {}", line.value,
-                       line.name.substr(0, line.name.size() - 6), target.format),
-           nearest.empty() ? "see the list of formats, for example RGBA16F"
-                           : fmt::format("did you mean {}?", nearest));
+           fmt::format("{} {} keeps {}", written, line.name.substr(0, line.name.size() - 6),
+                       target.format),
+           parseInteger(line.value) ? "write the name of a format, and no #define of that name: Iris "
+                                      "would put its value here"
+           : nearest.empty()        ? "see the list of formats, for example RGBA16F"
+                                    : fmt::format("did you mean {}?", nearest));
   }
 
   void readClearColor(const ConstLine& line, TargetSettings& target) {

@@ -135,7 +135,8 @@ class ProgramReader {
       constexpr float kMostGroups = 65535;
       if (const auto groups = readVector(line, 3); !groups.empty()) {
         if (std::ranges::any_of(groups, [](float count) { return count > kMostGroups; }))
-          warnOfConst(line, "drivers run at most 65535 work groups in a direction, or none at all");
+          warnOfConst(line, "OpenGL promises 65535 work groups in a direction; some drivers run more in the "
+                            "first one, others run none at all then");
         std::array<int, 3> counts;
         for (size_t i = 0; i < counts.size(); ++i)
           counts[i] = static_cast<int>(std::clamp(groups[i], 0.0f, kMostGroups));

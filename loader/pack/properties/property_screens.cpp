@@ -14,6 +14,21 @@
 namespace orris {
 namespace {
 
+/// Of a number the values beside it, of a word the one that is spelt like it.
+std::string nearestValues(const std::string& value, const std::vector<std::string>& values) {
+  const auto number = parseFloat(value);
+  if (!number) return suggest(value, values);
+  const std::string *below = nullptr, *above = nullptr;
+  for (const std::string& candidate : values) {
+    const auto other = parseFloat(candidate);
+    if (!other) continue;
+    if (*other <= *number && (!below || *other > *parseFloat(*below))) below = &candidate;
+    if (*other >= *number && (!above || *other < *parseFloat(*above))) above = &candidate;
+  }
+  if (!below || !above) return "";
+  return fmt::format("the values beside it are {} and {}", *below, *above);
+}
+
 Screen& screenNamed(ShaderProperties& out, std::string_view name, const SourceLocation& at) {
   auto& screens = out.screens;
   const auto found =
@@ -195,7 +210,7 @@ class ProfileReader {
     if (option &&
         std::find(option->values.begin(), option->values.end(), value) == option->values.end()) {
       const std::string hint =
-          hints_++ < limits::kSuggestions ? suggest(value, option->values) : "";
+          hints_++ < limits::kSuggestions ? nearestValues(value, option->values) : "";
       report(Severity::Warning, "profile-value", at,
              fmt::format("{} is not in the list of {}", value, name),
              hint.empty() ? "its values are " + joinNames(option->values) : hint);
@@ -203,6 +218,7 @@ class ProfileReader {
   }
 
   std::string optionHint(const std::string& name) {
+    if (name.find('!') != std::string::npos) return "a blank is missing before !";
     return hints_++ < limits::kSuggestions ? missingOptionHint(options_, name) : "";
   }
 
@@ -235,6 +251,12 @@ struct ScreenNames {
   std::set<std::string> set;
 };
 
+/// "<empty>OPTION".
+bool gluedToKeyword(const std::string& text) {
+  const size_t end = text.find('>');
+  return text.starts_with('<') && end != std::string::npos && end + 1 < text.size();
+}
+
 /// A word on a screen that is no option, keyword or link to a screen.
 void checkScreenWord(const PropertyWord& word, const ScreenNames& screens, const OptionSet& options,
                      size_t& hints, Diagnostics& diagnostics) {
@@ -247,6 +269,7 @@ void checkScreenWord(const PropertyWord& word, const ScreenNames& screens, const
   if (link && screens.set.contains(name)) return;
   const std::string hint = hints++ >= limits::kSuggestions ? ""
                            : link                          ? suggest(name, screens.list)
+                           : gluedToKeyword(text)          ? "a blank is missing after >"
                            : text.starts_with('<')         ? suggest(text, kKeywords)
                                                            : missingOptionHint(options, text);
   diagnostics.push_back(
