@@ -328,6 +328,12 @@ ONCE = [
          [r"^/lib/all\.glsl:5:\d+: error: expected #endif after this line: nothing closes the #ifdef in "
           r"line 2 \[conditional-unbalanced\]$", OWN],
          stderr=[r"\A/lib/all\.glsl:5:", r"^  note: /lib/all\.glsl:2:1: the #ifdef without #endif$", *FOLLOW]),
+    Case("a_version_lost_in_a_shared_file", ["validate pack"], 1,
+         pack({**{f"{name}.{stage}": '#include "/version.glsl"\n' + text.partition("\n")[2]
+                  for name in ("composite", "final") for stage, text in (("vsh", FINAL_VERTEX), ("fsh", FINAL))},
+               "version.glsl": "// #version 330\n"}),
+         [r"^/composite\.[vf]sh:1: error: no active #version"], stderr=["note: 3 findings follow"],
+         stdout=["^pack: 0/2 programs$"]),
     Case("a_misspelt_define", ["validate pack"], 1,
          two_programs("#defien EXPOSURE 1.0\n" + SHADE, MORE),
          [r"^/lib/all\.glsl:1:1: error: unknown preprocessor directive '#defien' \[directive-unknown\]$", OWN],

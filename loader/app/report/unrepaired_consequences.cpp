@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <tuple>
+#include <vector>
 
 #include "check/hints/compile_hints.h"
 #include "check/pack/pack_texts.h"
@@ -24,6 +26,9 @@ constexpr std::array<std::string_view, 2> kOfDrawing = {"draw-timeout", "gl-erro
 // What a stage lacks when a file of it is missing: what is wrong with its own lines is a mistake of its own.
 constexpr std::array<std::string_view, 4> kOfLackingNames = {"varying-", "output-", "target-unread",
                                                              "target-unwritten"};
+
+// Fewer may each have lost its own.
+constexpr std::size_t kLeastWithoutVersion = 3;
 
 // "i" and "uv" of two functions are two names.
 constexpr std::size_t kLongestLocal = 3;
@@ -91,6 +96,25 @@ void foldWrongTypes(Folds& folds) {
   }
 }
 
+/// Programs that read one file and have no #version have lost it in that file, as a rule.
+void foldVersions(Folds& folds) {
+  std::optional<std::size_t> first;
+  std::vector<std::size_t> others;
+  for (std::size_t i = 0; i < folds.all().size(); ++i) {
+    if (folds.all()[i].id != "version-missing" || !folds.isOpen(i)) continue;
+    if (!first) {
+      first = i;
+      continue;
+    }
+    const std::set<std::string>& files = folds.filesOf(folds.all()[*first].at.file);
+    if (std::ranges::any_of(folds.filesOf(folds.all()[i].at.file),
+                            [&](const std::string& file) { return files.contains(file); }))
+      others.push_back(i);
+  }
+  if (others.size() < kLeastWithoutVersion) return;
+  for (const std::size_t i : others) folds.fold(i, *first);
+}
+
 /// Errors about one unknown name are one mistake, the first of them.
 void foldNames(Folds& folds) {
   std::map<std::string, std::size_t> first;
@@ -155,6 +179,7 @@ void foldByNames(Folds& folds) {
   foldLackingFiles(folds);
   foldUniforms(folds);
   foldWrongTypes(folds);
+  foldVersions(folds);
   foldNames(folds);
 }
 

@@ -46,6 +46,14 @@ std::string unitName(const ProgramSource& program, const std::string& name) {
   return program.folder == "/" ? "/" + name : program.folder + "/" + name;
 }
 
+/// Reported as that: what an older GLSL lacks is no further mistake. OptiFine takes such a stage for
+/// GLSL 1.20, which is what is judged then.
+bool lacksVersion(const ProgramUnit& unit) {
+  return unit.judged != unit.stages &&
+         std::ranges::any_of(unit.program->diagnostics,
+                             [](const Diagnostic& d) { return d.id == "version-missing"; });
+}
+
 SourceLines sourceLinesOf(const ShaderPack& pack) {
   return [&pack](const std::string& file, int line) { return pack.sourceLine(file, line); };
 }
@@ -153,7 +161,7 @@ void checkWithGlslang(const ShaderPack& pack, int jobs, Verdicts& verdicts,
   warmUp(units);
   const auto check = [&](size_t i) {
     // Names that a missing file would declare are no further mistakes.
-    if (units[i].incomplete) return encodeDiagnostics({});
+    if (units[i].incomplete || lacksVersion(units[i])) return encodeDiagnostics({});
     Diagnostics messages;
     validateWithGlslang(units[i].judged, lines, messages);
     for (const StageText* stage : units[i].judged) checkUnusedSyntax(pack, *stage, messages);
@@ -179,7 +187,8 @@ void checkWithGlslang(const ShaderPack& pack, int jobs, Verdicts& verdicts,
               });
   mergeMissingIncludes(pack, units, found);
   for (size_t i = 0; i < units.size(); ++i) {
-    verdicts[units[i].hash] = !hasErrors(found[i]) && !units[i].incomplete && !units[i].refused;
+    verdicts[units[i].hash] = !hasErrors(found[i]) && !units[i].incomplete && !units[i].refused &&
+                              !lacksVersion(units[i]);
     if (!units[i].mod.empty()) markAsOfMod(units[i].mod, found[i]);
     if (units[i].mod == kPatchingMod) excuseNamesOfTheMod(found[i]);
     diagnostics.insert(diagnostics.end(), found[i].begin(), found[i].end());
