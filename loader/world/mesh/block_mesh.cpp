@@ -7,13 +7,13 @@
 #include <cmath>
 #include <set>
 
+#include "core/parallel.h"
 #include "world/mesh/block_faces.h"
 #include "world/mesh/face_light.h"
 
 namespace orris {
 namespace {
 
-constexpr int kSectionSize = 16;
 constexpr const char* kWater = "minecraft:water";
 
 /// The game's colours of the plains biome.
@@ -51,30 +51,13 @@ struct MeshState {
   bool hides(FaceDirection side) const { return coveredSides >> int(side) & 1; }
 };
 
-class MeshBuilder {
+/// What the palette's entries look like, for all sections.
+class MeshStates {
  public:
-  explicit MeshBuilder(const MeshInput& input)
-      : input_(input), lighting_(input.blocks, input.light, input.facts) {
-    prepareStates();
-  }
-
-  BlockMesh build() {
-    const glm::ivec3 low = floorToSection(input_.blocks.origin());
-    const glm::ivec3 end = input_.blocks.origin() + input_.blocks.size();
-    for (int x = low.x; x < end.x; x += kSectionSize) {
-      for (int y = low.y; y < end.y; y += kSectionSize) {
-        for (int z = low.z; z < end.z; z += kSectionSize) buildSection({x, y, z});
-      }
-    }
-    return join();
-  }
+  explicit MeshStates(const MeshInput& input) : input_(input) { prepareStates(); }
+  const MeshState& operator[](std::size_t index) const { return states_[index]; }
 
  private:
-  static glm::ivec3 floorToSection(glm::ivec3 p) {
-    for (int axis = 0; axis < 3; ++axis) p[axis] &= ~(kSectionSize - 1);
-    return p;
-  }
-
   void prepareStates() {
     const std::vector<BlockState>& palette = input_.blocks.palette();
     const auto water = std::find_if(palette.begin(), palette.end(), [](const BlockState& state) {
@@ -104,9 +87,44 @@ class MeshBuilder {
     state.fluidFull = makeFluidFaces(input_.facts[index], input_.atlas, 1);
   }
 
-  void buildSection(glm::ivec3 origin) {
-    std::array<std::size_t, kRenderLayers> first;
-    for (std::size_t i = 0; i < first.size(); ++i) first[i] = vertices_[i].size();
+  const MeshInput& input_;
+  std::vector<MeshState> states_;
+};
+
+/// The faces of one section by layer.
+struct SectionFaces {
+  std::array<std::vector<BlockVertex>, kRenderLayers> vertices;
+  std::array<std::vector<MeshSection>, kRenderLayers> sections;  // `first` counts from `vertices`
+};
+
+class SectionMesher {
+ public:
+  SectionMesher(const MeshInput& input, const MeshStates& states, const FaceLighting& lighting)
+      : input_(input), states_(states), lighting_(lighting) {}
+
+  SectionFaces build(glm::ivec3 origin) {
+    if (!isBuried(origin)) addSection(origin);
+    return std::move(faces_);
+  }
+
+ private:
+  /// A section of one state that shows no face: air, or stone among stone.
+  bool isBuried(glm::ivec3 origin) const {
+    const auto only = input_.blocks.uniformSection(origin);
+    if (!only) return false;
+    if (*only == 0) return true;
+    if (states_[*only].coveredSides != 0x3f || !states_[*only].fluid.empty()) return false;
+    for (int side = 0; side < 6; ++side) {
+      const glm::ivec3 beside = origin + normalOf(FaceDirection(side)) * kSectionSize;
+      const auto other = input_.blocks.uniformSection(beside);
+      const bool whole = input_.blocks.contains(beside) &&
+                         input_.blocks.contains(beside + kSectionSize - 1);
+      if (!other || !whole || !states_[*other].hides(opposite(FaceDirection(side)))) return false;
+    }
+    return true;
+  }
+
+  void addSection(glm::ivec3 origin) {
     const glm::ivec3 low = glm::max(origin, input_.blocks.origin());
     const glm::ivec3 end =
         glm::min(origin + kSectionSize, input_.blocks.origin() + input_.blocks.size());
@@ -115,26 +133,25 @@ class MeshBuilder {
         for (int x = low.x; x < end.x; ++x) addCell({x, y, z}, origin);
       }
     }
-    for (std::size_t i = 0; i < first.size(); ++i) {
+    for (std::size_t i = 0; i < faces_.vertices.size(); ++i) {
       if (RenderLayer(i) == RenderLayer::BlockEntity) {
-        addBlockEntities(origin, first[i]);
-      } else if (const std::size_t count = vertices_[i].size() - first[i]; count > 0) {
-        sections_[i].push_back(
-            {origin, RenderLayer(i), std::uint32_t(first[i]), std::uint32_t(count)});
+        addBlockEntities(origin);
+      } else if (const std::size_t count = faces_.vertices[i].size(); count > 0) {
+        faces_.sections[i].push_back({origin, RenderLayer(i), 0, std::uint32_t(count)});
       }
     }
   }
 
   // Those of one state together: each draw has one blockEntityId.
-  void addBlockEntities(glm::ivec3 origin, std::size_t first) {
+  void addBlockEntities(glm::ivec3 origin) {
     constexpr auto kLayer = std::size_t(RenderLayer::BlockEntity);
-    std::vector<BlockVertex>& vertices = vertices_[kLayer];
-    std::stable_sort(vertices.begin() + std::ptrdiff_t(first), vertices.end(),
+    std::vector<BlockVertex>& vertices = faces_.vertices[kLayer];
+    std::stable_sort(vertices.begin(), vertices.end(),
                      [](const auto& a, const auto& b) { return a.state < b.state; });
-    for (std::size_t start = first, end; start < vertices.size(); start = end) {
+    for (std::size_t start = 0, end; start < vertices.size(); start = end) {
       end = start;
       while (end < vertices.size() && vertices[end].state == vertices[start].state) ++end;
-      sections_[kLayer].push_back({origin, RenderLayer::BlockEntity, std::uint32_t(start),
+      faces_.sections[kLayer].push_back({origin, RenderLayer::BlockEntity, std::uint32_t(start),
                                    std::uint32_t(end - start), vertices[start].state});
     }
   }
@@ -191,7 +208,7 @@ class MeshBuilder {
     const std::array<CornerLight, 4> light = lighting_.corners(face, cell);
     const glm::u8vec3 colour = face.tinted ? vertexColour(facts.tint) : glm::u8vec3(255);
     const RenderLayer layer = facts.blockEntity ? RenderLayer::BlockEntity : facts.layer;
-    std::vector<BlockVertex>& vertices = vertices_[std::size_t(layer)];
+    std::vector<BlockVertex>& vertices = faces_.vertices[std::size_t(layer)];
     for (std::size_t i = 0; i < 4; ++i) {
       const float occlusion = 1 - input_.ambientOcclusionLevel * (1 - light[i].occlusion);
       const glm::ivec3 toMiddle(glm::round((glm::vec3(0.5f) - face.corners[i]) * 64.0f));
@@ -210,33 +227,58 @@ class MeshBuilder {
     }
   }
 
-  BlockMesh join() {
-    BlockMesh mesh;
-    for (std::size_t i = 0; i < vertices_.size(); ++i) {
-      const std::uint32_t start = std::uint32_t(mesh.vertices.size());
-      if (i == 0) {
-        mesh.vertices = std::move(vertices_[i]);
-      } else {
-        mesh.vertices.insert(mesh.vertices.end(), vertices_[i].begin(), vertices_[i].end());
-      }
-      for (MeshSection section : sections_[i]) {
+  const MeshInput& input_;
+  const MeshStates& states_;
+  const FaceLighting& lighting_;
+  SectionFaces faces_;
+};
+
+std::vector<glm::ivec3> sectionsOf(const BlockWorld& blocks) {
+  std::vector<glm::ivec3> origins;
+  const glm::ivec3 low = sectionOrigin(blocks.origin()), end = blocks.origin() + blocks.size();
+  for (int x = low.x; x < end.x; x += kSectionSize) {
+    for (int y = low.y; y < end.y; y += kSectionSize) {
+      for (int z = low.z; z < end.z; z += kSectionSize) origins.emplace_back(x, y, z);
+    }
+  }
+  return origins;
+}
+
+/// By layer, then in the order of the parts, whose memory is given back as they are taken.
+BlockMesh joinParts(std::vector<SectionFaces>& parts) {
+  BlockMesh mesh;
+  std::size_t total = 0;
+  for (const SectionFaces& part : parts) {
+    for (const auto& vertices : part.vertices) total += vertices.size();
+  }
+  mesh.vertices.reserve(total);
+  for (std::size_t layer = 0; layer < std::size_t(kRenderLayers); ++layer) {
+    for (SectionFaces& part : parts) {
+      const auto start = std::uint32_t(mesh.vertices.size());
+      const std::vector<BlockVertex> vertices = std::move(part.vertices[layer]);
+      mesh.vertices.insert(mesh.vertices.end(), vertices.begin(), vertices.end());
+      for (MeshSection section : part.sections[layer]) {
         section.first += start;
         mesh.sections.push_back(section);
       }
     }
-    return mesh;
   }
-
-  const MeshInput& input_;
-  FaceLighting lighting_;
-  std::vector<MeshState> states_;
-  std::array<std::vector<BlockVertex>, kRenderLayers> vertices_;  // by layer
-  std::array<std::vector<MeshSection>, kRenderLayers> sections_;
-};
+  return mesh;
+}
 
 }  // namespace
 
-BlockMesh buildMesh(const MeshInput& input) { return MeshBuilder(input).build(); }
+BlockMesh buildMesh(const MeshInput& input) {
+  const MeshStates states(input);
+  const FaceLighting lighting(input.blocks, input.light, input.facts);
+  const std::vector<glm::ivec3> origins = sectionsOf(input.blocks);
+  std::vector<SectionFaces> parts(origins.size());
+  forEachInParallel(origins.size(), [&](std::size_t i) {
+    parts[i] = SectionMesher(input, states, lighting).build(origins[i]);
+  });
+  return joinParts(parts);
+}
+
 
 std::vector<BlockFacts> factsOfPalette(const BlockTable& table, const BlockWorld& blocks,
                                        Diagnostics& diagnostics) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/parallel.h"
+
 namespace orris {
 namespace {
 
@@ -10,144 +12,201 @@ constexpr int kFull = 15;
 /// By FaceDirection.
 constexpr std::array<glm::ivec3, 6> kNeighbours{
     {{0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}, {-1, 0, 0}, {1, 0, 0}}};
+constexpr std::size_t kDown = 0;
 
-/// What the cells of the grown box do to light. `covered` has bit 1 << FaceDirection for a side that
+/// What blocks do to light, by palette index. `covered` has bit 1 << FaceDirection for a side that
 /// lets nothing through, so that stairs and slabs close a roof as in the game.
 struct Medium {
-  explicit Medium(std::size_t cells) : opacity(cells), covered(cells) {}
-  std::vector<std::uint8_t> opacity, covered;
+  Medium(const BlockWorld& world, const std::vector<BlockFacts>& facts) : blocks(world) {
+    for (const BlockFacts& fact : facts) {
+      opacity.push_back(std::uint8_t(std::clamp(fact.opacity, 0, kFull)));
+      // A full cube stops light by its opacity; its sides must not keep in what it emits.
+      covered.push_back(fact.fullOpaqueCube ? std::uint8_t(0) : fact.coveredFaces);
+      emission.push_back(std::uint8_t(std::clamp(fact.emission, 0, kFull)));
+    }
+  }
 
-  bool passes(std::size_t from, std::size_t to, std::size_t face) const {
+  bool passes(std::uint32_t from, std::uint32_t to, std::size_t face) const {
     return (covered[from] >> face & 1) == 0 && (covered[to] >> (face ^ 1) & 1) == 0;
   }
+  /// What arrives in a block of index `to` from a neighbour of level `from`.
+  int arriving(std::uint32_t to, int from) const { return from - std::max<int>(1, opacity[to]); }
+
+  /// The index of all cells of p's section, those outside of the box included.
+  std::optional<std::uint32_t> uniform(glm::ivec3 p) const {
+    const auto index = blocks.uniformSection(p);
+    const glm::ivec3 low = sectionOrigin(p);
+    const bool whole = blocks.contains(low) && blocks.contains(low + kSectionSize - 1);
+    const glm::ivec3 end = blocks.origin() + blocks.size();
+    const bool apart = glm::any(glm::greaterThanEqual(low, end)) ||
+                       glm::any(glm::lessThan(low + kSectionSize - 1, blocks.origin()));
+    if (apart) return 0;
+    return whole || index == 0u ? index : std::nullopt;
+  }
+
+  const BlockWorld& blocks;
+  std::vector<std::uint8_t> opacity, covered, emission;
 };
 
-/// One kind of light over the grown box, spread from its sources by decreasing level.
+/// One kind of light over a box, spread from its sources by decreasing level.
 class LightField {
  public:
-  LightField(glm::ivec3 size, const Medium& medium)
-      : size_(size), medium_(medium), levels_(medium.opacity.size()) {}
+  LightField(LevelGrid& levels, glm::ivec3 origin, glm::ivec3 size, const Medium& medium)
+      : levels_(levels), low_(origin), end_(origin + size), medium_(medium) {}
 
-  std::size_t offset(glm::ivec3 p) const {
-    return (std::size_t(p.y) * size_.z + p.z) * size_.x + p.x;
+  void spreadBlockLight() {
+    forEachSection([&](glm::ivec3 section) {
+      const auto only = medium_.uniform(section);
+      if (only && medium_.emission[*only] == 0) return;
+      forEachCell(section, [&](glm::ivec3 p) {
+        const int emission = medium_.emission[medium_.blocks.indexAt(p)];
+        if (emission == 0) return;
+        levels_.set(p, emission);
+        addSource(p, emission);
+      });
+    });
+    spread();
   }
-  int level(glm::ivec3 p) const { return levels_[offset(p)]; }
-  void set(glm::ivec3 p, int level) { levels_[offset(p)] = std::uint8_t(level); }
-  void addSource(glm::ivec3 p) { queues_[std::size_t(level(p))].push_back(p); }
-  std::vector<std::uint8_t> take() { return std::move(levels_); }
 
+  void spreadSkyLight() {
+    const glm::ivec3 first = levels_.firstSection(), count = levels_.sectionCount();
+    for (int z = first.z; z < first.z + count.z; ++z) {
+      for (int x = first.x; x < first.x + count.x; ++x) lightColumns(x, z);
+    }
+    // Only lit cells beside darker ones have anything to give.
+    forEachSection([&](glm::ivec3 section) {
+      if (isAllSky(section)) return;
+      forEachCell(section, [&](glm::ivec3 p) {
+        if (levels_.at(p) == kFull && gives(p)) addSource(p, kFull);
+      });
+    });
+    spread();
+  }
+
+ private:
   bool inside(glm::ivec3 p) const {
-    return p.x >= 0 && p.y >= 0 && p.z >= 0 && p.x < size_.x && p.y < size_.y && p.z < size_.z;
+    return p.x >= low_.x && p.y >= low_.y && p.z >= low_.z && p.x < end_.x && p.y < end_.y &&
+           p.z < end_.z;
   }
 
-  /// What arrives in `p` from a neighbour of level `from`.
-  int arriving(glm::ivec3 p, int from) const {
-    return from - std::max<int>(1, medium_.opacity[offset(p)]);
+  template <class Visit>
+  void forEachSection(const Visit& visit) const {
+    const glm::ivec3 first = levels_.firstSection(), end = first + levels_.sectionCount();
+    for (int y = first.y; y < end.y; ++y)
+      for (int z = first.z; z < end.z; ++z)
+        for (int x = first.x; x < end.x; ++x) visit(glm::ivec3(x, y, z) * kSectionSize);
   }
+
+  template <class Visit>
+  void forEachCell(glm::ivec3 section, const Visit& visit) const {
+    const glm::ivec3 low = glm::max(section, low_), end = glm::min(section + kSectionSize, end_);
+    for (int y = low.y; y < end.y; ++y)
+      for (int z = low.z; z < end.z; ++z)
+        for (int x = low.x; x < end.x; ++x) visit(glm::ivec3(x, y, z));
+  }
+
+  /// Full light from the top down to what stops it, in the 16x16 columns of a column of sections.
+  void lightColumns(int sectionX, int sectionZ) {
+    std::array<std::uint32_t, 256> above{};  // outside of the box: air
+    std::array<bool, 256> open;
+    open.fill(true);
+    const glm::ivec3 first = levels_.firstSection(), count = levels_.sectionCount();
+    for (int y = first.y + count.y - 1; y >= first.y; --y) {
+      const glm::ivec3 section = glm::ivec3(sectionX, y, sectionZ) * kSectionSize;
+      const auto only = medium_.uniform(section);
+      for (std::size_t i = 0; i < open.size(); ++i)
+        open[i] = open[i] && (medium_.covered[above[i]] >> kDown & 1) == 0;
+      const auto isOpen = [](bool column) { return column; };
+      if (std::none_of(open.begin(), open.end(), isOpen)) return;
+      const bool clear = only && medium_.opacity[*only] == 0 && medium_.covered[*only] == 0;
+      if (clear && std::all_of(open.begin(), open.end(), isOpen)) {
+        levels_.setSection(section, kFull);
+        above.fill(*only);
+        continue;
+      }
+      for (std::size_t i = 0; i < open.size(); ++i)
+        open[i] = open[i] && lightColumn(section + glm::ivec3(i % 16, 0, i / 16), above[i]);
+    }
+  }
+
+  /// The 16 cells over `bottom`; false where something stops the light.
+  bool lightColumn(glm::ivec3 bottom, std::uint32_t& above) {
+    for (int y = kSectionSize - 1; y >= 0; --y) {
+      const glm::ivec3 p = bottom + glm::ivec3(0, y, 0);
+      const std::uint32_t index = medium_.blocks.indexAt(p);
+      if (medium_.opacity[index] != 0 || !medium_.passes(above, index, kDown)) return false;
+      levels_.set(p, kFull);
+      above = index;
+    }
+    return true;
+  }
+
+  /// Is the section full of sky light, and each beside it?
+  bool isAllSky(glm::ivec3 section) const {
+    const glm::ivec3 first = levels_.firstSection(), end = first + levels_.sectionCount();
+    const auto full = [&](glm::ivec3 q) {
+      const glm::ivec3 at = q >> 4;
+      const bool held =
+          glm::all(glm::greaterThanEqual(at, first)) && glm::all(glm::lessThan(at, end));
+      return !held || levels_.uniform(q) == kFull;
+    };
+    return full(section) &&
+           std::all_of(kNeighbours.begin(), kNeighbours.end(),
+                       [&](glm::ivec3 step) { return full(section + step * kSectionSize); });
+  }
+
+  bool gives(glm::ivec3 p) const {
+    return std::any_of(kNeighbours.begin(), kNeighbours.end(), [&](glm::ivec3 step) {
+      const glm::ivec3 q = p + step;
+      return inside(q) && levels_.at(q) < medium_.arriving(medium_.blocks.indexAt(q), kFull);
+    });
+  }
+
+  void addSource(glm::ivec3 p, int level) { queues_[std::size_t(level)].push_back(p); }
 
   void spread() {
     for (std::size_t from = kFull; from > 1; --from) {
       for (std::size_t i = 0; i < queues_[from].size(); ++i) {
         const glm::ivec3 p = queues_[from][i];
-        if (level(p) == int(from)) spreadFrom(p, int(from));
+        if (levels_.at(p) == int(from)) spreadFrom(p, int(from));
       }
       queues_[from] = {};
     }
   }
 
- private:
   void spreadFrom(glm::ivec3 p, int from) {
+    const std::uint32_t here = medium_.blocks.indexAt(p);
     for (std::size_t face = 0; face < kNeighbours.size(); ++face) {
       const glm::ivec3 q = p + kNeighbours[face];
-      if (!inside(q) || !medium_.passes(offset(p), offset(q), face)) continue;
-      const int arrived = arriving(q, from);
-      if (arrived <= level(q)) continue;
-      set(q, arrived);
-      addSource(q);
+      if (!inside(q)) continue;
+      const int level = levels_.at(q);
+      if (level >= from - 1) continue;
+      const std::uint32_t index = medium_.blocks.indexAt(q);
+      const int arrived = medium_.arriving(index, from);
+      if (arrived <= level || !medium_.passes(here, index, face)) continue;
+      levels_.set(q, arrived);
+      addSource(q, arrived);
     }
   }
 
-  glm::ivec3 size_;
+  LevelGrid& levels_;
+  glm::ivec3 low_, end_;
   const Medium& medium_;
-  std::vector<std::uint8_t> levels_;
   std::array<std::vector<glm::ivec3>, kFull + 1> queues_;
 };
-
-template <class Visit>
-void forEachCell(glm::ivec3 size, Visit visit) {
-  for (int y = 0; y < size.y; ++y) {
-    for (int z = 0; z < size.z; ++z) {
-      for (int x = 0; x < size.x; ++x) visit(glm::ivec3(x, y, z));
-    }
-  }
-}
-
-std::vector<std::uint8_t> skyLight(glm::ivec3 size, const Medium& medium) {
-  constexpr std::size_t kDown = 0;
-  LightField field(size, medium);
-  for (int z = 0; z < size.z; ++z) {
-    for (int x = 0; x < size.x; ++x) {
-      std::size_t above = field.offset({x, size.y - 1, z});
-      for (int y = size.y - 1; y >= 0; --y) {
-        const std::size_t cell = field.offset({x, y, z});
-        if (medium.opacity[cell] != 0 || (cell != above && !medium.passes(above, cell, kDown)))
-          break;
-        field.set({x, y, z}, kFull);
-        above = cell;
-      }
-    }
-  }
-  // Only lit cells beside darker ones have anything to give.
-  forEachCell(size, [&](glm::ivec3 p) {
-    if (field.level(p) != kFull) return;
-    const bool gives = std::any_of(kNeighbours.begin(), kNeighbours.end(), [&](glm::ivec3 step) {
-      const glm::ivec3 q = p + step;
-      return field.inside(q) && field.level(q) < field.arriving(q, kFull);
-    });
-    if (gives) field.addSource(p);
-  });
-  field.spread();
-  return field.take();
-}
 
 }  // namespace
 
 LightLevels::LightLevels(const BlockWorld& blocks, const std::vector<BlockFacts>& factsByPalette)
-    : origin_(blocks.origin() - 1), size_(blocks.size() + 2) {
-  Medium medium(std::size_t(size_.x) * size_.y * size_.z);
-  LightField field(size_, medium);
-  forEachCell(size_, [&](glm::ivec3 p) {
-    const BlockFacts& facts = factsByPalette[blocks.indexAt(origin_ + p)];
-    medium.opacity[field.offset(p)] = std::uint8_t(std::clamp(facts.opacity, 0, kFull));
-    // A full cube stops light by its opacity; its sides must not keep in what it emits.
-    if (!facts.fullOpaqueCube) medium.covered[field.offset(p)] = facts.coveredFaces;
-    if (facts.emission <= 0) return;
-    field.set(p, std::min(facts.emission, kFull));
-    field.addSource(p);
+    : origin_(blocks.origin() - 1),
+      size_(blocks.size() + 2),
+      block_(origin_, size_),
+      sky_(origin_, size_) {
+  const Medium medium(blocks, factsByPalette);
+  forEachInParallel(2, [&](std::size_t kind) {
+    if (kind == 0) LightField(block_, origin_, size_, medium).spreadBlockLight();
+    if (kind == 1) LightField(sky_, origin_, size_, medium).spreadSkyLight();
   });
-  field.spread();
-  levels_ = field.take();
-  const std::vector<std::uint8_t> sky = skyLight(size_, medium);
-  for (std::size_t i = 0; i < levels_.size(); ++i) levels_[i] |= std::uint8_t(sky[i] << 4);
-}
-
-int LightLevels::block(glm::ivec3 p) const {
-  const glm::ivec3 q = p - origin_;
-  const bool inside =
-      glm::all(glm::greaterThanEqual(q, glm::ivec3(0))) && glm::all(glm::lessThan(q, size_));
-  return inside ? levels_[offset(p)] & 15 : 0;
-}
-
-int LightLevels::sky(glm::ivec3 p) const {
-  const glm::ivec3 q = p - origin_;
-  const bool inside =
-      glm::all(glm::greaterThanEqual(q, glm::ivec3(0))) && glm::all(glm::lessThan(q, size_));
-  return inside ? levels_[offset(p)] >> 4 : kFull;
-}
-
-std::size_t LightLevels::offset(glm::ivec3 p) const {
-  const glm::ivec3 q = p - origin_;
-  return (std::size_t(q.y) * size_.z + q.z) * size_.x + q.x;
 }
 
 }  // namespace orris

@@ -1,12 +1,11 @@
 // Vanilla block and sky light, 0..15 a block, for the lightmap coordinates.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <vector>
 
 #include "world/blocks/block_facts.h"
 #include "world/blocks/block_world.h"
+#include "world/mesh/level_grid.h"
 
 namespace orris {
 
@@ -14,13 +13,17 @@ namespace orris {
 class LightLevels {
  public:
   LightLevels(const BlockWorld& blocks, const std::vector<BlockFacts>& factsByPalette);
-  int block(glm::ivec3 p) const;
-  int sky(glm::ivec3 p) const;
+  int block(glm::ivec3 p) const { return inside(p) ? block_.at(p) : 0; }
+  int sky(glm::ivec3 p) const { return inside(p) ? sky_.at(p) : 15; }
 
  private:
-  std::size_t offset(glm::ivec3 p) const;
+  bool inside(glm::ivec3 p) const {
+    const glm::ivec3 q = p - origin_;
+    return unsigned(q.x) < unsigned(size_.x) && unsigned(q.y) < unsigned(size_.y) &&
+           unsigned(q.z) < unsigned(size_.z);
+  }
   glm::ivec3 origin_, size_;
-  std::vector<std::uint8_t> levels_;  // block in the low nibble, sky in the high one
+  LevelGrid block_, sky_;
 };
 
 }  // namespace orris
