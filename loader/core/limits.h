@@ -61,5 +61,10 @@ constexpr std::size_t kWorldBlocks = std::size_t{1} << 25;
 constexpr std::size_t kWorldWork = std::size_t{1} << 27;
 constexpr std::size_t kWorldCameras = 1'000;
 constexpr std::size_t kSchematicBytes = std::size_t{64} << 20;
+constexpr std::size_t kSaveRadius = 32;
+constexpr std::size_t kSaveRegions = 65'536;
+constexpr std::size_t kRegionBytes = std::size_t{256} << 20;
+constexpr std::size_t kChunkBytes = std::size_t{16} << 20;
+constexpr std::size_t kSaveBytes = std::size_t{1} << 30;
 
 }  // namespace orris::limits

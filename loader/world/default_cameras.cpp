@@ -1,21 +1,12 @@
-#include <array>
 #include <cmath>
 #include <limits>
 
-#include "world/world.h"
+#include "world/standing_camera.h"
 
 namespace orris {
 namespace {
 
 constexpr float kFov = 70;
-constexpr double kEyeHeight = 1.62;
-
-struct Heading {
-  glm::ivec3 step;
-  float yaw;
-};
-constexpr std::array<Heading, 4> kHeadings{
-    {{{0, 0, 1}, 0}, {{-1, 0, 0}, 90}, {{0, 0, -1}, 180}, {{1, 0, 0}, 270}}};
 
 bool isFree(const BlockWorld& blocks, glm::ivec3 p) {
   return blocks.contains(p) && blocks.indexAt(p) == 0;
@@ -43,23 +34,9 @@ std::optional<glm::ivec3> freeSpot(const BlockWorld& blocks) {
   return best;
 }
 
-/// At eye height, looking where the view is longest.
-Camera insideCamera(const BlockWorld& blocks, glm::ivec3 spot) {
-  Camera camera{"inside", glm::dvec3(spot) + glm::dvec3(0.5, kEyeHeight, 0.5), 0, 0, kFov};
-  int longest = -1;
-  for (const Heading& heading : kHeadings) {
-    int length = 0;
-    glm::ivec3 p = spot + glm::ivec3(0, 1, 0);
-    while (isFree(blocks, p += heading.step)) ++length;
-    if (length <= longest) continue;
-    longest = length;
-    camera.yaw = heading.yaw;
-  }
-  return camera;
-}
+}  // namespace
 
-/// From the south-west above, as near as the box's corners allow in a square picture.
-Camera outsideCamera(const BlockWorld& blocks) {
+Camera outsideCamera(const BlockWorld& blocks, const std::string& name) {
   constexpr double kPitch = 30;
   const double sine = std::sin(glm::radians(kPitch)), cosine = std::cos(glm::radians(kPitch));
   const glm::dvec3 right(std::sqrt(0.5), 0, std::sqrt(0.5));
@@ -75,14 +52,12 @@ Camera outsideCamera(const BlockWorld& blocks) {
     distance = std::max(distance, aside / slope - glm::dot(corner, forward));
   }
   const glm::dvec3 middle = glm::dvec3(blocks.origin()) + half;
-  return {"default", middle - forward * distance, 225, float(kPitch), kFov};
+  return {name, middle - forward * distance, 225, float(kPitch), kFov};
 }
 
-}  // namespace
-
 std::vector<Camera> defaultCameras(const BlockWorld& blocks) {
-  std::vector<Camera> cameras{outsideCamera(blocks)};
-  if (const auto spot = freeSpot(blocks)) cameras.push_back(insideCamera(blocks, *spot));
+  std::vector<Camera> cameras{outsideCamera(blocks, "default")};
+  if (const auto spot = freeSpot(blocks)) cameras.push_back(standingCamera(blocks, *spot, "inside"));
   return cameras;
 }
 

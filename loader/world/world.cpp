@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
 #include "core/limits.h"
 #include "core/read_file.h"
@@ -12,12 +13,18 @@
 #include "world/blocks/block_facts.h"
 #include "world/files/schematic.h"
 #include "world/files/world_json.h"
+#include "world/saves/save.h"
+#include "world/saves/save_files.h"
 
 namespace orris {
 namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kWorldHint =
+    "WORLD is a folder with world.json, a world.json, a schematic (.schem, .schematic, .litematic, .nbt), "
+    "a save, or a region file (.mca)";
+const std::set<std::string> kSchematics = {".schem", ".schematic", ".litematic", ".nbt"};
 constexpr std::size_t kMaxFileBytes = std::size_t(1) << 28;
 
 void addError(Diagnostics& diagnostics, const std::string& file, std::string message,
@@ -69,7 +76,7 @@ std::optional<World> loadJson(const fs::path& path, const std::optional<std::str
                               ReadFault fault, unsigned seed, Diagnostics& diagnostics) {
   if (!text) {
     addError(diagnostics, path.string(), fmt::format("this world {}", describe(fault)),
-             "WORLD is a folder with world.json, a world.json or a Sponge .schem");
+             kWorldHint);
     return std::nullopt;
   }
   if (text->size() > limits::kWorldJsonBytes) {
@@ -109,23 +116,33 @@ const Camera* World::camera(std::string_view cameraName) const {
   return nullptr;
 }
 
-std::optional<World> loadWorld(const std::string& path, unsigned seed, Diagnostics& diagnostics) {
+std::optional<World> loadWorld(const std::string& path, unsigned seed, Diagnostics& diagnostics,
+                               const SavePart& part) {
   const WorkStage stage("reading the world", path);
   std::error_code problem;
   const fs::path given(path);
   ReadFault fault{};
+  if (!fs::exists(given / "world.json", problem) && isSave(given)) {
+    std::optional<World> world = loadSave(given, part, diagnostics);
+    if (world) completePalette(*world);
+    return world;
+  }
+  if (part.at || part.radius) {
+    addError(diagnostics, path, "this world is drawn whole: --at and --radius choose a part of a save", "");
+    return std::nullopt;
+  }
   if (fs::is_directory(given, problem)) {
     const auto text = readFileBelow(path, "world.json", kMaxFileBytes, fault);
     return loadJson(given / "world.json", text, fault, seed, diagnostics);
   }
   const std::string extension = given.extension().string();
-  if (extension == ".schem" || extension == ".schematic") return loadSchematic(given, diagnostics);
+  if (kSchematics.count(extension) != 0) return loadSchematic(given, diagnostics);
   if (extension == ".json") {
     const auto text = readFile(path, kMaxFileBytes, fault);
     return loadJson(given, text, fault, seed, diagnostics);
   }
   addError(diagnostics, path, fs::exists(given, problem) ? "not a world" : "no such file or folder",
-           "WORLD is a folder with world.json, a world.json or a Sponge .schem");
+           kWorldHint);
   return std::nullopt;
 }
 

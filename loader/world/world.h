@@ -78,10 +78,19 @@ struct World {
   const Camera* camera(std::string_view name) const;
 };
 
-/// Loads a folder with world.json, a world.json, or a Sponge .schem (v2). Numeric limits: 512 blocks
-/// an axis and 2^27 blocks in all. `seed` drives generated worlds. The palette also holds the states
-/// that events set, so that facts and textures made from it serve every frame.
-std::optional<World> loadWorld(const std::string& path, unsigned seed, Diagnostics& diagnostics);
+/// What of a save is loaded.
+struct SavePart {
+  std::optional<glm::ivec2> at;  ///< a block, x and z; nullopt for where the player is, or begins
+  std::optional<int> radius;     ///< chunks, 0 to limits::kSaveRadius
+  std::string dimension{};       ///< a name with its namespace; "" for the one that the path names
+};
+constexpr int kDefaultSaveRadius = 8;
+
+/// Loads a folder with world.json, a world.json, a Sponge .schem, or a part of a save. Numeric limits:
+/// 512 blocks an axis and 2^27 blocks in all, but of saves. `seed` drives generated worlds. The palette
+/// also holds the states that events set, so that facts and textures made from it serve every frame.
+std::optional<World> loadWorld(const std::string& path, unsigned seed, Diagnostics& diagnostics,
+                               const SavePart& part = {});
 
 /// Cameras for a world without any: "default" looks at the box from a corner outside, "inside" from
 /// a free spot near its middle.

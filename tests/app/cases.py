@@ -481,7 +481,52 @@ MATRIX = [
          ["orris validate: error: --(matrix|shard|budget): "]),
 ]
 
+def region(chunks):
+    """A region file; each chunk (x, z) is its tags, compressed with zlib, or bytes put there as they are."""
+    table, body = bytearray(8192), b""
+    for (x, z), tags in chunks.items():
+        packed = zlib.compress(tags) if tags.startswith(b"\n") else tags
+        chunk = struct.pack(">IB", len(packed) + 1, 2) + packed
+        chunk = chunk.ljust(-(-len(chunk) // 4096) * 4096, b"\0")
+        struct.pack_into(">I", table, 4 * (32 * z + x), (2 + len(body) // 4096) << 8 | len(chunk) // 4096)
+        body += chunk
+    return bytes(table) + body
+
+
+def chunk_of(block):
+    """A chunk of the format of 1.18 whose lowest sixteen layers are one block."""
+    def tag(kind, name, payload):
+        return bytes([kind]) + struct.pack(">H", len(name)) + name + payload
+
+    def text(name, value):
+        return tag(8, name, struct.pack(">H", len(value)) + value)
+
+    palette = tag(9, b"palette", b"\x0a" + struct.pack(">i", 1) + text(b"Name", block) + b"\0")
+    section = tag(1, b"Y", b"\0") + tag(10, b"block_states", palette + b"\0") + b"\0"
+    sections = tag(9, b"sections", b"\x0a" + struct.pack(">i", 1) + section)
+    return tag(10, b"", text(b"Status", b"minecraft:full") + sections + b"\0")
+
+
+SAVE = {"home/region/r.0.0.mca": region({(0, 0): chunk_of(b"minecraft:stone"),
+                                         (1, 0): chunk_of(b"minecraft:dirt"), (2, 0): b"damaged"})}
+
 WORLDS = [
+    Case("save_facts", ["world home --at 8,8 --radius 0", "world home/region --at 8,8 --radius 0",
+                        "world home/region/r.0.0.mca --at 8,8 --radius 0"], 0, SAVE,
+         stdout=[r"size +16 x 16 x 16 blocks from \(0, 0, 0\)", r"blocks +4096 of 1 block states",
+                 r"camera +surface: 8\.50,17\.62,8\.50"]),
+    Case("save_chunks_left_out", ["world home --at 20,8 --radius 1"], 0, SAVE,
+         stderr=[r"warning: 7 of 9 chunks are left out: 6 that the save does not hold, 1 that cannot be read",
+                 r"chunk \(2, 0\): its compressed data is damaged"]),
+    Case("save_without_chunks_there", ["world home --at 9000,8", "render pack home --at 9000,8 -o out.png"], 2,
+         {**PACK, **SAVE}, [r"home/region: error: no finished chunk lies within 8 chunks of block"]),
+    Case("save_without_dimension", ["world home --dimension the_end"], 2, {**SAVE, "home/level.dat": b"damaged"},
+         [r"home: error: this save has no region files \(r\.X\.Z\.mca\) of minecraft:the_end"]),
+    Case("save_rendered", ["render pack home --at 8,8 --radius 1 -o out.png --size 32x32 --frames 1"], 0,
+         {**PACK, **SAVE}, creates=["out.png"]),
+    Case("part_of_no_save", [f"world {CORNELL} --radius 2"], 2, {}, [r"this world is drawn whole"]),
+    Case("bad_part", ["world home --at 8", "world home --at 8,x", "world home --radius 33",
+                      "world home --at 40000000,0"], 2, SAVE, [r"--(at|radius): "]),
     Case("no_such_world", ["world nothing", "render pack nothing -o out.png"], 2, PACK,
          ["nothing"]),
     Case("truncated_schematic", ["world house.schem", "render pack house.schem -o out.png"], 2,

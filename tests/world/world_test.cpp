@@ -101,7 +101,8 @@ TEST(Worlds, folder_file_and_schematic_are_told_apart) {
   EXPECT_FALSE(loadWorld("no/such/world", 0, diagnostics));
   EXPECT_EQ(joined(diagnostics),
             "no/such/world: error: no such file or folder\n"
-            "  hint: WORLD is a folder with world.json, a world.json or a Sponge .schem");
+            "  hint: WORLD is a folder with world.json, a world.json, a schematic (.schem, .schematic, "
+            ".litematic, .nbt), a save, or a region file (.mca)");
 }
 
 class WorldFiles : public testing::Test {

@@ -14,6 +14,7 @@ namespace {
 
 struct WorldOptions {
   SceneOptions scene;
+  std::string dimension;
   OutputOptions output;
 };
 
@@ -96,7 +97,7 @@ void printWorld(const World& world, const WorldFacts& facts) {
 int runWorld(const WorldOptions& options) {
   int status = kClean;
   Report report(options.output);
-  std::optional<World> world = loadScene(options.scene, "", report, status);
+  std::optional<World> world = loadScene(options.scene, options.dimension, report, status);
   if (!world) {
     printJson(nlohmann::json::object(), report);
     return status;
@@ -118,6 +119,9 @@ void addWorldCommand(CLI::App& app, int& status) {
       app.add_subcommand("world", "what is in a world: size, blocks, lights, cameras");
   addWorldArgument(*command, options->scene.path);
   command->add_option("--seed", options->scene.seed, "seed of generated worlds");
+  command->add_option("--dimension", options->dimension, "of a save: overworld, the_nether, the_end or a dimension name")
+      ->type_name("NAME");
+  addSavePartFlags(*command, options->scene.part);
   addOutputFlags(*command, options->output);
   command->callback([options, &status] { status = runWorld(*options); });
 }

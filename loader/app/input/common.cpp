@@ -4,8 +4,10 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
+#include <cstdlib>
 #include <memory>
 
+#include "core/limits.h"
 #include "image/image_size.h"
 
 namespace orris {
@@ -34,6 +36,18 @@ void parseAssignment(const std::string& flag, const std::string& text, OptionVal
     throw CLI::ValidationError(flag, fmt::format("expected NAME=VALUE, got \"{}\"", text));
   }
   values[text.substr(0, equals)] = text.substr(equals + 1);
+}
+
+glm::ivec2 parseColumn(const std::string& text) {
+  constexpr int kBorder = 29'999'984;  // blocks from the origin, of the game
+  const std::size_t comma = text.find(',');
+  glm::ivec2 column{0};
+  if (comma == std::string::npos || !parseInt(std::string_view(text).substr(0, comma), column.x) ||
+      !parseInt(std::string_view(text).substr(comma + 1), column.y) ||
+      std::max(std::abs(column.x), std::abs(column.y)) > kBorder) {
+    throw CLI::ValidationError("--at", fmt::format("expected X,Z, two whole numbers of blocks up to {}, got \"{}\"", kBorder, text));
+  }
+  return column;
 }
 
 std::string versionHelp(std::string_view what, const Version& newest) {
@@ -127,6 +141,20 @@ void addSceneFlags(CLI::App& command, SceneOptions& options) {
       ->type_name("TICKS")
       ->check(CLI::Range(0, 23999));
   command.add_option("--seed", options.seed, "seed of generated worlds and of random numbers");
+  addSavePartFlags(command, options.part);
+}
+
+void addSavePartFlags(CLI::App& command, SavePart& part) {
+  command
+      .add_option_function<std::string>(
+          "--at", [&part](const std::string& text) { part.at = parseColumn(text); },
+          "of a save: the block X,Z in the middle (default: where the player is)")
+      ->type_name("X,Z");
+  command
+      .add_option("--radius", part.radius,
+                  fmt::format("of a save: chunks around it (default {})", kDefaultSaveRadius))
+      ->type_name("CHUNKS")
+      ->check(CLI::Range(0, int(limits::kSaveRadius)));
 }
 
 void addSizeFlag(CLI::App& command, ImageOptions& options) {
@@ -211,7 +239,7 @@ CLI::Option* addPackArgument(CLI::App& command, std::string& path) {
 }
 
 CLI::Option* addWorldArgument(CLI::App& command, std::string& path) {
-  return command.add_option("world", path, "world: a folder with world.json, or a .schem file")
+  return command.add_option("world", path, "world: a folder with world.json, a schematic, a save or a region file (.mca)")
       ->type_name("WORLD")
       ->required();
 }

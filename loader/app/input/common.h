@@ -10,6 +10,7 @@
 #include "gl/context.h"
 #include "pack/options/options.h"
 #include "pack/versions/iris_versions.h"
+#include "world/world.h"
 
 namespace CLI {
 class App;
@@ -34,6 +35,7 @@ struct SceneOptions {
   std::string camera;       ///< a name, or x,y,z,yaw,pitch; "" for the first camera
   std::optional<int> time;  ///< ticks; nullopt for the world's own
   unsigned seed = 0;
+  SavePart part;  ///< of a save; its dimension is not set
 };
 
 /// How much to draw, and on what.
@@ -61,6 +63,7 @@ struct VersionRange {
 /// The same flags, which also take a range: 1.8..1.11. Nothing asked: nullopt.
 void addVersionRangeFlags(CLI::App& command, std::optional<VersionRange>& range);
 void addSceneFlags(CLI::App& command, SceneOptions& options);  ///< all but the path
+void addSavePartFlags(CLI::App& command, SavePart& part);  ///< of addSceneFlags
 void addImageFlags(CLI::App& command, ImageOptions& options);
 void addSizeFlag(CLI::App& command, ImageOptions& options);  ///< of addImageFlags
 void addBackendFlag(CLI::App& command, gl::Backend& backend);

@@ -49,9 +49,10 @@ std::optional<OptionValues> readSettings(const std::shared_ptr<const FileSource>
 
 // The folder names that packs use for the game's own dimensions.
 std::string dimensionName(const std::string& request) {
-  static const std::map<std::string, std::string> kNames = {{"world0", "minecraft:overworld"},
-                                                            {"world-1", "minecraft:the_nether"},
-                                                            {"world1", "minecraft:the_end"}};
+  static const std::map<std::string, std::string> kNames = {
+      {"world0", "minecraft:overworld"},     {"overworld", "minecraft:overworld"},
+      {"world-1", "minecraft:the_nether"},   {"the_nether", "minecraft:the_nether"},
+      {"world1", "minecraft:the_end"},       {"the_end", "minecraft:the_end"}};
   const auto found = kNames.find(request);
   return found == kNames.end() ? request : found->second;
 }
@@ -171,7 +172,10 @@ std::optional<World> loadScene(const SceneOptions& options, const std::string& d
     return std::nullopt;
   }
   Diagnostics diagnostics;
-  std::optional<World> world = loadWorld(path, options.seed, diagnostics);
+  SavePart part = options.part;
+  // Other folders of a pack belong to no dimension of a save.
+  if (dimensionName(dimension).find(':') != std::string::npos) part.dimension = dimensionName(dimension);
+  std::optional<World> world = loadWorld(path, options.seed, diagnostics, part);
   report.add(diagnostics);
   if (!world) {
     status = kUsage;

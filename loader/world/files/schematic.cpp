@@ -7,6 +7,7 @@
 #include "core/limits.h"
 #include "world/files/gunzip.h"
 #include "world/files/nbt.h"
+#include "world/files/tag_builds.h"
 
 namespace orris {
 namespace {
@@ -48,7 +49,7 @@ struct SchematicReader {
     const NbtTag* tag = root.find("Version");
     if (!tag || !tag->integer()) {
       return fail("no integer \"Version\": expected a Sponge schematic",
-                  "legacy .schematic files have none; save as Sponge .schem version 2");
+                  "a .litematic has \"Regions\", a structure \"blocks\", a .schematic \"Blocks\"");
     }
     version = *tag->integer();
     if (version >= 1 && version <= 3) return true;
@@ -164,6 +165,12 @@ struct SchematicReader {
   }
 
   std::optional<BlockWorld> read(const NbtTag& file) {
+    if (const BuildFormat format = buildFormatOf(file); format != BuildFormat::Sponge) {
+      std::string problem;
+      auto world = readBuild(file, format, maximumBlocks, problem);
+      if (!world) fail(std::move(problem));
+      return world;
+    }
     // Version 3 wraps everything in a member and moves the blocks into another.
     const NbtTag* wrapped = file.find("Schematic");
     const NbtTag& root = wrapped ? *wrapped : file;

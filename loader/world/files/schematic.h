@@ -1,4 +1,5 @@
-// Sponge schematics (.schem), versions 1 to 3: gzip-compressed NBT with a palette and varint indices.
+// Builds in a file of gzip-compressed tags: Sponge schematics (.schem), versions 1 to 3, with a palette and
+// varint indices; and the formats of tag_builds.h, told apart by what they hold.
 #pragma once
 
 #include <optional>

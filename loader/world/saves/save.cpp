@@ -1,0 +1,200 @@
+#include "world/saves/save.h"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/limits.h"
+#include "core/printable.h"
+#include "core/read_file.h"
+#include "world/saves/biome_climate.h"
+#include "world/saves/chunk_grid.h"
+#include "world/saves/level_data.h"
+#include "world/saves/save_files.h"
+#include "world/standing_camera.h"
+
+namespace orris {
+namespace {
+
+constexpr int kBlocksOfChunk = kSectionSize;
+constexpr std::size_t kNamedChunks = 20;
+constexpr double kEyeHeight = 1.62;
+
+void addSaveProblem(Diagnostics& diagnostics, Severity severity, const char* id,
+                    const std::filesystem::path& file, std::string message, std::string hint = "") {
+  Diagnostic& diagnostic = diagnostics.emplace_back();
+  diagnostic.severity = severity;
+  diagnostic.id = id;
+  diagnostic.at.file = file.string();
+  diagnostic.message = std::move(message);
+  diagnostic.hint = std::move(hint);
+}
+
+/// What level.dat says; a damaged one is a warning.
+LevelData readLevel(const SaveFiles& files, Diagnostics& diagnostics) {
+  if (files.level.empty()) return {};
+  ReadFault fault{};
+  const auto bytes = readFileBelow(files.root.string(), files.level.filename().string(),
+                                   limits::kChunkBytes, fault);
+  std::string problem = describe(fault);
+  auto level = bytes ? parseLevelData(*bytes, problem) : std::nullopt;
+  if (level) return *level;
+  addSaveProblem(diagnostics, Severity::Warning, "level-unreadable", files.level,
+                 fmt::format("{}; the time is noon and nobody has a place", problem),
+                 "choose a place with --at X,Z; the game keeps an older copy in level.dat_old");
+  return {};
+}
+
+glm::ivec2 chunkOf(glm::dvec2 place) {
+  return glm::ivec2(glm::floor(place / double(kBlocksOfChunk)));
+}
+
+/// Where the part lies, and what stands there.
+struct SaveSpot {
+  glm::dvec2 column{0};              ///< blocks, x and z
+  std::optional<SavedPlace> player;  ///< when the part is around the player
+};
+
+std::optional<SaveSpot> spotOf(const SaveFiles& files, const LevelData& level,
+                               const SavePart& part) {
+  if (part.at) return SaveSpot{glm::dvec2(*part.at) + 0.5, std::nullopt};
+  if (level.player && level.player->dimension == files.dimension)
+    return SaveSpot{{level.player->feet.x, level.player->feet.z}, level.player};
+  if (level.spawn && level.spawn->dimension == files.dimension)
+    return SaveSpot{{level.spawn->feet.x, level.spawn->feet.z}, std::nullopt};
+  const auto middle = middleOfRegions(files);
+  if (!middle) return std::nullopt;
+  return SaveSpot{(glm::dvec2(*middle) + 0.5) * double(kBlocksOfChunk), std::nullopt};
+}
+
+/// Of chunks that are left out: how many of which kind, and the problems of those that are unreadable.
+void warnOfChunks(const std::vector<PlacedChunk>& chunks, const SaveFiles& files,
+                  Diagnostics& diagnostics) {
+  using State = PlacedChunk::State;
+  const auto count = [&](State state) {
+    return std::size_t(std::count_if(chunks.begin(), chunks.end(),
+                                     [&](const PlacedChunk& c) { return c.state == state; }));
+  };
+  const std::size_t absent = count(State::Absent), unfinished = count(State::Unfinished),
+                    unreadable = count(State::Unreadable);
+  if (absent + unfinished + unreadable == 0) return;
+  std::vector<std::string> kinds;
+  if (absent > 0) kinds.push_back(fmt::format("{} that the save does not hold", absent));
+  if (unfinished > 0) kinds.push_back(fmt::format("{} that the game has only begun", unfinished));
+  if (unreadable > 0) kinds.push_back(fmt::format("{} that cannot be read", unreadable));
+  addSaveProblem(diagnostics, Severity::Warning, "chunks-left-out", files.region,
+                 fmt::format("{} of {} chunks are left out: {}", absent + unfinished + unreadable,
+                             chunks.size(), fmt::join(kinds, ", ")));
+  for (const PlacedChunk& placed : chunks) {
+    if (placed.state != State::Unreadable) continue;
+    std::vector<std::string>& notes = diagnostics.back().notes;
+    if (notes.size() == kNamedChunks) {
+      notes.push_back(fmt::format("and {} more", unreadable - kNamedChunks));
+      return;
+    }
+    const std::string version = placed.chunk.dataVersion > 0
+                                    ? fmt::format(" (data version {})", placed.chunk.dataVersion)
+                                    : "";
+    notes.push_back(
+        fmt::format("chunk ({}, {}): {}{}", placed.at.x, placed.at.y, placed.problem, version));
+  }
+}
+
+void failWithoutRegions(const SaveFiles& files, Diagnostics& diagnostics) {
+  const std::vector<std::string> has = dimensionsOf(files.root);
+  addSaveProblem(diagnostics, Severity::Error, "world-unreadable", files.root,
+                 fmt::format("this save has no region files (r.X.Z.mca) of {}", files.dimension),
+                 has.empty()
+                     ? "name a save of 1.2.1 or newer, a folder of .mca files or one of them"
+                     : fmt::format("it has {}", fmt::join(has, ", ")));
+}
+
+void failWithoutChunks(const SaveFiles& files, glm::ivec2 middle, int radius,
+                       Diagnostics& diagnostics) {
+  const auto held = middleOfRegions(files);
+  addSaveProblem(diagnostics, Severity::Error, "world-unreadable", files.region,
+                 fmt::format("no finished chunk lies within {} chunks of block ({}, {})", radius,
+                             middle.x * kBlocksOfChunk + 8, middle.y * kBlocksOfChunk + 8),
+                 held ? fmt::format("the middle of the save is --at {},{}",
+                                    held->x * kBlocksOfChunk + 8, held->y * kBlocksOfChunk + 8)
+                      : "");
+}
+
+/// Fog and sky of the dimensions where they depend on no biome's weather.
+void setDimension(const std::string& dimension, Environment& environment) {
+  environment.dimension = dimension;
+  if (dimension == "minecraft:the_nether") {
+    environment.biome = "minecraft:nether_wastes";
+    environment.fogColor = {0x33 / 255.0f, 0x08 / 255.0f, 0x08 / 255.0f};
+  } else if (dimension == "minecraft:the_end") {
+    environment.biome = "minecraft:the_end";
+    environment.fogColor = glm::vec3(0xa0, 0x80, 0xa0) * (0.15f / 255);
+  }
+}
+
+void setEnvironment(const LevelData& level, const std::string& biome, int radius,
+                    Environment& environment) {
+  environment.time = level.time;
+  environment.day = level.day;
+  environment.rain = level.rain ? 1 : 0;
+  environment.thunder = level.thunder ? 1 : 0;
+  environment.renderDistance = std::clamp(radius * kBlocksOfChunk, 16, 1024);
+  if (!biome.empty()) environment.biome = biome;
+  const BiomeClimate climate = climateOf(environment.biome);
+  environment.temperature = climate.temperature;
+  environment.rainfall = climate.rainfall;
+}
+
+void setCameras(const SaveSpot& spot, World& world) {
+  if (spot.player) {
+    const glm::dvec3 eye = spot.player->feet + glm::dvec3(0, kEyeHeight, 0);
+    world.cameras.push_back({"player", eye, spot.player->yaw, spot.player->pitch, 70});
+  }
+  if (auto camera = surfaceCamera(world, glm::ivec2(glm::floor(spot.column))))
+    world.cameras.push_back(*camera);
+  world.cameras.push_back(outsideCamera(world.blocks, "overview"));
+}
+
+}  // namespace
+
+std::optional<World> loadSave(const std::filesystem::path& path, const SavePart& part,
+                              Diagnostics& diagnostics) {
+  const SaveFiles files = findSaveFiles(path, part.dimension);
+  const LevelData level = readLevel(files, diagnostics);
+  const int radius = part.radius.value_or(kDefaultSaveRadius);
+  const auto spot = files.regions.empty() ? std::nullopt : spotOf(files, level, part);
+  if (!spot) {
+    failWithoutRegions(files, diagnostics);
+    return std::nullopt;
+  }
+  const glm::ivec2 middle = chunkOf(spot->column);
+  std::vector<PlacedChunk> chunks = readChunks(files, middle, radius);
+  warnOfChunks(chunks, files, diagnostics);
+  if (std::none_of(chunks.begin(), chunks.end(),
+                   [](const PlacedChunk& c) { return c.state == PlacedChunk::State::Read; })) {
+    failWithoutChunks(files, middle, radius, diagnostics);
+    return std::nullopt;
+  }
+  std::string problem;
+  auto blocks = joinChunks(chunks, spot->player ? spot->player->feet.y : 64, problem);
+  if (!blocks) {
+    addSaveProblem(diagnostics, Severity::Error, "world-unreadable", files.region, problem);
+    return std::nullopt;
+  }
+  World world;
+  world.name = level.name.empty() ? files.name : printable(level.name);
+  world.exercises = fmt::format(
+      "{} chunks of a save", std::count_if(chunks.begin(), chunks.end(), [](const PlacedChunk& c) {
+        return c.state == PlacedChunk::State::Read;
+      }));
+  world.blocks = std::move(*blocks);
+  setDimension(files.dimension, world.environment);
+  setCameras(*spot, world);
+  setEnvironment(level, biomeAt(chunks, glm::ivec3(glm::floor(world.cameras.front().position))),
+                 radius, world.environment);
+  return world;
+}
+
+}  // namespace orris
