@@ -13,6 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kLevel = "level.dat";
+constexpr int kFarthestPlace = 60000;  // regions, beyond the border of the game
 constexpr const char* kOverworld = "minecraft:overworld";
 
 struct KnownDimension {
@@ -35,7 +36,8 @@ std::optional<std::pair<int, int>> placeOfRegion(const std::string& file) {
   int place[2] = {0, 0};
   for (int i = 0; i < 2; ++i) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), place[i]);
-    if (error != std::errc() || std::abs(place[i]) > 60000) return std::nullopt;
+    if (error != std::errc() || place[i] < -kFarthestPlace || place[i] > kFarthestPlace)
+      return std::nullopt;
     text.remove_prefix(std::size_t(end - text.data()));
     if (i == 0 && !text.starts_with('.')) return std::nullopt;
     if (i == 0) text.remove_prefix(1);
