@@ -141,7 +141,7 @@ TEST_P(ReferenceGlass, sun_passes_as_in_the_path_tracer) {
 INSTANTIATE_TEST_SUITE_P(
     , ReferenceGlass,
     testing::Values(
-        Pane{"glass", R"(, {"box": "glass", "min": [0, 4, 0], "max": [31, 4, 31]})", 4000, .491},
+        Pane{"glass", R"(, {"box": "glass", "min": [0, 4, 0], "max": [31, 4, 31]})", 9500, .599},
         Pane{"stained", R"(, {"box": "red_stained_glass", "min": [0, 4, 0], "max": [31, 4, 31]})",
              4000, .298},
         Pane{

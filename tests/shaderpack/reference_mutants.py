@@ -22,7 +22,7 @@ GLASS = "ReferenceGlass.*"
 ONE = "Views/Reference.*/one_bounce"
 
 MUTANTS = [
-    ("albedo times .9", BEND, [(VOXEL, "return vec4(sqrt(clamp(color, 0.0, 1.0))", "return vec4(sqrt(0.9 * clamp(color, 0.0, 1.0))")]),
+    ("albedo times .9", HOUSE, [(VOXEL, "return vec4(sqrt(clamp(color, 0.0, 1.0))", "return vec4(sqrt(0.9 * clamp(color, 0.0, 1.0))")]),
     ("red and blue of voxels swapped", BEND, [(VOXEL, "return Voxel(texel.rgb * texel.rgb,", "return Voxel(texel.bgr * texel.bgr,")]),
     ("no feedback", HOUSE, [(UPDATE, "light_of(hit.cell, face_of_hit(hit)).rgb);", "vec3(0.0));")]),
     ("feedback twice", HOUSE, [(UPDATE, "light_of(hit.cell, face_of_hit(hit)).rgb);", "2.0 * light_of(hit.cell, face_of_hit(hit)).rgb);")]),
@@ -44,5 +44,5 @@ MUTANTS = [
     ("glass is nothing to shadow volumes", GLASS, [(SUN, "lit *= open_share(player, normal, light);", "")]),
     ("lava green", CAVE, [("include/blocks.glsl", "vec3(1.0, 0.34, 0.06));  // 9", "vec3(0.34, 1.0, 0.06));  // 9")]),
     ("lamp levels linear", CAVE, [(VOXEL, "EMISSION_STRENGTH * share * share", "EMISSION_STRENGTH * share")]),
-    ("stained panes clear to rays", CHAPEL, [(SHADOW, "id == block_translucent || id == block_tinted_pane;", "id == block_translucent;")]),
+    ("stained panes stop rays", CHAPEL, [(SHADOW, "id == block_translucent || id == block_tinted_pane;", "id == block_translucent;")]),
 ]
