@@ -218,7 +218,7 @@ bool Context::initialise(const GetProcAddress& getProcAddress, Diagnostics& diag
 }
 
 std::vector<std::string> Context::takeErrors() {
-  // A driver tells the same error twice, in words and by number; the words suffice.
+  // A driver reports the same error twice, in words and by number; the words suffice.
   const bool told = !errors_.empty();
   for (int i = 0; i < int(kMaxErrors); ++i) {
     const GLenum error = GetError();

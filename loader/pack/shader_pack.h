@@ -75,7 +75,7 @@ struct LoadRequest {
   bool irisTexts = false;                         ///< make ProgramSource::irisStages
   /// GLSL types of the host's uniforms by name, for shader code that does not declare them (Voxy).
   std::map<std::string, std::string> uniformTypes{};
-  /// Go on after errors for which Iris refuses the whole pack, so that all mistakes are told.
+  /// Go on after errors for which Iris refuses the whole pack, so that all mistakes are reported.
   bool keepGoing = false;
 };
 

@@ -56,7 +56,7 @@ void explainTimeout(const std::string& dimension, std::chrono::seconds time,
       "--draw, give more time with --frame-limit, or say --severity draw-timeout=warning";
 }
 
-/// A remark at a line comes from loading, which validate has told already, in other words at times.
+/// A remark at a line comes from loading, which validate has reported already, in other words at times.
 bool isOfLoading(const Diagnostic& diagnostic) {
   return diagnostic.severity != Severity::Error && diagnostic.at.line > 0;
 }

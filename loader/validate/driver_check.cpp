@@ -38,7 +38,7 @@ gl::DriverInfo decodeDriver(const std::string& bytes) {
   return driver;
 }
 
-/// A job's first byte tells whether the verdict is good; what follows are its diagnostics.
+/// A job's first byte says whether the verdict is good; what follows are its diagnostics.
 std::string encodeVerdict(bool good, const Diagnostics& diagnostics) {
   return std::string(1, good ? '1' : '0') + encodeDiagnostics(diagnostics);
 }

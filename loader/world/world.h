@@ -22,7 +22,7 @@ struct Camera {
   float fov = 70;
 };
 
-/// What the pack is told of the player behind the camera. Contract: uniforms.csv groups player, id.
+/// What the pack knows of the player behind the camera. Contract: uniforms.csv groups player, id.
 struct Player {
   float blindness = 0, nightVision = 0, darkness = 0, darknessLight = 0;  ///< effects, 0..1
   float brightness = 1;                                                   ///< setting, 0..1

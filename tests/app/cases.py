@@ -328,6 +328,11 @@ ONCE = [
          [r"^/lib/all\.glsl:5:\d+: error: expected #endif after this line: nothing closes the #ifdef in "
           r"line 2 \[conditional-unbalanced\]$", OWN],
          stderr=[r"\A/lib/all\.glsl:5:", r"^  note: /lib/all\.glsl:2:1: the #ifdef without #endif$", *FOLLOW]),
+    Case("outputs_without_their_list", ["validate pack"], 1,
+         pack({"gbuffers_terrain.fsh": VERSION + "/* RENDERTARGETS: 0,x */\nvoid main() { gl_FragData[0] = vec4(1.0); "
+               "gl_FragData[1] = vec4(1.0); gl_FragData[2] = vec4(1.0); }\n"}),
+         [r"is no buffer index; Iris refuses the whole pack \[render-target-syntax\]$"], stderr=FOLLOW,
+         stdout=["^  1 error$"]),
     Case("a_version_lost_in_a_shared_file", ["validate pack"], 1,
          pack({**{f"{name}.{stage}": '#include "/version.glsl"\n' + text.partition("\n")[2]
                   for name in ("composite", "final") for stage, text in (("vsh", FINAL_VERTEX), ("fsh", FINAL))},

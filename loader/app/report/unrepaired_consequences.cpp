@@ -49,6 +49,20 @@ void foldLackingFiles(Folds& folds) {
   }
 }
 
+/// What a program whose list of targets cannot be read is found to do without them.
+void foldUnreadTargets(Folds& folds) {
+  for (std::size_t cause = 0; cause < folds.all().size(); ++cause) {
+    const Diagnostic& unread = folds.all()[cause];
+    if (unread.id != "render-target-syntax" || !folds.isOpen(cause)) continue;
+    for (std::size_t i = 0; i < folds.all().size(); ++i) {
+      const Diagnostic& d = folds.all()[i];
+      const bool ofTargets = d.id.starts_with("output-") || d.id.starts_with("target-un");
+      if (ofTargets && folds.isOpen(i) && folds.isOfProgramsWith(unread.at.file, i))
+        folds.fold(i, cause);
+    }
+  }
+}
+
 /// A custom uniform that is dropped takes those along that use it.
 void foldUniforms(Folds& folds) {
   const auto droppedBy = [&](std::size_t i, std::string_view before, std::string_view behind) {
@@ -177,6 +191,7 @@ void foldTwins(Folds& folds) {
 
 void foldByNames(Folds& folds) {
   foldLackingFiles(folds);
+  foldUnreadTargets(folds);
   foldUniforms(folds);
   foldWrongTypes(folds);
   foldVersions(folds);

@@ -79,7 +79,7 @@ void addStudyFlags(CLI::App& command, StudyOptions& options) {
       ->excludes("--camera");
   command
       .add_option("--baseline", options.baseline,
-                  "the setting that costs are told as multiples of; default the first")
+                  "the setting that costs are given as multiples of; default the first")
       ->type_name("NAME=VALUE,...");
   addReferenceFlags(command, options);
   addMetricFlags(command, options);

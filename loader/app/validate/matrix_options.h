@@ -1,4 +1,4 @@
-// The flags of `orris validate` that ask for an option matrix, and what of it is told at the end.
+// The flags of `orris validate` that ask for an option matrix, and what of it is reported at the end.
 #pragma once
 
 #include <chrono>

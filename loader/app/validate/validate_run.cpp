@@ -40,7 +40,7 @@ std::vector<std::string> chosen(const std::vector<std::string>& request,
 void checkPrograms(const ShaderPack& pack, Checker& checker, Diagnostics& diagnostics) {
   checkWithGlslang(pack, checker.jobs, checker.glslang, diagnostics);
   if (!checker.gpu) return;
-  // What glslang refuses has been told; the driver would tell it again in other words.
+  // What glslang refuses has been reported; the driver would report it again in other words.
   for (const auto& [hash, good] : checker.glslang) {
     if (!good) checker.driver[hash] = false;
   }

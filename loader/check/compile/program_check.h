@@ -46,7 +46,7 @@ std::string entryFile(const ProgramUnit& unit);
 void checkWithGlslang(const ShaderPack& pack, int jobs, Verdicts& verdicts,
                       Diagnostics& diagnostics);
 
-/// What is told of a unit or program whose check did not end well. `file` is its entry file.
+/// What is reported of a unit or program whose check did not end well. `file` is its entry file.
 Diagnostic lostJob(const JobOutcome& outcome, std::string_view tool, const std::string& name,
                    const std::string& file);
 

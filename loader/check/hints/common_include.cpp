@@ -20,7 +20,7 @@ constexpr const char* kMissing = "include-probably-missing";
 constexpr std::size_t kMostSamples = 6, kMostAlike = 2;
 // Each place takes up to 16 trials.
 constexpr std::size_t kMostPlaces = 4, kMostOthers = 3;
-// Less likely places in a file, compared with its likeliest, are not told.
+// Less likely places in a file, compared with its likeliest, are not reported.
 constexpr double kAsLikely = 0.4;
 
 const Diagnostic* missingOf(const Diagnostics& diagnostics) {
@@ -28,7 +28,7 @@ const Diagnostic* missingOf(const Diagnostics& diagnostics) {
   return found == diagnostics.end() ? nullptr : &*found;
 }
 
-/// Units that were told to include something.
+/// Units that lack an include of something.
 using Samples = std::vector<std::size_t>;
 
 class CommonInclude {
@@ -44,7 +44,7 @@ class CommonInclude {
     }
   }
 
-  /// The one line that heals a unit of each place, first, and then others that do; else of each place
+  /// The one line that repairs a unit of each place, first, and then others that do; else of each place
   /// the others.
   Diagnostics find() {
     Diagnostics told;
@@ -98,7 +98,7 @@ class CommonInclude {
     return fmt::format("#include \"{}\"", missing.target);
   }
 
-  /// The places, the likeliest first, where one line heals all of them; no more than are told.
+  /// The places, the likeliest first, where one line repairs all of them; no more than are reported.
   std::vector<MissingInclude> healing(const Samples& samples) {
     std::vector<MissingInclude> places;
     const IncludeTrial trial = [&](const MissingInclude& added) {
@@ -161,8 +161,8 @@ class CommonInclude {
   const std::vector<ProgramUnit>& units_;
   const std::vector<Diagnostics>& found_;
   DefinitionIndex index_;
-  std::map<std::pair<std::string, int>, Samples> places_;  ///< who was told which
-  int failing_ = 0;                                        ///< units in all that were told any
+  std::map<std::pair<std::string, int>, Samples> places_;  ///< which lack an #include where
+  int failing_ = 0;                                        ///< units in all that lack any
 };
 
 /// Puts findings with more places in for those that are there already; false: these are new.

@@ -8,9 +8,9 @@
 
 namespace orris {
 
-/// Where programs were told to include something at different places, looks for one line that heals
-/// them all; if there is one, only that is told. At each place that is told also the next likely ones
-/// that heal as well, as warnings. `found` are the diagnostics of each unit. Compiles, so it works in
+/// Where programs lack an include of something at different places, looks for one line that repairs
+/// them all; if there is one, only that is reported. At each place so are the next likely ones that
+/// repair as well, as warnings. `found` are the diagnostics of each unit. Compiles, so it works in
 /// a process of its own; nothing changes when that is lost.
 void mergeMissingIncludes(const ShaderPack& pack, const std::vector<ProgramUnit>& units,
                           std::vector<Diagnostics>& found);

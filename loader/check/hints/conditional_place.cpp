@@ -30,7 +30,7 @@ struct Unbalanced {
   std::vector<User> samples;  ///< that are compiled with it, of as many folders as possible
 };
 
-/// The files that are told of and that a unit reads.
+/// The files with a report that a unit reads.
 class Collector {
  public:
   explicit Collector(const std::vector<Diagnostics>& found) {

@@ -9,7 +9,7 @@
 
 namespace orris {
 
-/// Moves what `found`, the diagnostics of making each of the `folders` of a pack, tells of such a
+/// Moves what `found`, the diagnostics of making each of the `folders` of a pack, says of such a
 /// place to one that was tried. Compiles, so it works in processes of its own; what such a process is
 /// lost with stays as it was.
 void settleConditionals(const std::vector<ShaderPack>& folders, int jobs,

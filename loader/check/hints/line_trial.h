@@ -12,7 +12,7 @@ namespace orris {
 /// The build that made the program, nullptr when the pack was not made from files.
 const FolderBuild* buildOf(const ShaderPack& pack, const ProgramSource& program);
 
-/// What is told of the unit of `pack` with the line, nullopt when it cannot be made anew.
+/// What is reported of the unit of `pack` with the line, nullopt when it cannot be made anew.
 std::optional<Diagnostics> diagnosticsWith(const ShaderPack& pack, const ProgramUnit& unit,
                                            const AddedLine& added);
 

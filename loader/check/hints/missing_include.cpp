@@ -197,7 +197,7 @@ class Search {
     for (const Candidate& candidate : candidates) {
       auto places =
           placesByModels(index_, candidate.file, candidate.target, candidate.before, kPlacesOfFile);
-      // Without a model only a file on the way to the use tells where.
+      // Without a model only a file on the way to the use says where.
       if (candidate.before > 0) {
         const double share = places.empty() ? 1 : 0;
         places.push_back(

@@ -14,7 +14,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Packs with one broken option have tens of failures; beyond this they are told without a cause.
+// Packs with one broken option have tens of failures; beyond this they are reported without a cause.
 constexpr std::size_t kMostCauses = 200;
 constexpr int kMinimiseTries = 200, kConditionTries = 200;
 constexpr int kLostTries = 12;  // each may take as long as a job is given

@@ -19,7 +19,7 @@ using Clock = std::chrono::steady_clock;
 // so with some that are to be explained, and when their messages are to be there.
 constexpr double kPlan = 0.25, kSearchAlone = 0.95, kSearch = 0.7, kMessages = 0.8;
 
-/// What tells problems apart: place and words, whatever the program and the values.
+/// What parts problems: place and words, whatever the program and the values.
 using ProblemKey = std::tuple<std::string, int, std::string, std::string>;
 ProblemKey keyOf(const Diagnostic& d) { return {d.at.file, d.at.line, d.id, d.message}; }
 
@@ -117,7 +117,7 @@ class Run {
     return plan_.configurations.size() - open.size();
   }
 
-  // Which process came first to a text must not decide what is told of it: the first job does.
+  // Which process came first to a text must not decide what is reported of it: the first job does.
   void findMessages() {
     struct Unit {
       std::uint64_t shape;

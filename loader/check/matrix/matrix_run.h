@@ -1,5 +1,5 @@
 // The option matrix: a pack under many option values, each different program compiled once, each
-// failure told once with the values that it needs.
+// failure reported once with the values that it needs.
 #pragma once
 
 #include <chrono>
@@ -18,7 +18,7 @@ struct MatrixRequest {
   MatrixKind kind = MatrixKind::None;
   std::vector<std::string> options;  ///< only these are varied; none: all
   int shard = 1, shards = 1;         ///< every shards-th configuration, from the shard-th
-  /// When the matrix has to be told, however little was tried; nullopt: no end.
+  /// When the matrix has to end, however little was tried; nullopt: no end.
   std::optional<std::chrono::steady_clock::time_point> until{};
   int jobs = 1;
 };

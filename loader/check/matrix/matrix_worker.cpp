@@ -106,7 +106,7 @@ MatrixWorker::Variant MatrixWorker::shapesOf(const MatrixJob& job, const FolderB
 }
 
 // A program like this one was compiled, or is as with the values in force, and all was well with
-// what its text tells the host.
+// what its text says to the host.
 bool MatrixWorker::isClean(const MatrixJob& job, const UnitShapes& units) const {
   const BaseProgram* base = shapes_.find(job);
   return (base && base->units == units) ||

@@ -22,7 +22,7 @@ struct Cause {
   bool complete = true;               ///< false: not every option could be tried
 };
 
-/// What a try gave. Another failure may hide the one that is looked for, so it tells nothing.
+/// What a try gave. Another failure may hide the one that is looked for, so it says nothing.
 enum class Trial { Good, Fails, FailsOtherwise };
 
 /// Does the failure occur with these values (those that differ from the defaults)?

@@ -49,7 +49,7 @@ std::set<std::string> reachedFiles(const ShaderPack& pack) {
     const bool program = isStage(path) || isVoxyProgram(path);
     if (program && isProgramFolder(path, pack.dimensions)) roots.push_back(path);
   }
-  // What is wrong with the includes of this host's programs has been told when they were read.
+  // What is wrong with the includes of this host's programs has been reported when they were read.
   Diagnostics ignored;
   std::set<std::string> reached;
   for (const auto& entry : readIncludeGraph(*pack.source, roots, ignored).files) {

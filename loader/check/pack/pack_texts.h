@@ -34,7 +34,7 @@ class AuthorLines {
 class Branches {
  public:
   explicit Branches(std::string_view text);
-  /// Is line `a` in the text whenever line `b` is? False also where that cannot be told.
+  /// Is line `a` in the text whenever line `b` is? False also where that is unknown.
   bool implies(int b, int a) const;
 
  private:

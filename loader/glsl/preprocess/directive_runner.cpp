@@ -13,7 +13,7 @@
 namespace orris {
 namespace {
 
-// A broken source can be wrong on every line; more than this tells nothing new.
+// A broken source can be wrong on every line; more than this says nothing new.
 constexpr std::size_t kMaxReports = 100;
 
 // Iris: JcppProcessor logs what its preprocessor complains about and goes on.

@@ -1,5 +1,5 @@
 // Names that matter to a caller, and which of them a text was asked about. With the options of a
-// pack as names it tells which options can change a text: two values of an option give the same
+// pack as names it says which options can change a text: two values of an option give the same
 // text unless a condition or an expansion looks its name up.
 #pragma once
 

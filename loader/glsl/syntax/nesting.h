@@ -1,4 +1,4 @@
-// Which mark of a nesting (braces, #if blocks) is missing: told by how well the layout fits the pairs
+// Which mark of a nesting (braces, #if blocks) is missing: found by how well the layout fits the pairs
 // that remain when it is put back at one place or another.
 #pragma once
 
@@ -22,7 +22,7 @@ struct NestingMark {
   int group = 0;          ///< the text it stands in; layouts of two texts are not compared
   int line = 0;           ///< within all texts
   bool whole = false;     ///< an include guard: its partner is the last mark
-  bool ofStages = false;  ///< a conditional that tells stages apart
+  bool ofStages = false;  ///< a conditional that parts stages
   bool inner = false;     ///< of an open one: only inside another
   bool mayElse = false;   ///< of an open one: an "else" can follow its partner
   bool hasElse = false;   ///< of a close one: an "else" follows

@@ -11,7 +11,7 @@
 
 namespace orris {
 
-/// `warn.light_state.2 = lamps have no room`: told, after the number, while it is not 0.
+/// `warn.light_state.2 = lamps have no room`: reported, after the number, while it is not 0.
 struct CounterWarning {
   std::string image;
   int texel = 0;

@@ -26,6 +26,7 @@ std::string nearestValues(const std::string& value, const std::vector<std::strin
     if (*other >= *number && (!above || *other < *parseFloat(*above))) above = &candidate;
   }
   if (!below || !above) return "";
+  if (*below == *above) return fmt::format("write it as its list does: {}", *below);
   return fmt::format("the values beside it are {} and {}", *below, *above);
 }
 

@@ -1,5 +1,5 @@
 // Builds in a file of gzip-compressed tags: Sponge schematics (.schem), versions 1 to 3, with a palette and
-// varint indices; and the formats of tag_builds.h, told apart by what they hold.
+// varint indices; and the formats of tag_builds.h, which differ in what they hold.
 #pragma once
 
 #include <optional>
