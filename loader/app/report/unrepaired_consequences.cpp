@@ -27,6 +27,9 @@ constexpr std::array<std::string_view, 2> kOfDrawing = {"draw-timeout", "gl-erro
 constexpr std::array<std::string_view, 4> kOfLackingNames = {"varying-", "output-", "target-unread",
                                                              "target-unwritten"};
 
+constexpr std::array<std::string_view, 3> kOfTargets = {"output-", "target-unread",
+                                                         "target-unwritten"};
+
 // Fewer may each have lost its own.
 constexpr std::size_t kLeastWithoutVersion = 3;
 
@@ -56,7 +59,8 @@ void foldUnreadTargets(Folds& folds) {
     if (unread.id != "render-target-syntax" || !folds.isOpen(cause)) continue;
     for (std::size_t i = 0; i < folds.all().size(); ++i) {
       const Diagnostic& d = folds.all()[i];
-      const bool ofTargets = d.id.starts_with("output-") || d.id.starts_with("target-un");
+      const bool ofTargets = std::ranges::any_of(
+          kOfTargets, [&](std::string_view id) { return d.id.starts_with(id); });
       if (ofTargets && folds.isOpen(i) && folds.isOfProgramsWith(unread.at.file, i))
         folds.fold(i, cause);
     }
