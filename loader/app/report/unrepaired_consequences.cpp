@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
 #include <tuple>
 #include <vector>
 
@@ -36,33 +37,29 @@ constexpr std::size_t kLeastWithoutVersion = 3;
 // "i" and "uv" of two functions are two names.
 constexpr std::size_t kLongestLocal = 3;
 
-/// What a program without one of its files is found to lack.
-void foldLackingFiles(Folds& folds) {
-  for (std::size_t cause = 0; cause < folds.all().size(); ++cause) {
-    const Diagnostic& missing = folds.all()[cause];
-    if (missing.id != "include-missing" || !folds.isOpen(cause)) continue;
-    for (std::size_t i = 0; i < folds.all().size(); ++i) {
-      const Diagnostic& d = folds.all()[i];
-      const bool lacking = std::ranges::any_of(
-          kOfLackingNames, [&](std::string_view id) { return d.id.starts_with(id); });
-      if (lacking && d.severity != Severity::Note && folds.isOpen(i) &&
-          folds.isOfProgramsWith(missing.at.file, i))
-        folds.fold(i, cause);
-    }
+/// A mistake in a file, and how the ids begin of what the programs that read it are found to do by it.
+struct Lack {
+  std::string_view cause;
+  std::span<const std::string_view> ids;
+};
+constexpr std::array<Lack, 2> kLacks = {
+    {{"include-missing", kOfLackingNames}, {"render-target-syntax", kOfTargets}}};
+
+void foldLack(Folds& folds, std::size_t cause, const Lack& lack) {
+  for (std::size_t i = 0; i < folds.all().size(); ++i) {
+    const Diagnostic& d = folds.all()[i];
+    const bool listed = std::ranges::any_of(
+        lack.ids, [&](std::string_view id) { return d.id.starts_with(id); });
+    if (listed && d.severity != Severity::Note && folds.isOpen(i) &&
+        folds.isOfProgramsWith(folds.all()[cause].at.file, i))
+      folds.fold(i, cause);
   }
 }
 
-/// What a program whose list of targets cannot be read is found to do without them.
-void foldUnreadTargets(Folds& folds) {
+void foldLacks(Folds& folds) {
   for (std::size_t cause = 0; cause < folds.all().size(); ++cause) {
-    const Diagnostic& unread = folds.all()[cause];
-    if (unread.id != "render-target-syntax" || !folds.isOpen(cause)) continue;
-    for (std::size_t i = 0; i < folds.all().size(); ++i) {
-      const Diagnostic& d = folds.all()[i];
-      const bool ofTargets = std::ranges::any_of(
-          kOfTargets, [&](std::string_view id) { return d.id.starts_with(id); });
-      if (ofTargets && folds.isOpen(i) && folds.isOfProgramsWith(unread.at.file, i))
-        folds.fold(i, cause);
+    for (const Lack& lack : kLacks) {
+      if (folds.all()[cause].id == lack.cause && folds.isOpen(cause)) foldLack(folds, cause, lack);
     }
   }
 }
@@ -194,8 +191,7 @@ void foldTwins(Folds& folds) {
 }
 
 void foldByNames(Folds& folds) {
-  foldLackingFiles(folds);
-  foldUnreadTargets(folds);
+  foldLacks(folds);
   foldUniforms(folds);
   foldWrongTypes(folds);
   foldVersions(folds);
