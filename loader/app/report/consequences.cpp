@@ -117,6 +117,7 @@ class ConsequenceSearch {
       const std::vector<std::size_t> causes = causesOf(stage);
       if (causes.empty()) continue;
       for (const std::size_t cause : causes) edits_.add(*report_.all()[cause].repair);
+      repaired_.insert(causes.begin(), causes.end());
       settle(causes, stage.misread);
     }
     foldByNames(folds_);
@@ -162,7 +163,8 @@ class ConsequenceSearch {
       return d.severity == Severity::Error && !known.contains(positionKey(d, edits_));
     });
     for (std::size_t i = 0; i < report_.all().size(); ++i) {
-      if (!folds_.isOpen(i) || std::ranges::find(causes, i) != causes.end()) continue;
+      // The edits of earlier stages are made, too: what they repair follows from nothing.
+      if (!folds_.isOpen(i) || repaired_.contains(i)) continue;
       const bool gone = --left[positionKey(report_.all()[i], {})] < 0;
       const auto cause = gone   ? nearestCause(causes, i)
                          : fits ? std::nullopt
@@ -202,6 +204,7 @@ class ConsequenceSearch {
   Report& report_;
   Folds folds_;
   Edits edits_;
+  std::set<std::size_t> repaired_;  ///< the causes whose repairs are among the edits
 };
 
 }  // namespace
