@@ -160,13 +160,33 @@ TEST(Varyings, of_the_hosts_own_vertex_stage_are_none_of_the_authors) {
               ElementsAre(testing::StartsWith("varying-missing /gbuffers_basic.fsh:2:9: ")));
 }
 
-TEST(Varyings, one_renamed_in_one_stage_is_told_in_both) {
+TEST(Varyings, one_renamed_in_one_stage_is_one_finding_with_both_places) {
   EXPECT_THAT(messages(packOf("out vec3 a;\nout vec2 c;\nvoid main() { a = vec3(1); c = a.xy; }",
                               "in vec3 b;\nvoid main() { gl_FragColor = b.xyzx; }")),
               ElementsAre("varying-missing /composite.fsh:2:9: warning: 'b' is read here, and the "
-                          "vertex stage does not declare it",
-                          "varying-unread /composite.vsh:2:10: warning: 'a' is written, and the "
-                          "fragment stage does not read it"));
+                          "vertex stage does not declare it; /composite.vsh:2:10: 'a', which is not "
+                          "read"));
+  // Which of two was meant nobody knows.
+  EXPECT_THAT(messages(packOf("out vec3 a;\nout vec3 c;\nvoid main() { a = vec3(1); c = a; }",
+                              "in vec3 b;\nvoid main() { gl_FragColor = b.xyzx; }")),
+              ElementsAre("varying-missing /composite.fsh:2:9: warning: 'b' is read here, and the "
+                          "vertex stage does not declare it"));
+}
+
+TEST(Varyings, one_misspelt_where_it_is_declared_is_reported_there) {
+  EXPECT_THAT(messages(packOf("out vec3 torhcLight;\nout vec3 moonLight;\n"
+                              "void main() { torchLight = moonLight = vec3(1); }",
+                              "in vec3 torchLight;\nin vec3 moonLight;\n"
+                              "void main() { gl_FragColor = vec4(torchLight + moonLight, 1); }")),
+              ElementsAre("varying-missing /composite.vsh:2:10: warning: 'torchLight' is read in the "
+                          "fragment stage, and the vertex stage declares 'torhcLight'; "
+                          "/composite.fsh:2:9: where 'torchLight' is read"));
+  // Both names occur where they are declared: neither is known to be wrong.
+  EXPECT_THAT(messages(packOf("out vec3 torhcLight;\nvoid main() { torhcLight = vec3(1); }",
+                              "in vec3 torchLight;\nvoid main() { gl_FragColor = torchLight.xyzx; }")),
+              ElementsAre("varying-missing /composite.fsh:2:9: warning: 'torchLight' is read here, and "
+                          "the vertex stage does not declare it; /composite.vsh:2:10: 'torhcLight', "
+                          "which is not read"));
 }
 
 // ---- outputs
@@ -193,6 +213,26 @@ TEST(Outputs, one_beyond_the_list) {
                                   "vec4(1); }")),
               ElementsAre("output-unlisted /composite.fsh:2:41: warning: gl_FragData[1] is written "
                           "to no buffer: the program draws to colortex0"));
+}
+
+TEST(Outputs, several_that_nothing_is_written_to_are_one_finding) {
+  EXPECT_THAT(messages(fragmentOf("/* DRAWBUFFERS:035 */\nvoid main() { gl_FragData[0] = vec4(1); }")),
+              ElementsAre("output-unwritten /composite.fsh:2:1: warning: buffers 3, 5 are listed, and "
+                          "the program writes nothing to them"));
+}
+
+TEST(Outputs, a_ninth_has_no_place_in_any_list) {
+  const auto hintOf = [](const std::string& index) {
+    const ShaderPack pack =
+        loadFolder(fragmentOf("void main() { gl_FragData[0] = gl_FragData[" + index + "] = vec4(1); }"));
+    Diagnostics diagnostics;
+    const Schedule schedule = buildSchedule(pack, 64, 32, {}, diagnostics);
+    checkDeclarations({.pack = pack, .schedule = schedule, .target = *findTarget("iris")}, diagnostics);
+    const auto found = std::ranges::find(diagnostics, "output-unlisted", &Diagnostic::id);
+    return found == diagnostics.end() ? "" : found->hint;
+  };
+  EXPECT_EQ(hintOf("7"), "list 8 buffers in RENDERTARGETS, or drop the output");
+  EXPECT_EQ(hintOf("8"), "number outputs by their place in RENDERTARGETS, from 0: drivers have 8");
 }
 
 TEST(Outputs, a_listed_buffer_that_other_options_write_is_no_warning) {

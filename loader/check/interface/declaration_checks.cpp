@@ -57,6 +57,7 @@ Diagnostic DeclarationReport::locateFinding(const StageInterface& stage, const T
       entry, std::move(finding.id), *stage.stage,
       [&pack](const std::string& file, int line) { return pack.sourceLine(file, line); });
   diagnostic.hint = std::move(finding.hint);
+  diagnostic.related = std::move(finding.related);
   return diagnostic;
 }
 

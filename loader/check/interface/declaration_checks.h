@@ -31,6 +31,7 @@ class DeclarationReport {
     std::string message;
     std::string hint;
     std::vector<std::string> notes;
+    std::vector<RelatedPlace> related;
   };
   /// At a place of a final text; nothing is added when the host made the text there.
   void add(const StageInterface& stage, const TextPlace& place, Finding finding);

@@ -1,5 +1,7 @@
 #include "check/interface/glsl_types.h"
 
+#include <fmt/format.h>
+
 #include <array>
 
 namespace orris {
@@ -83,6 +85,20 @@ OpaqueType opaqueType(std::string_view name) {
   type.array = name.find("Array") != std::string_view::npos;
   type.shadow = name.ends_with("Shadow");
   return type;
+}
+
+bool sizesDiffer(const std::vector<std::int64_t>& a, const std::vector<std::int64_t>& b) {
+  if (a.size() != b.size()) return true;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (a[i] > 0 && b[i] > 0 && a[i] != b[i]) return true;
+  }
+  return false;
+}
+
+std::string typeName(std::string_view type, const std::vector<std::int64_t>& sizes) {
+  std::string name(type);
+  for (const std::int64_t size : sizes) name += size > 0 ? fmt::format("[{}]", size) : "[]";
+  return name;
 }
 
 }  // namespace orris

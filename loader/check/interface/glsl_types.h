@@ -1,7 +1,10 @@
 // Facts about the types of GLSL by name.
 #pragma once
 
+#include <cstdint>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace orris {
 
@@ -29,5 +32,10 @@ struct OpaqueType {
   bool array = false;
 };
 OpaqueType opaqueType(std::string_view name);
+
+/// Array sizes, outermost first; 0: unsized, -1: not known. Unknown ones may be equal.
+bool sizesDiffer(const std::vector<std::int64_t>& a, const std::vector<std::int64_t>& b);
+/// "vec3[4]"
+std::string typeName(std::string_view type, const std::vector<std::int64_t>& sizes);
 
 }  // namespace orris

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "check/interface/declaration_checks.h"
 #include "check/interface/glsl_types.h"
@@ -39,37 +40,9 @@ std::vector<std::int64_t> sizesOf(const StageInterface& stage, const StageGlobal
   return sizes;
 }
 
-bool sizesDiffer(const std::vector<std::int64_t>& a, const std::vector<std::int64_t>& b) {
-  if (a.size() != b.size()) return true;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    if (a[i] > 0 && b[i] > 0 && a[i] != b[i]) return true;
-  }
-  return false;
-}
-
-std::string typeName(std::string_view type, const std::vector<std::int64_t>& sizes) {
-  std::string name(type);
-  for (const std::int64_t size : sizes) name += size > 0 ? fmt::format("[{}]", size) : "[]";
-  return name;
-}
-
 /// Names a variable for people: blocks have no name of their own.
 std::string_view spoken(const StageGlobal& global) {
   return global.block ? global.type : global.name;
-}
-
-/// "name =", "name.xyz *=", "name[0] =": not "==".
-bool assigns(std::string_view line, std::string_view name) {
-  for (std::size_t at = line.find(name); at != std::string_view::npos;
-       at = line.find(name, at + 1)) {
-    if (at > 0 && isWordCharacter(line[at - 1])) continue;
-    std::string_view rest = line.substr(at + name.size());
-    if (!rest.empty() && isWordCharacter(rest[0])) continue;
-    const std::size_t sign = rest.find('=');
-    if (sign == std::string_view::npos || rest.substr(sign).starts_with("==")) continue;
-    if (rest.substr(0, sign).find_first_of(";(){}!<>") == std::string_view::npos) return true;
-  }
-  return false;
 }
 
 /// One pair of neighbouring stages.
@@ -86,10 +59,10 @@ class StagePair {
       if (out) {
         compare(*out, in);
       } else if (in.used) {
-        reportMissing(in);
         missing_.push_back(&in);
       }
     }
+    for (const StageGlobal* in : missing_) reportMissing(*in, meantBy(*in));
     for (const StageGlobal& out : from_.globals) reportUnread(out);
   }
 
@@ -170,22 +143,47 @@ class StagePair {
                     {severity, id, fmt::format("'{}' {}", spoken(in), what), hint, {note()}});
   }
 
-  void reportMissing(const StageGlobal& in) {
+  void reportMissing(const StageGlobal& in, const StageGlobal* meant) {
     const bool repaired = !in.block && isNumeric(in.type);
     const char* from = stageName(from_.stage->stage);
-    std::vector<std::string> notes = {note()};
+    Finding finding{
+        repaired ? Severity::Warning : Severity::Error,
+        "varying-missing",
+        fmt::format("'{}' is read here, and the {} stage does not declare it", spoken(in), from),
+        repaired ? fmt::format("Iris makes it zero, other hosts refuse the program: "
+                               "declare it in the {} stage",
+                               from)
+                 : fmt::format("declare it in the {} stage", from),
+        {note()}};
+    if (meant) return reportRenamed(in, *meant, std::move(finding));
     if (const std::string place = otherDeclaration(in); !place.empty())
-      notes.push_back(fmt::format("{} declares it for other options or programs", place));
-    report_.add(
-        to_, in.place,
-        {repaired ? Severity::Warning : Severity::Error,
-         "varying-missing",
-         fmt::format("'{}' is read here, and the {} stage does not declare it", spoken(in), from),
-         repaired ? fmt::format("Iris makes it zero, other hosts refuse the program: "
-                                "declare it in the {} stage",
-                                from)
-                  : fmt::format("declare it in the {} stage", from),
-         std::move(notes)});
+      finding.notes.push_back(fmt::format("{} declares it for other options or programs", place));
+    report_.add(to_, in.place, std::move(finding));
+  }
+
+  /// One finding for both names: at the one that is wrong, where the stages say which, else at the reader.
+  void reportRenamed(const StageGlobal& in, const StageGlobal& out, Finding finding) {
+    const bool wrongOut = occursAsWord(from_.stage->text.text, in.name) &&
+                          !occursAsWord(to_.stage->text.text, out.name);
+    finding.hint = fmt::format("{}: use one name",
+                               isNumeric(in.type)
+                                   ? "Iris makes it zero, other hosts refuse the program"
+                                   : "the stages do not link");
+    if (wrongOut) {
+      finding.message = fmt::format("'{}' is read in the {} stage, and the {} stage declares '{}'",
+                                    in.name, stageName(to_.stage->stage),
+                                    stageName(from_.stage->stage), out.name);
+      addPlace(finding, to_, in, fmt::format("where '{}' is read", in.name));
+      return report_.add(from_, out.place, std::move(finding));
+    }
+    addPlace(finding, from_, out, fmt::format("'{}', which is not read", out.name));
+    report_.add(to_, in.place, std::move(finding));
+  }
+
+  static void addPlace(Finding& finding, const StageInterface& stage, const StageGlobal& global,
+                       std::string message) {
+    const SourceLocation at = stage.stage->text.locate(global.place.line, global.place.column);
+    if (!at.file.empty()) finding.related.push_back({at, std::move(message)});
   }
 
   /// The first line of the earlier stage's files that declares an output of that name, in a branch that
@@ -237,28 +235,48 @@ class StagePair {
     if (out.storage != Storage::Out || isBuiltin(out) || !out.used) return;
     const StageGlobal* in = find(to_, Storage::In, out);
     if (in && in->used) return;
-    // Nobody can change the stage that the host makes for a lone fragment stage.
-    const auto& sites = from_.stage->text.sites;
-    if (sites.empty() || !report_.folder.pack.files.contains(sites.front().file)) return;
-    const StageGlobal* meant = in ? nullptr : missingLike(out);
-    const char* to = stageName(to_.stage->stage);
+    if (paired_.contains(&out) || hostMadeFrom()) return;
     report_.add(from_, out.place,
-                {meant ? Severity::Warning : Severity::Note,
+                {Severity::Note,
                  "varying-unread",
-                 fmt::format("'{}' is written, and the {} stage does not read it", spoken(out), to),
-                 meant ? fmt::format("the {} stage reads '{}', which nothing writes: use one name",
-                                     to, spoken(*meant))
-                       : "",
+                 fmt::format("'{}' is written, and the {} stage does not read it", spoken(out),
+                             stageName(to_.stage->stage)),
+                 "",
                  {note()}});
   }
 
-  /// What the next stage reads, nobody writes and `out` could be: one of the two has a wrong name.
-  const StageGlobal* missingLike(const StageGlobal& out) const {
-    const auto found = std::find_if(missing_.begin(), missing_.end(), [&](const StageGlobal* in) {
-      return !in->block && !out.block && in->type == out.type &&
-             !sizesDiffer(sizesOf(from_, out), sizesOf(to_, *in));
-    });
-    return found == missing_.end() ? nullptr : *found;
+  /// What the earlier stage declares, the next one does not, and `in` was meant to be: a slip away, or
+  /// the only one of its type that is written, where `in` is the only one of it that is read.
+  const StageGlobal* meantBy(const StageGlobal& in) {
+    std::vector<const StageGlobal*> likely;
+    std::vector<std::string> names;
+    for (const StageGlobal& out : from_.globals) {
+      if (out.storage != Storage::Out || isBuiltin(out) || !isLike(in, out) ||
+          find(to_, Storage::In, out) || hostMadeFrom())
+        continue;
+      likely.push_back(&out);
+      names.emplace_back(out.name);
+    }
+    const std::string slip = likelyMeant(in.name, names);
+    const auto rivals = std::ranges::count_if(
+        missing_, [&](const StageGlobal* other) { return other->type == in.type; });
+    const bool alone = likely.size() == 1 && rivals == 1 && likely.front()->used &&
+                       otherDeclaration(in).empty();
+    const auto found = std::ranges::find(names, alone ? names.front() : slip);
+    if (found == names.end()) return nullptr;
+    const StageGlobal* meant = likely[std::size_t(found - names.begin())];
+    return paired_.insert(meant).second ? meant : nullptr;
+  }
+
+  bool isLike(const StageGlobal& in, const StageGlobal& out) const {
+    return !in.block && !out.block && in.type == out.type && in.layout.location < 0 &&
+           !sizesDiffer(sizesOf(from_, out), sizesOf(to_, in));
+  }
+
+  // Nobody can change the stage that the host makes for a lone fragment stage.
+  bool hostMadeFrom() const {
+    const auto& sites = from_.stage->text.sites;
+    return sites.empty() || !report_.folder.pack.files.contains(sites.front().file);
   }
 
   std::string note() const { return "in " + program_.name(); }
@@ -268,6 +286,7 @@ class StagePair {
   const StageInterface& to_;
   DeclarationReport& report_;
   std::vector<const StageGlobal*> missing_;  ///< read by the next stage, written by none
+  std::set<const StageGlobal*> paired_;      ///< reported beside one that is missing
 };
 
 }  // namespace

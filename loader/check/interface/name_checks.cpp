@@ -56,17 +56,6 @@ bool isOneSlip(std::string_view name, const std::string& meant) {
   return editDistance(name, meant) == 1 && !likelyMeant(name, {meant}).empty();
 }
 
-bool occursAsWord(std::string_view text, std::string_view word) {
-  for (std::size_t at = text.find(word); at != std::string_view::npos;
-       at = text.find(word, at + 1)) {
-    const std::size_t end = at + word.size();
-    if ((at == 0 || !isWordCharacter(text[at - 1])) &&
-        (end >= text.size() || !isWordCharacter(text[end])))
-      return true;
-  }
-  return false;
-}
-
 class StageNames {
  public:
   StageNames(const ProgramInterface& program, const StageInterface& stage,

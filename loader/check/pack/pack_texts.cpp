@@ -104,4 +104,28 @@ std::string likelyMeant(std::string_view name, const std::vector<std::string>& n
   return editDistance(lowerCase(name), lowerCase(nearest)) <= most ? nearest : "";
 }
 
+bool occursAsWord(std::string_view text, std::string_view word) {
+  for (std::size_t at = text.find(word); at != std::string_view::npos;
+       at = text.find(word, at + 1)) {
+    const std::size_t end = at + word.size();
+    if ((at == 0 || !isWordCharacter(text[at - 1])) &&
+        (end >= text.size() || !isWordCharacter(text[end])))
+      return true;
+  }
+  return false;
+}
+
+bool assigns(std::string_view line, std::string_view name) {
+  for (std::size_t at = line.find(name); at != std::string_view::npos;
+       at = line.find(name, at + 1)) {
+    if (at > 0 && isWordCharacter(line[at - 1])) continue;
+    std::string_view rest = line.substr(at + name.size());
+    if (!rest.empty() && isWordCharacter(rest[0])) continue;
+    const std::size_t sign = rest.find('=');
+    if (sign == std::string_view::npos || rest.substr(sign).starts_with("==")) continue;
+    if (rest.substr(0, sign).find_first_of(";(){}!<>") == std::string_view::npos) return true;
+  }
+  return false;
+}
+
 }  // namespace orris

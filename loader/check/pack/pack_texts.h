@@ -53,4 +53,9 @@ void forEachWord(std::string_view text, const std::function<void(std::string_vie
 /// short names; "" when there is none. Stricter than suggest(), for names that may well be right.
 std::string likelyMeant(std::string_view name, const std::vector<std::string>& names);
 
+/// Does `word` stand in the text, not as a part of another?
+bool occursAsWord(std::string_view text, std::string_view word);
+/// Does the line write to `name`: "name =", "name.xyz *=", "name[0] =", not "=="?
+bool assigns(std::string_view line, std::string_view name);
+
 }  // namespace orris
