@@ -85,6 +85,18 @@ TEST(LanguageKeys, what_is_left_over_is_one_finding) {
                           "take lines away whose options are gone"));
 }
 
+TEST(LanguageKeys, each_line_that_is_left_over_is_a_place_of_the_finding) {
+  const ShaderPack pack =
+      loadFiles({{"/lang/en_us.lang", "option.BLOOM=a\noption.OTHER_ONE=b\nvalue.GONE.1=c\n"}});
+  Diagnostics diagnostics;
+  checkLanguageKeys(std::span(&pack, 1), diagnostics);
+  ASSERT_EQ(diagnostics.size(), 1u);
+  EXPECT_THAT(diagnostics.front().related,
+              ElementsAre(testing::Field(&RelatedPlace::message, "the pack has no option OTHER_ONE"),
+                          testing::Field(&RelatedPlace::message, "the pack has no option GONE")));
+  EXPECT_EQ(diagnostics.front().related.back().at.line, 3);
+}
+
 TEST(LanguageKeys, a_second_text_is_a_warning_where_it_differs) {
   EXPECT_THAT(checkedLanguage(checkLanguageKeys, "option.MODE=a\noption.MODE = a\noption.MODE=b\n"),
               ElementsAre("language-twice /lang/en_us.lang:3:1: warning: option.MODE has another "

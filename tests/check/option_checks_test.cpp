@@ -24,6 +24,13 @@ TEST(OptionLists, a_value_given_twice_is_a_warning_but_for_a_slider) {
                           "twice"));
 }
 
+TEST(OptionLists, a_value_given_twice_is_reported_in_whichever_file_it_stands) {
+  EXPECT_THAT(found(checkOptionLists, {{"/final.vsh", "#version 120\n#define STEPS 4 // [2 4 8 4]\n"
+                                                      "void main() {}\n"},
+                                       {"/settings.glsl", "#define STEPS 4 // [2 4 8]\n"}}),
+              ElementsAre(testing::StartsWith("option-value-twice /final.vsh:2:9: warning: ")));
+}
+
 TEST(OptionLists, a_default_outside_the_list_is_a_note) {
   EXPECT_THAT(found(checkOptionLists, {{"/settings.glsl", "#define STEPS 5 // [2 4 8]\n"}}),
               ElementsAre("option-default /settings.glsl:1:9: note: STEPS is 5, which its list "

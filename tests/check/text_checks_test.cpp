@@ -91,6 +91,15 @@ TEST(PropertiesTwice, the_earlier_value_is_lost) {
                           "its value in line 1 is lost | the last line of a key counts"));
 }
 
+TEST(PropertiesTwice, the_line_that_is_lost_is_a_place_of_the_finding) {
+  const ShaderPack pack = loadFiles({{"/shaders.properties", "clouds=fancy\nmoon=true\nclouds=fast\n"}});
+  Diagnostics diagnostics;
+  checkPropertiesTwice(std::span(&pack, 1), diagnostics);
+  ASSERT_EQ(diagnostics.size(), 1u);
+  ASSERT_EQ(diagnostics.front().related.size(), 1u);
+  EXPECT_EQ(formatLocation(diagnostics.front().related.front().at), "/shaders.properties:1:1");
+}
+
 TEST(PropertiesTwice, branches_tell_values_apart) {
   EXPECT_THAT(properties("#ifdef A\nsun=true\n#else\nsun=false\n#endif\n"), IsEmpty());
   EXPECT_THAT(properties("sun=true\n#ifdef MC_VERSION\nsun=false\n#endif\n"), IsEmpty());

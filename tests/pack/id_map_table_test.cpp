@@ -115,6 +115,19 @@ TEST(IdMapTable, problems_stand_at_the_word) {
   }
 }
 
+TEST(IdMapTable, a_state_that_is_none_comes_with_what_was_meant) {
+  const auto hintOf = [](const std::string& text) {
+    Diagnostics diagnostics;
+    parseBlockProperties("/block.properties", text, text, diagnostics);
+    return diagnostics.empty() ? "none" : diagnostics.front().hint;
+  };
+  EXPECT_EQ(hintOf("block.1=mod::lamp"), "write one colon after the namespace");
+  EXPECT_EQ(hintOf("block.1=minecraft:stone:3"),
+            "numbers of states are of the game before 1.13: Iris leaves this one out, so that all "
+            "states match");
+  EXPECT_EQ(hintOf("block.1=mod:lamp:lit"), "");
+}
+
 TEST(IdMapTable, items_and_entities_take_the_last_line) {  // Iris: IdMap.parseIdMap
   Diagnostics diagnostics;
   const std::string text =

@@ -63,6 +63,18 @@ TEST(IncludeTable, lines) {
   for (const LineCase& test : kCases) EXPECT_EQ(outcome(test.line), test.outcome) << test.line;
 }
 
+TEST(IncludeTable, a_path_with_other_capitals_is_proposed_with_the_reason) {
+  const auto hintOf = [](const std::string& line) {
+    const auto source = memorySource({{"/final.fsh", line}, {"/lib/light.glsl", ""}});
+    Diagnostics diagnostics;
+    readIncludeGraph(*source, {"/final.fsh"}, diagnostics);
+    return diagnostics.empty() ? "" : diagnostics.front().hint;
+  };
+  EXPECT_EQ(hintOf("#include \"/lib/Light.glsl\""),
+            "did you mean /lib/light.glsl? Capitals count in a zip and on Linux");
+  EXPECT_EQ(hintOf("#include \"/lib/lihgt.glsl\""), "did you mean /lib/light.glsl?");
+}
+
 TEST(IncludeTable, conditions_and_comments_hide_nothing) {
   for (const char* text :
        {"#if 0\n#include \"/none.glsl\"\n#endif", "/*\n#include \"/none.glsl\"\n*/",

@@ -205,7 +205,8 @@ TEST(OptionTable, a_define_that_is_no_option_says_why) {
   const OptionSet options =
       discoverOptions({{"/a",
                         {"#define FOG", "#define STEPS 4", "#define MODE 1 // [1 2]",
-                         "#define MODE 2 // [1 2]", "#define CLOUDS", "#ifdef CLOUDS"}}},
+                         "#define MODE 2 // [1 2]", "#define CLOUDS", "#ifdef CLOUDS",
+                         "#define DENSITY 2. // [1. 2.] of water", "//#define RAIN 1 // [1 2]"}}},
                       diagnostics);
   EXPECT_EQ(missingOptionHint(options, "FOG"),
             "/a:1 defines it, but no line is #ifdef FOG or #ifndef FOG");
@@ -213,6 +214,9 @@ TEST(OptionTable, a_define_that_is_no_option_says_why) {
             "/a:2 defines it, but no list of values like // [1 2 3] follows");
   EXPECT_EQ(missingOptionHint(options, "MODE"),
             "/a:3 defines it, but its lines have different defaults");
+  EXPECT_EQ(missingOptionHint(options, "DENSITY"),
+            "/a:7 defines it, but Iris takes a word or a number for its value, 2.0 and not 2. or (2.0)");
+  EXPECT_EQ(missingOptionHint(options, "RAIN"), "/a:8 defines it, but that line is a comment");
   EXPECT_EQ(missingOptionHint(options, "CLOUD"), "did you mean CLOUDS?");
   EXPECT_EQ(missingOptionHint(options, "WATER_WAVES"), "");
 }

@@ -172,7 +172,7 @@ class FileCheck {
            "take lines away whose options are gone");
     for (const auto& [other, reason] :
          std::span(stale_).subspan(1).first(std::min(stale_.size() - 1, kMostListed))) {
-      diagnostics_.back().notes.push_back(fmt::format("line {}: {}", other->at.line, reason));
+      diagnostics_.back().related.push_back({other->at, reason});
     }
   }
 

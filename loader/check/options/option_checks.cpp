@@ -70,13 +70,21 @@ struct Shown {
   bool at = false, slider = false;
 };
 
-void checkList(AuthorLines& lines, const Option& option, Shown shown, Diagnostics& diagnostics) {
-  checkSeparators(lines, option, shown.at, diagnostics);
-  const SourceLocation& place = option.at.front();
-  const std::vector<std::string> list = listOf(lines.at(place));
+/// The value that a list has twice, "" for none.
+std::string repeatedValue(const std::vector<std::string>& list) {
   std::set<std::string_view> seen;
   for (const std::string& value : list) {
-    if (seen.insert(value).second) continue;
+    if (!seen.insert(value).second) return value;
+  }
+  return "";
+}
+
+void checkList(AuthorLines& lines, const Option& option, Shown shown, Diagnostics& diagnostics) {
+  checkSeparators(lines, option, shown.at, diagnostics);
+  // Any of the lists may be the one that is shown. Iris: MergedStringOption
+  for (const SourceLocation& place : option.at) {
+    const std::string value = repeatedValue(listOf(lines.at(place)));
+    if (value.empty()) continue;
     diagnostics.push_back(optionDiagnostic(
         lines, shown.slider ? Severity::Note : Severity::Warning, "option-value-twice", place,
         option.name, fmt::format("the list of {} has {} twice", option.name, value),
@@ -84,7 +92,9 @@ void checkList(AuthorLines& lines, const Option& option, Shown shown, Diagnostic
                      : "the button that steps through the values never gets past the second one"));
     break;
   }
-  if (!seen.contains(option.defaultValue)) {
+  const SourceLocation& place = option.at.front();
+  const std::vector<std::string> list = listOf(lines.at(place));
+  if (std::ranges::find(list, option.defaultValue) == list.end()) {
     diagnostics.push_back(
         optionDiagnostic(lines, Severity::Note, "option-default", place, option.name,
                          fmt::format("{} is {}, which its list lacks; it is added at the end",

@@ -61,6 +61,7 @@ void reportTwice(const std::vector<PropertyEntry>& entries, const Branches& bran
         fmt::format("{} is given again, so its value in line {} is lost", entry.key, first.at.line),
         unconditional ? "for this key #if lines count for nothing: of all lines the last one counts"
                       : "the last line of a key counts"));
+    diagnostics.back().related.push_back({first.at, "the line whose value is lost"});
   }
 }
 

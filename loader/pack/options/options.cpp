@@ -146,12 +146,21 @@ class OptionLimit {
   bool told_ = false;
 };
 
-void reject(OptionSet& options, std::string_view name, SourceLocation at, bool isBoolean) {
+/// Why a line that defines `name` makes no option. Iris: OptionAnnotatedSource
+std::string reasonAgainst(std::string_view line, std::string_view name, bool isBoolean) {
+  if (isBoolean) return fmt::format("no line is #ifdef {0} or #ifndef {0}", name);
+  const size_t comment = line.find("//", line.find("#define"));
+  const size_t open = line.find('[', comment);
+  const bool listed = comment != line.npos && open != line.npos && line.find(']', open) != line.npos;
+  if (!listed) return "no list of values like // [1 2 3] follows";
+  return trim(line).starts_with("//")
+             ? "that line is a comment"
+             : "Iris takes a word or a number for its value, 2.0 and not 2. or (2.0)";
+}
+
+void reject(OptionSet& options, std::string_view name, SourceLocation at, std::string reason) {
   const auto [found, isNew] = options.rejected().try_emplace(std::string(name));
-  if (!isNew) return;
-  found->second = {std::move(at), isBoolean
-                                      ? fmt::format("no line is #ifdef {0} or #ifndef {0}", name)
-                                      : "no list of values like // [1 2 3] follows"};
+  if (isNew) found->second = {std::move(at), std::move(reason)};
 }
 
 }  // namespace
@@ -202,7 +211,8 @@ OptionSet discoverOptions(const std::map<std::string, FileLines>& files, Diagnos
         if (limit.fits(*option, place(file, i, lines[i])))
           merger.add(*option, place(file, i, lines[i]), lines[i]);
       } else if (const std::string_view name = definedName(lines[i]); !name.empty()) {
-        reject(options, name, place(file, i, lines[i]), option.has_value());
+        reject(options, name, place(file, i, lines[i]),
+               reasonAgainst(lines[i], name, option.has_value()));
       }
     }
     merger.endFile();
