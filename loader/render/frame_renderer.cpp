@@ -55,7 +55,7 @@ bool FrameRenderer::setPack(std::shared_ptr<const ShaderPack> pack, const SceneD
   Diagnostics problems;
   Schedule schedule =
       buildSchedule(*pack, options_.width, options_.height, scene.contents(), problems);
-  auto loaded = std::make_unique<Loaded>(*pack, schedule, scene, options_.floatScreen,
+  auto loaded = std::make_unique<Loaded>(*pack, schedule, scene, options_,
                                          loaded_.get(), report, problems);
   const bool failed = hasErrors(problems);
   diagnostics.insert(diagnostics.end(), problems.begin(), problems.end());
@@ -90,7 +90,7 @@ bool FrameRenderer::resize(int width, int height, Diagnostics& diagnostics) {
   options_.width = width;
   options_.height = height;
   schedule_ = buildSchedule(*pack_, width, height, loaded_->contents, diagnostics);
-  loaded_->resize(*pack_, schedule_, options_.floatScreen, diagnostics);
+  loaded_->resize(*pack_, schedule_, diagnostics);
   loaded_->makeBinder(pack_->directives);
   firstFrame_ = true;
   return !hasErrors(diagnostics);

@@ -19,10 +19,15 @@
 
 namespace orris {
 
+/// Linked programs of one GL context, by the text of their stages and the names of the pack's own
+/// uniforms: renderers with the same pool build each program once.
+using ProgramPool = std::map<std::string, std::shared_ptr<GpuProgram>>;
+
 struct RendererOptions {
   int width = 0, height = 0;
   bool floatScreen = false;  ///< keep values beyond 0..1 on the screen
   bool timings = false;      ///< finish and time every step (the software rasteriser's queries lie)
+  std::shared_ptr<ProgramPool> pool;  ///< none: programs are shared between loads of the renderer alone
 };
 
 /// What a (re)load did.

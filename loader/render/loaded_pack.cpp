@@ -26,6 +26,12 @@ std::string keyOf(const std::vector<const StageText*>& stages) {
   return key;
 }
 
+/// Bindings hold places in the list of custom uniforms.
+std::string poolKey(std::string key, const CustomUniforms& custom) {
+  for (const auto& [name, value] : custom.values()) key += name + ",";
+  return key;
+}
+
 }  // namespace
 
 std::string_view entryFileOf(const StageText& stage) {
@@ -65,10 +71,12 @@ std::vector<std::string> FrameRenderer::programsLeftOut() const {
 }
 
 FrameRenderer::Loaded::Loaded(const ShaderPack& pack, const Schedule& schedule,
-                              const SceneData& sceneData, bool floatScreen, Loaded* previous,
+                              const SceneData& sceneData, const RendererOptions& options,
+                              Loaded* previous,
                               LoadReport& report, Diagnostics& diagnostics)
     : contents(sceneData.contents()),
       custom(pack.properties.customUniforms, expressionInput, diagnostics),
+      options_(options),
       plan_(schedule),
       blockIds_(blockIdsOf(pack, sceneData.world.blocks)),
       style_(vertexStyleOf(pack)) {
@@ -77,7 +85,7 @@ FrameRenderer::Loaded::Loaded(const ShaderPack& pack, const Schedule& schedule,
   if (hasErrors(diagnostics)) return;
   freshTargets = previous == nullptr || !schedule.sameTargets(previous->plan_);
   targets = freshTargets ? std::make_shared<RenderTargets>(
-                               schedule, floatScreen,
+                               schedule, options.floatScreen,
                                previous != nullptr ? previous->targets.get() : nullptr, diagnostics)
                          : previous->targets;
   const bool sameScene =
@@ -133,31 +141,42 @@ void FrameRenderer::Loaded::buildPrograms(const ShaderPack& pack, const Schedule
 std::shared_ptr<GpuProgram> FrameRenderer::Loaded::program(
     const std::string& name, const std::string& key, const std::vector<const StageText*>& stages,
     const SourceLines& lines, Loaded* previous, LoadReport& report, Diagnostics& diagnostics) {
-  std::shared_ptr<GpuProgram> result;
   if (const auto it = byText.find(key); it != byText.end()) return it->second;
-  if (previous != nullptr)
-    if (const auto it = previous->byText.find(key); it != previous->byText.end()) {
-      // A copy of the bindings would share the GL object; custom uniforms may have moved, so match
-      // again below on the shared one only after success of the whole load.
-      result = it->second;
-      ++report.programsReused;
-    }
-  if (result == nullptr) {
+  // A copy of the bindings would share the GL object; custom uniforms may have moved, so makeBinder()
+  // matches them again on the shared one after success of the whole load.
+  std::shared_ptr<GpuProgram> result = built(key, previous);
+  if (result != nullptr) {
+    ++report.programsReused;
+  } else {
     noteWork("compiling", name, entryFileOf(*stages.back()));
+    const std::size_t said = diagnostics.size();
     result = std::make_shared<GpuProgram>(buildGpuProgram(name, stages, lines, diagnostics));
     ++report.programsBuilt;
     report.built.push_back(name);
     report.compileSeconds += result->program.compileSeconds + result->program.linkSeconds;
+    // What has a message is built again, so that every renderer gives it.
+    if (options_.pool && diagnostics.size() == said) (*options_.pool)[poolKey(key, custom)] = result;
   }
   byText[key] = result;
   return result;
 }
 
+std::shared_ptr<GpuProgram> FrameRenderer::Loaded::built(const std::string& key,
+                                                         const Loaded* previous) const {
+  const auto find = [](const auto& known, const std::string& name) {
+    const auto it = known.find(name);
+    return it == known.end() ? nullptr : it->second;
+  };
+  std::shared_ptr<GpuProgram> found = previous ? find(previous->byText, key) : nullptr;
+  if (!found && options_.pool) found = find(*options_.pool, poolKey(key, custom));
+  return found;
+}
+
 void FrameRenderer::Loaded::resize(const ShaderPack& pack, const Schedule& schedule,
-                                   bool floatScreen, Diagnostics& diagnostics) {
+                                   Diagnostics& diagnostics) {
   plan_ = schedule;
   binder.reset();
-  targets = std::make_shared<RenderTargets>(schedule, floatScreen, nullptr, diagnostics);
+  targets = std::make_shared<RenderTargets>(schedule, options_.floatScreen, nullptr, diagnostics);
   resources = std::make_unique<PackResources>(pack, schedule.width, schedule.height, diagnostics);
 }
 

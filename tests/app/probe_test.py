@@ -98,7 +98,7 @@ def bits(values):
 
 
 def chain_equals_dumps(orris, source, folder):
-    for x, y in ((0, 0), (31, 17), (WIDTH - 1, HEIGHT - 1), (5, 30)):
+    for x, y in ((31, 17), (WIDTH - 1, HEIGHT - 1)):
         chain = json.loads(render(orris, source, folder, "--probe", f"{x},{y}", "--json").stdout)["probe"]
         named = {f"{one['buffer']}@{one['step']}": f"{i}.exr" for i, one in enumerate(chain)
                  if one["buffer"] != "screen"}

@@ -17,14 +17,20 @@ void expectClean(Diagnostics& diagnostics) {
   diagnostics.clear();
 }
 
-gl::Context& sharedContext() {
-  static const std::unique_ptr<gl::Context> context = [] {
+/// One context for all sessions, and each program built once.
+struct Shared {
+  std::unique_ptr<gl::Context> context;
+  std::shared_ptr<ProgramPool> pool = std::make_shared<ProgramPool>();
+};
+
+Shared& shared() {
+  static Shared it = [] {
     Diagnostics diagnostics;
-    auto made = gl::createContext({}, diagnostics);
+    Shared made{gl::createContext({}, diagnostics)};
     expectClean(diagnostics);
     return made;
   }();
-  return *context;
+  return it;
 }
 
 World parseWorld(const std::string& text) {
@@ -104,9 +110,10 @@ PackSession::PackSession(World world, const SessionSetup& setup, std::size_t cam
   request.load.values = options_;
   request.renderer.width = setup.width;
   request.renderer.height = setup.height;
+  request.renderer.pool = shared().pool;
   request.camera = world.cameras.at(camera);
   session_ =
-      RenderSession::create(sharedContext(), std::move(request), std::move(world), diagnostics);
+      RenderSession::create(*shared().context, std::move(request), std::move(world), diagnostics);
   expectClean(diagnostics);
 }
 
@@ -145,7 +152,7 @@ void PackSession::renderFrames(int count) {
   for (int i = 0; i < count; ++i) session_->renderFrame(diagnostics);
   frames_ += count;
   expectClean(diagnostics);
-  for (const std::string& error : sharedContext().takeErrors()) ADD_FAILURE() << error;
+  for (const std::string& error : shared().context->takeErrors()) ADD_FAILURE() << error;
 }
 
 namespace {
