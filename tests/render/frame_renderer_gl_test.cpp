@@ -77,6 +77,42 @@ void main() { gl_FragColor = vec4(texture2D(colortex4, uv).r * 10.0 + float(DIGI
   EXPECT_THAT(pixel("colortex4", 3, 3), ElementsAre(123));
 }
 
+TEST_F(FrameRendererGL, renderers_with_one_pool_build_a_program_once) {
+  pool_ = std::make_shared<ProgramPool>();
+  files_["/shaders.properties"] = "skipAllRendering=true\nuniform.float.one = 1.0\n";
+  addProgram("composite", "uniform float one;\nvoid main() { gl_FragColor = vec4(one); }\n");
+  addProgram("final", kPass);
+  ASSERT_TRUE(start(floorWorld())) << messages();
+  EXPECT_EQ(session_->reloads().front().report.programsBuilt, 2);
+  ASSERT_TRUE(start(floorWorld())) << messages();
+  EXPECT_EQ(session_->reloads().front().report.programsBuilt, 0);
+  draw();
+  EXPECT_THAT(pixel("colortex0", 5, 5), ElementsAre(1, 1, 1, 1));
+  // Another list of custom uniforms: `one` is in another place.
+  files_["/shaders.properties"] =
+      "skipAllRendering=true\nuniform.float.nought = 0.0\nuniform.float.one = 1.0\n";
+  ASSERT_TRUE(start(floorWorld())) << messages();
+  EXPECT_EQ(session_->reloads().front().report.programsBuilt, 2);
+  draw();
+  EXPECT_THAT(pixel("colortex0", 5, 5), ElementsAre(1, 1, 1, 1));
+}
+
+TEST_F(FrameRendererGL, every_renderer_of_a_pool_reports_what_its_driver_lacks) {
+  pool_ = std::make_shared<ProgramPool>();
+  files_["/shaders.properties"] = "skipAllRendering=true\n";
+  files_["/composite.csh"] =
+      "#version 430 compatibility\nlayout(local_size_x = 64) in;\n"
+      "const ivec3 workGroups = ivec3(1, 1, 1);\nshared float much[12000];\n"
+      "layout(rgba8) uniform image2D colorimg0;\n"
+      "void main() { much[gl_LocalInvocationIndex] = 1.0; barrier();\n"
+      "  imageStore(colorimg0, ivec2(0), vec4(much[63 - gl_LocalInvocationIndex])); }\n";
+  addProgram("final", kPass);
+  for (int i = 0; i < 2; ++i) {
+    ASSERT_TRUE(start(floorWorld())) << messages();
+    EXPECT_THAT(messages(), HasSubstr("rule shared-buffer"));
+  }
+}
+
 TEST_F(FrameRendererGL, an_uncleared_buffer_counts_frames) {
   files_["/shaders.properties"] = "skipAllRendering=true\n";
   files_["/composite.vsh"] = kVertex;

@@ -25,6 +25,7 @@ class RenderTest : public ::testing::Test {
   static void TearDownTestSuite() { delete std::exchange(context_, nullptr); }
   void TearDown() override {
     session_.reset();
+    pool_.reset();
     for (const std::string& message : context_->takeErrors()) ADD_FAILURE() << message;
   }
 
@@ -56,7 +57,7 @@ class RenderTest : public ::testing::Test {
     SessionRequest request;
     request.openPack = [this](Diagnostics&) { return memorySource(files_); };
     request.load = std::move(load);
-    request.renderer = {width, height, true, false};
+    request.renderer = {width, height, true, false, pool_};
     request.camera = world.cameras.front();
     diagnostics_.clear();
     session_ = RenderSession::create(*context_, std::move(request), std::move(world), diagnostics_);
@@ -82,6 +83,7 @@ class RenderTest : public ::testing::Test {
 
   static inline gl::Context* context_ = nullptr;
   Files files_;
+  std::shared_ptr<ProgramPool> pool_;
   Diagnostics diagnostics_;
   std::unique_ptr<RenderSession> session_;
 };
