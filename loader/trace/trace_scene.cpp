@@ -37,6 +37,7 @@ class SceneBuilder {
     addCells();
     TraceScene scene;
     scene.origin = low_;
+    for (const State& state : states_) scene.stateFilters.push_back(filters_[state.filter].color);
     scene.grid = VoxelGrid(size_, offsets_, std::move(cells_), std::move(quads_),
                            std::move(filters_), std::move(texture_));
     scene.lamps = LampSet(std::move(lamps_), size_);

@@ -27,6 +27,7 @@ struct TraceScene {
   LampSet lamps;
   std::shared_ptr<const PackLighting> lighting;
   std::vector<float> emissionScale;  ///< by light level 0..15
+  std::vector<glm::vec3> stateFilters;  ///< by palette index: what a block's depth of it lets through
 };
 
 TraceScene buildTraceScene(const TraceSceneInput& input);

@@ -552,6 +552,13 @@ WORLDS = [
          {"world/world.json": '{ "size": [2, 2, 2], "blocks": [{ "block": "nonsense", "at": [0, 0, 0] }],'
                               ' "cameras": [{ "name": "a", "position": [0, 0, 0] }] }'},
          stderr=["warning: .*minecraft:nonsense"], stdout=["unknown +1"]),
+    Case("bad_export_paths", [f"world {CORNELL} --export out.stl", f"world {CORNELL} --export out"], 2, {},
+         [r"^out(\.stl)?: error: no format of export has this ending"], stderr=["hint: use .glb"]),
+    Case("export_into_no_folder", [f"world {CORNELL} --export nowhere/out.glb"], 2, {}, ["nowhere/out.glb"]),
+    Case("export_with_bad_option", [f"world {CORNELL} --export out.glb --set SUN=1"], 2, {}, ["SUN"]),
+    Case("time_without_export", [f"world {CORNELL} --time 6000"], 2, {}, [r"--time requires --export"]),
+    Case("export_of_cornell", [f"world {CORNELL} --export out.glb", f"world {CORNELL} --export out.glb --json"], 0,
+         creates=["out.glb"]),
     Case("world_facts", [f"world {CORNELL}"], 0,
          stdout=["size", "lights +[1-9]", "unknown +0", "camera "]),
 ]

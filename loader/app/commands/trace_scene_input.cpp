@@ -3,9 +3,7 @@
 #include "app/input/inputs.h"
 
 namespace orris {
-namespace {
 
-/// The reference pack with its options in force. Only options and block ids are wanted of it.
 std::optional<ShaderPack> openReferencePack(const PackOptions& options, Report& report,
                                             int& status) {
   const std::shared_ptr<const FileSource> files = memorySource(referencePackFiles());
@@ -14,8 +12,6 @@ std::optional<ShaderPack> openReferencePack(const PackOptions& options, Report& 
   request->buildSources = false;
   return loadPack(files, *request, report, status);
 }
-
-}  // namespace
 
 std::optional<ReferenceScene> openReferenceScene(const PackOptions& packOptions,
                                                  const SceneOptions& scene,

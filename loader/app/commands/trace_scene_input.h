@@ -15,4 +15,8 @@ std::optional<ReferenceScene> openReferenceScene(const PackOptions& pack, const 
                                                  const ImageOptions& image, Report& report,
                                                  int& status);
 
+/// The reference pack with its options in force: only these and its block ids are read. nullopt: reported, `status` is set.
+std::optional<ShaderPack> openReferencePack(const PackOptions& options, Report& report,
+                                            int& status);
+
 }  // namespace orris

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/commands.h"
+#include "app/commands/world_export.h"
 #include "app/input/inputs.h"
 #include "plan/scene_data.h"
 
@@ -14,7 +15,8 @@ namespace {
 
 struct WorldOptions {
   SceneOptions scene;
-  std::string dimension;
+  PackOptions pack;  ///< of an export: the options that light it
+  std::string exported;
   OutputOptions output;
 };
 
@@ -97,18 +99,25 @@ void printWorld(const World& world, const WorldFacts& facts) {
 int runWorld(const WorldOptions& options) {
   int status = kClean;
   Report report(options.output);
-  std::optional<World> world = loadScene(options.scene, options.dimension, report, status);
+  if (!options.exported.empty() && !checkExportPath(options.exported, report, status)) {
+    printJson(nlohmann::json::object(), report);
+    return status;
+  }
+  std::optional<World> world = loadScene(options.scene, options.pack.dimension, report, status);
   if (!world) {
     printJson(nlohmann::json::object(), report);
     return status;
   }
+  if (!options.exported.empty())
+    exportWorld(*world, options.pack, options.exported, report, status);
   Diagnostics diagnostics;
   const SceneData scene = buildScene(std::move(*world), {}, diagnostics);
   report.add(diagnostics);
   const WorldFacts facts = gatherFacts(scene);
   if (!options.output.json) printWorld(scene.world, facts);
   printJson(worldJson(scene.world, facts), report);
-  return report.status();
+  if (status == kClean && !options.exported.empty()) sayWritten(options.output, {options.exported});
+  return status == kClean ? report.status() : status;
 }
 
 }  // namespace
@@ -119,9 +128,20 @@ void addWorldCommand(CLI::App& app, int& status) {
       app.add_subcommand("world", "what is in a world: size, blocks, lights, cameras");
   addWorldArgument(*command, options->scene.path);
   command->add_option("--seed", options->scene.seed, "seed of generated worlds");
-  command->add_option("--dimension", options->dimension, "of a save: overworld, the_nether, the_end or a dimension name")
+  command->add_option("--dimension", options->pack.dimension, "of a save: overworld, the_nether, the_end or a dimension name")
       ->type_name("NAME");
   addSavePartFlags(*command, options->scene.part);
+  CLI::Option* exported =
+      command
+          ->add_option("--export", options->exported,
+                       "write the faces, textures, lights, sky and cameras: .glb or .gltf")
+          ->type_name("OUT");
+  command->add_option("--time", options->scene.time, "with --export: time of day")
+      ->type_name("TICKS")
+      ->check(CLI::Range(0, 23999))
+      ->needs(exported);
+  addAssignmentFlag(*command, "--set", options->pack.values,
+                    "with --export: set an option of the reference pack");
   addOutputFlags(*command, options->output);
   command->callback([options, &status] { status = runWorld(*options); });
 }

@@ -115,6 +115,20 @@ class OiioCodecs : public ImageCodecs {
       return std::nullopt;
     return firstLine(output->geterror());
   }
+  std::optional<std::string> encode(const std::string& extension, const Image16& picture,
+                                    std::string& bytes) const override {
+    const auto output = outputFor(extension);
+    if (!output) return "no such format";
+    OIIO::ImageSpec spec(picture.width, picture.height, picture.channels, OIIO::TypeDesc::UINT16);
+    spec.attribute("oiio:UnassociatedAlpha", 1);
+    OIIO::Filesystem::IOVecOutput memory;
+    if (!output->supports("ioproxy") || !output->set_ioproxy(&memory) ||
+        !output->open("memory" + extension, spec) ||
+        !output->write_image(OIIO::TypeDesc::UINT16, picture.pixels.data()) || !output->close())
+      return firstLine(output->geterror());
+    bytes.assign(memory.buffer().begin(), memory.buffer().end());
+    return std::nullopt;
+  }
   PictureComparison compare(const ImageF& a, const ImageF& b, float threshold) const override {
     const OIIO::ImageBufAlgo::CompareResults found =
         OIIO::ImageBufAlgo::compare(wrap(a), wrap(b), threshold, threshold, OIIO::ROI(), 1);

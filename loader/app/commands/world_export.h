@@ -1,0 +1,19 @@
+// A world as a file for other renderers: the scene of the path tracer.
+#pragma once
+
+#include <string>
+
+#include "app/input/common.h"
+#include "app/report/report.h"
+#include "world/world.h"
+
+namespace orris {
+
+/// Whether an export can be written at `path`: by its ending and its folder. Otherwise reported, `status` is set.
+bool checkExportPath(const std::string& path, Report& report, int& status);
+
+/// Writes `world`, lit as the reference pack with `pack`'s options lights it.
+void exportWorld(World world, const PackOptions& pack, const std::string& path, Report& report,
+                 int& status);
+
+}  // namespace orris

@@ -1,0 +1,22 @@
+#include "image/encode_png.h"
+
+#include "image/codecs/image_codecs.h"
+
+namespace orris {
+
+std::optional<std::string> encodePng(const Image16& image, const std::string& file,
+                                     Diagnostics& diagnostics) {
+  const ImageCodecs* codecs = imageCodecs(file, diagnostics);
+  if (!codecs) return std::nullopt;
+  std::string bytes;
+  const auto reason = codecs->encode(".png", image, bytes);
+  if (!reason) return bytes;
+  Diagnostic diagnostic;
+  diagnostic.id = "image-write";
+  diagnostic.at.file = file;
+  diagnostic.message = "cannot make the PNG of the textures: " + *reason;
+  diagnostics.push_back(std::move(diagnostic));
+  return std::nullopt;
+}
+
+}  // namespace orris

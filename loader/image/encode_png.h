@@ -1,0 +1,17 @@
+// PNG files in memory, for files that hold pictures.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "image/image.h"
+
+namespace orris {
+
+using Image16 = BasicImage<std::uint16_t>;
+
+/// The bytes of a PNG of 16 bits a channel; same pixels, same bytes. nullopt and a diagnostic that names `file` on failure.
+std::optional<std::string> encodePng(const Image16& image, const std::string& file,
+                                     Diagnostics& diagnostics);
+
+}  // namespace orris
