@@ -45,7 +45,7 @@ std::string firstCsvField(const std::string& line) {
 }
 
 std::filesystem::path tablePath(const std::string& table) {
-  return std::filesystem::path(ORRIS_SOURCE_DIR "/../shared/contract") / (table + ".csv");
+  return std::filesystem::path(ORRIS_SOURCE_DIR "/docs/contract") / (table + ".csv");
 }
 
 }  // namespace
@@ -119,6 +119,5 @@ std::vector<std::string> contractNames(const std::string& table) {
   return names;
 }
 
-bool hasContractTables() { return std::filesystem::exists(tablePath("programs")); }
 
 }  // namespace orris

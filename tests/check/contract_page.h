@@ -27,8 +27,7 @@ std::set<std::string> wordsOfSection(const std::string& section);
 /// Does one of `patterns` match? A "*" stands for any text.
 bool matchesAny(const std::string& name, const std::set<std::string>& patterns);
 
-/// The first column of a table of the contract; empty when the tables are not beside the checkout.
+/// The first column of a table of the contract.
 std::vector<std::string> contractNames(const std::string& table);
-bool hasContractTables();
 
 }  // namespace orris

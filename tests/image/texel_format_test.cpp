@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <fstream>
 #include <map>
 #include <sstream>
@@ -94,8 +93,7 @@ std::vector<std::map<std::string, std::string>> readContract(const std::string& 
 }
 
 TEST(Contract, every_row_is_known_with_its_facts) {
-  const std::string path = ORRIS_SOURCE_DIR "/../shared/contract/formats.csv";
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << "the contract's tables are not here";
+  const std::string path = ORRIS_SOURCE_DIR "/docs/contract/formats.csv";
   const std::map<std::string, FormatClass> classes = {{"unorm", FormatClass::Unorm},
                                                       {"snorm", FormatClass::Snorm},
                                                       {"float", FormatClass::Float},
