@@ -148,6 +148,23 @@ TEST(validate, a_missing_opening_brace_is_found_by_indentation) {
             "                               ^\n");
 }
 
+TEST(validate, a_closing_brace_too_many_is_where_the_function_goes_on_behind_it) {
+  const auto placeIn = [](const std::string& body) {
+    const std::string text = fragmentMessages(body + kLater);
+    return text.substr(0, text.find('\n'));
+  };
+  const std::string tooMany = ": error: '}' without '{': nothing opens what it would close";
+  EXPECT_EQ(placeIn("float f(float x) {\n  x += 1.0;\n}\n  if (x > 0.0)\n    x = 1.0;\n"
+                    "  if (x > 1.0) {\n    x = 2.0;\n  }\n  return x;\n}\n"),
+            "/a.fsh:4:1" + tooMany);
+  EXPECT_EQ(placeIn("float f(float x) {\n  if (x > 0.0)\n    x = 1.0;\n  return x;\n}\n}\n"),
+            "/a.fsh:7:1" + tooMany);
+  // The layout asks for the '{' of the if.
+  EXPECT_EQ(placeIn("float f(float x) {\n  if (x > 0.0)\n    x = 1.0;\n    x = 3.0;\n  }\n"
+                    "  return x;\n}\n"),
+            "/a.fsh:3:15: error: expected '{' after ')': nothing opens the '}' at /a.fsh:6");
+}
+
 TEST(validate, a_brace_is_missing_before_an_else_that_stands_below_its_if) {
   EXPECT_EQ(fragmentMessages("float f(float x) {\n"
                              "  if (x > 0.0) {\n"

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "glsl/syntax/brace_layout.h"
 #include "glsl/syntax/nesting.h"
 #include "glsl/tokens/text_tokens.h"
 
@@ -16,83 +17,6 @@ bool isFlowWord(const std::string& word) {
   return word == "if" || word == "for" || word == "while" || word == "switch" || word == "else" ||
          word == "return";
 }
-
-/// A token with what the author's layout says of it.
-struct LaidOut {
-  const Token* token;
-  bool firstOfLine = false;
-  int indent = 0;     ///< of its line
-  int statement = 0;  ///< indent of the line where its statement starts
-  int around = -1;    ///< of a '{' before an #else or #endif: the indent of that
-  int file = 0;       ///< number of its file
-  int row = 0;        ///< of the text
-};
-
-class Layout {
- public:
-  Layout(const MappedText& text, const SourceLines& lines) : text_(text), lines_(lines) {}
-
-  std::vector<LaidOut> read(const std::vector<Token>& tokens) {
-    std::vector<LaidOut> result;
-    std::vector<int> blocks;  // indents of those that are open
-    int parentheses = 0;
-    bool starts = true;
-    for (const Token& token : tokens) {
-      LaidOut& entry = result.emplace_back(place(token));
-      // "} else" without its brace: what is left stands one blank further in.
-      if (entry.firstOfLine && token.text == "else" && !blocks.empty() &&
-          entry.indent == blocks.back() + 1)
-        entry.indent = indent_ = blocks.back();
-      if (starts) statement_ = entry.indent;
-      entry.statement = statement_;
-      if (token.text == "(") ++parentheses;
-      if (token.text == ")") parentheses = std::max(0, parentheses - 1);
-      const bool brace = token.text == "{" || token.text == "}";
-      if (brace) parentheses = 0;
-      if (token.text == "{") {
-        entry.around = indentOfEndBelow();
-        blocks.push_back(statement_);
-      }
-      if (token.text == "}" && !blocks.empty()) blocks.pop_back();
-      starts = brace || (token.text == ";" && parentheses == 0);
-    }
-    return result;
-  }
-
- private:
-  // "#if A / if (x) { / #else / if (y) { / #endif": the block goes on outside.
-  int indentOfEndBelow() const {
-    const std::string below = lines_ ? lines_(file_, line_ + 1) : "";
-    const std::size_t first = below.find_first_not_of(" \t");
-    const bool ends = first != std::string::npos && below.compare(first, 2, "#e") == 0;
-    return ends ? indentWidth(below) : -1;
-  }
-
-  // Text of a macro or of the host has no layout of its own: it goes on with the line before.
-  LaidOut place(const Token& token) {
-    const SourceLocation at = text_.locate(token.origin.line, token.origin.column);
-    const bool written = text_.macroIndexAt(token.origin.line, token.origin.column) < 0;
-    if (at.file.empty() || !written)
-      return {&token, false, indent_, 0, -1, number_, token.origin.line};
-    const bool first = at.file != file_ || at.line != line_;
-    if (first) indent_ = indentOf(at);
-    file_ = at.file;
-    line_ = at.line;
-    number_ = numbers_.try_emplace(file_, int(numbers_.size())).first->second;
-    return {&token, first, indent_, 0, -1, number_, token.origin.line};
-  }
-
-  int indentOf(const SourceLocation& at) const {
-    const std::string line = lines_ ? lines_(at.file, at.line) : "";
-    return line.empty() ? at.column - 1 : indentWidth(line);
-  }
-
-  const MappedText& text_;
-  const SourceLines& lines_;
-  std::map<std::string, int> numbers_;
-  std::string file_;
-  int line_ = 0, indent_ = 0, statement_ = 0, number_ = 0;
-};
 
 using Part = std::span<const LaidOut>;
 
@@ -319,27 +243,40 @@ std::optional<MissingBrace> missingIn(Part part, NestingMark::Kind kind) {
                       !close && !isBehindHead(part, place, partner)};
 }
 
-}  // namespace
-
-int indentWidth(std::string_view line) {
-  constexpr int kTab = 4;
-  int width = 0;
-  for (const char c : line) {
-    if (c != ' ' && c != '\t') break;
-    width = c == '\t' ? (width / kTab + 1) * kTab : width + 1;
+/// A '}' that ends a function where its layout goes on, or that stands behind the one that ends it.
+/// nullopt: the layout does not say so, and a '{' may be missing.
+std::optional<MissingBrace> surplusIn(Part part) {
+  if (!startsFunction(part, 0)) return std::nullopt;
+  const LaidOut* open = nullptr;
+  int depth = 0;
+  for (std::size_t i = 0; i + 1 < part.size(); ++i) {
+    if (isMark(part[i], "{") && depth++ == 0) open = &part[i];
+    if (!isMark(part[i], "}") || --depth > 0) continue;
+    const LaidOut &end = part[i], &next = part[i + 1];
+    const bool ends = open && end.firstOfLine && end.file == open->file &&
+                      end.indent == open->statement;
+    if (!ends || !next.firstOfLine || next.file != end.file) return std::nullopt;
+    const bool twice = isMark(next, "}") && next.indent == end.indent;
+    if (!twice && next.indent <= end.indent) return std::nullopt;
+    const Token& surplus = *(twice ? next : end).token;
+    return MissingBrace{'{', surplus, surplus, end.indent, true};
   }
-  return width;
+  return std::nullopt;
 }
+
+}  // namespace
 
 std::optional<MissingBrace> findMissingBrace(const MappedText& text, const SourceLines& lines) {
   const std::vector<Token> tokens = tokensOf(text);
-  const std::vector<LaidOut> layout = Layout(text, lines).read(tokens);
+  const std::vector<LaidOut> layout = readLayout(tokens, text, lines);
   for (const Part part : splitByFunction(layout)) {
     int balance = 0;
     for (const LaidOut& entry : part)
       balance += isMark(entry, "{") ? 1 : isMark(entry, "}") ? -1 : 0;
     if (balance == 0) continue;
-    return missingIn(part, balance > 0 ? NestingMark::Kind::Close : NestingMark::Kind::Open);
+    if (balance > 0) return missingIn(part, NestingMark::Kind::Close);
+    const auto surplus = surplusIn(part);
+    return surplus ? surplus : missingIn(part, NestingMark::Kind::Open);
   }
   return std::nullopt;
 }
