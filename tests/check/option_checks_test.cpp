@@ -64,6 +64,13 @@ TEST(OptionLists, lines_with_different_lists_are_reported_at_the_second) {
       found(checkOptionLists,
             {{"/settings.glsl", "#define STEPS 4 // [2 4 8]\n#define STEPS 4 // [8 2 4]\n"}}),
       IsEmpty());
+  const ShaderPack pack = loadFiles(
+      {{"/settings.glsl", "#define STEPS 4 // [2 4 8]\n#define STEPS 4 // [4 16]\n"}});
+  Diagnostics diagnostics;
+  checkOptionLists(std::span(&pack, 1), diagnostics);
+  ASSERT_EQ(diagnostics.size(), 1u);
+  EXPECT_THAT(diagnostics.front().related,
+              ElementsAre(RelatedPlace{{"/settings.glsl", 1, 1}, "the other list"}));
 }
 
 TEST(OptionUse, an_option_that_only_its_definition_names_changes_nothing) {

@@ -28,6 +28,8 @@ std::vector<std::string> problems(const std::string& properties) {
 TEST(Dimensions, folders_that_exist_are_quiet) {
   EXPECT_THAT(problems("dimension.world0 = *\ndimension.moon=a:moon b:moon\ndimension.lib = c\n"),
               IsEmpty());
+  // A folder for nothing may be missing.
+  EXPECT_THAT(problems("dimension.worldx =\n"), IsEmpty());
 }
 
 // Iris: ShaderPack.getProgramSet logs an error.

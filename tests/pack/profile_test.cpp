@@ -73,6 +73,9 @@ TEST(ProfileTable, problems_are_placed_on_the_word) {
                   "profile-option 3:2 warning: the pack has no option BLOM | did you mean "
                   "BLOOM?",
                   "profile-option 3:8 warning: the pack has no option NOTHING_LIKE_IT"));
+  EXPECT_THAT(profileProblems("profile.P = :FOG FOG"),
+              ElementsAre("profile-option 1:13 warning: \":FOG\" names no option | write NAME=VALUE, "
+                          "NAME or !NAME"));
   EXPECT_THAT(profileProblems("profile.P = SAMPLES"),
               ElementsAre("profile-option 1:13 warning: SAMPLES has values, so it needs one here | "
                           "write SAMPLES=4"));

@@ -26,7 +26,7 @@ constexpr std::size_t kMostNamed = 200;
 
 // A comment may swallow an #endif, and that a brace: what comes first is repaired first.
 constexpr std::array<RepairStage, 7> kStages = {
-    {{{"include-missing"}},
+    {{{"include-missing", "include-escape"}},
      {{"comment-nested", "comment-unclosed"}},
      {{"directive-unknown"}},
      {{"conditional-unbalanced"}},
@@ -120,7 +120,7 @@ class ConsequenceSearch {
       repaired_.insert(causes.begin(), causes.end());
       settle(causes, stage.misread);
     }
-    foldByNames(folds_);
+    foldByNames(folds_, *verdict_.files);
   }
 
  private:

@@ -9,7 +9,10 @@
 
 #include "check/hints/compile_hints.h"
 #include "check/pack/pack_texts.h"
+#include "core/limits.h"
 #include "pack/files/include_graph.h"
+#include "pack/files/text.h"
+#include "pack/options/option_line.h"
 
 namespace orris {
 namespace {
@@ -30,6 +33,13 @@ constexpr std::array<std::string_view, 4> kOfLackingNames = {"varying-", "output
 
 constexpr std::array<std::string_view, 3> kOfTargets = {"output-", "target-unread",
                                                          "target-unwritten"};
+
+// Errors after which a file, and what it includes, is not read.
+constexpr std::array<std::string_view, 4> kUnread = {"include-missing", "include-escape",
+                                                     "include-syntax", "include-cycle"};
+
+constexpr std::array<std::string_view, 6> kEndingsOfNoCode = {".png",  ".dat",        ".bin",
+                                                              ".lang", ".properties", ".raw"};
 
 // Fewer may each have lost its own.
 constexpr std::size_t kLeastWithoutVersion = 3;
@@ -61,6 +71,40 @@ void foldLacks(Folds& folds) {
     for (const Lack& lack : kLacks) {
       if (folds.all()[cause].id == lack.cause && folds.isOpen(cause)) foldLack(folds, cause, lack);
     }
+  }
+}
+
+/// The names that lines of the pack's files define, of those that no program reads, too.
+std::set<std::string, std::less<>> definedNames(const FileSource& files) {
+  std::set<std::string, std::less<>> names;
+  for (const std::string& path : files.files()) {
+    const std::string_view ending = std::string_view(path).substr(std::min(path.rfind('.'), path.size()));
+    if (std::ranges::find(kEndingsOfNoCode, ending) != kEndingsOfNoCode.end()) continue;
+    for (const std::string& line : splitLines(files.read(path).value_or(""))) {
+      const std::string_view name = definedName(line);
+      if (!name.empty() && names.size() < limits::kOptions) names.emplace(name);
+    }
+  }
+  return names;
+}
+
+/// Options of files that a wrong #include keeps from being read are no options.
+void foldUnreadOptions(Folds& folds, const FileSource& files) {
+  const auto unread = [&](std::size_t i) {
+    const Diagnostic& d = folds.all()[i];
+    return d.severity == Severity::Error && folds.isOpen(i) &&
+           std::ranges::find(kUnread, d.id) != kUnread.end();
+  };
+  std::size_t cause = 0;
+  while (cause < folds.all().size() && !unread(cause)) ++cause;
+  if (cause == folds.all().size()) return;
+  const auto defined = definedNames(files);
+  constexpr std::string_view kNoOption = "the pack has no option ";
+  for (std::size_t i = 0; i < folds.all().size(); ++i) {
+    const std::string_view message = folds.all()[i].message;
+    if (message.starts_with(kNoOption) && folds.isOpen(i) &&
+        defined.contains(leadingWord(message.substr(kNoOption.size()))))
+      folds.fold(i, cause);
   }
 }
 
@@ -190,8 +234,9 @@ void foldTwins(Folds& folds) {
   }
 }
 
-void foldByNames(Folds& folds) {
+void foldByNames(Folds& folds, const FileSource& files) {
   foldLacks(folds);
+  foldUnreadOptions(folds, files);
   foldUniforms(folds);
   foldWrongTypes(folds);
   foldVersions(folds);

@@ -35,6 +35,6 @@ class Folds {
 /// The same said of one line as an error and as a warning, and of one comment by several programs.
 void foldTwins(Folds& folds);
 /// What follows from files, custom uniforms and other names that are not there or of another type.
-void foldByNames(Folds& folds);
+void foldByNames(Folds& folds, const FileSource& files);
 
 }  // namespace orris

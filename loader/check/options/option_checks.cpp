@@ -118,6 +118,7 @@ void checkSameLists(AuthorLines& lines, const Option& option, Diagnostics& diagn
                   first.line),
       other->file == first.file ? "the first one is shown, whatever #if stands around it"
                                 : "only one of them is shown, and which one is up to chance"));
+  diagnostics.back().related.push_back({first, "the other list"});
 }
 
 /// Names that texts mention outside the lines that define them.

@@ -111,6 +111,7 @@ class Reader {
              works ? fmt::format("Iris takes it for {}, other hosts refuse it", *target)
                    : escapeHint(written),
              works ? Severity::Warning : Severity::Error);
+      if (const std::string inside = pathInside(written); !works && !inside.empty()) propose(inside);
       return works ? target : std::nullopt;
     }
     if (!source_.contains(*target)) {
@@ -121,14 +122,25 @@ class Reader {
     return std::nullopt;
   }
 
-  /// "/../shaders/lib/a.glsl" is meant to be "/lib/a.glsl".
-  std::string escapeHint(std::string_view written) const {
+  /// "/../shaders/lib/a.glsl" is meant to be "/lib/a.glsl"; "" for a file that is not there.
+  std::string pathInside(std::string_view written) const {
     constexpr std::string_view kShaders = "/shaders/";
     const size_t at = written.rfind(kShaders);
     const std::string inside =
         at == written.npos ? "" : std::string(written.substr(at + kShaders.size() - 1));
-    if (!inside.empty() && source_.contains(inside)) return fmt::format("write \"{}\"", inside);
-    return "paths start at shaders/ with / or at the folder of this file";
+    return !inside.empty() && source_.contains(inside) ? inside : "";
+  }
+
+  std::string escapeHint(std::string_view written) const {
+    const std::string inside = pathInside(written);
+    return inside.empty() ? "paths start at shaders/ with / or at the folder of this file"
+                          : fmt::format("write \"{}\"", inside);
+  }
+
+  /// The last report would be gone with this path.
+  void propose(const std::string& path) {
+    diagnostics_.back().repair = LineEdit{open_.back().file, open_.back().line,
+                                          fmt::format("#include \"{}\"", path), true};
   }
 
   static std::string_view fileName(std::string_view path) {
@@ -148,9 +160,7 @@ class Reader {
            nearest.empty() ? "a missing #include refuses the whole pack, even in an inactive branch"
                            : fmt::format("did you mean {}?{}", nearest,
                                          capitals ? " Capitals count in a zip and on Linux" : ""));
-    if (nearest.empty()) return;
-    diagnostics_.back().repair = LineEdit{open_.back().file, open_.back().line,
-                                          fmt::format("#include \"{}\"", nearest), true};
+    if (!nearest.empty()) propose(nearest);
   }
 
   void reportCycle(const std::string& target, const std::string& text) {

@@ -85,7 +85,7 @@ std::vector<std::string> unusedFolders(const std::set<std::string>& withPrograms
 void checkFolder(const FileSource& source, const PropertyEntry& entry,
                  const std::vector<std::string>& unused, Diagnostics& diagnostics) {
   const auto folder = folderOfKey(entry);
-  if (!folder || *folder == "/" || exists(source, *folder)) return;
+  if (!folder || *folder == "/" || exists(source, *folder) || trim(entry.value).empty()) return;
   const std::string name = folder->substr(1);
   const std::string hint = suggest(name, unused);
   const bool mayBeMeant = trim(entry.value) == "*" && hint.empty();

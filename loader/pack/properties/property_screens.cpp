@@ -203,6 +203,9 @@ class ProfileReader {
     const Option* option = options_.find(name);
     if (option) {
       profile.values[name] = value;
+    } else if (name.empty()) {
+      report(Severity::Warning, "profile-option", at,
+             fmt::format("\"{}\" names no option", at.text), "write NAME=VALUE, NAME or !NAME");
     } else {
       profile.unknownNames.insert(name);
       report(Severity::Warning, "profile-option", at,

@@ -42,8 +42,11 @@ void checkTexture(const TextureBinding& texture, const FileSource& source, Repor
   if (isResource(texture.path)) return;
   const auto bytes = source.readResource(texture.path);
   if (!bytes) {
+    const bool beside = texture.path.starts_with("/../");
     report.add(Severity::Warning, "texture-missing", texture.at,
-               fmt::format("no such file: {}", texture.path), "the sampler is left unbound");
+               fmt::format("no such file: {}", texture.path),
+               beside ? "files beside shaders/ are read when the folder around it is given"
+                      : "the sampler is left unbound");
     return;
   }
   if (texture.rawType.empty()) return;
