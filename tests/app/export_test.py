@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""export_test.py PROGRAM SOURCE: `orris world --export` read back as glTF 2.0: faces, materials, lights, sky, cameras."""
+"""export_test.py PROGRAM: `orris world --export` read back as glTF 2.0: faces, materials, lights, sky, cameras."""
 import base64
 import json
 import math
@@ -10,7 +10,7 @@ import tempfile
 import zlib
 from pathlib import Path
 
-PROGRAM, SOURCE = sys.argv[1], Path(sys.argv[2])
+PROGRAM = sys.argv[1]
 FLOAT, WORD, NEAREST = 5126, 5125, 9728
 WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3}
 STATES = {"grass_block": (9, 4, 9), "glass": (2, 1, 2), "red_stained_glass": (4, 1, 2), "oak_leaves": (6, 1, 2),
@@ -152,7 +152,8 @@ def mixed_world(time=3000):
 def by_state(document):
     found = {}
     for material in document["materials"]:
-        found.setdefault(material["extras"]["orris"]["state"].removeprefix("minecraft:").split("[")[0], []).append(material)
+        name = material["extras"]["orris"]["state"].removeprefix("minecraft:").split("[")[0]
+        found.setdefault(name, []).append(material)
     return found
 
 
@@ -168,7 +169,8 @@ def check_materials(document, binary):
     assert stained["alphaMode"] == "BLEND" and stained["extras"]["orris"]["filter"] == "depth"
     red, green, _ = stained["extras"]["orris"]["filterColor"]
     assert 0 < green < red < 1
-    assert materials["oak_leaves"][0]["extras"]["orris"]["thin"] and "thin" not in materials["dirt"][0]["extras"]["orris"]
+    assert materials["oak_leaves"][0]["extras"]["orris"]["thin"]
+    assert "thin" not in materials["dirt"][0]["extras"]["orris"]
     assert materials["dirt"][0]["alphaMode"] == "OPAQUE" and not materials["dirt"][0]["doubleSided"]
     # A cross of two planes, seen from both sides: 4 quads in the frame, 2 here.
     assert materials["short_grass"][0]["doubleSided"] and triangles["minecraft:short_grass"] == 4
