@@ -337,8 +337,14 @@ ONCE = [
          pack({**{f"{name}.{stage}": '#include "/version.glsl"\n' + text.partition("\n")[2]
                   for name in ("composite", "final") for stage, text in (("vsh", FINAL_VERTEX), ("fsh", FINAL))},
                "version.glsl": "// #version 330\n"}),
-         [r"^/composite\.[vf]sh:1: error: no active #version"], stderr=["note: 3 findings follow"],
+         [r"^/composite\.[vf]sh:1: error: no active #version"],
+         stderr=["note: 3 findings follow", r"note: /version\.glsl:1:1: the first file that all of these programs include"],
          stdout=["^pack: 0/2 programs$"]),
+    Case("a_call_of_a_macro_without_its_end", ["validate pack"], 1,
+         two_programs("#define EXPOSURE 1.0\n#define half_of(x) ((x) * 0.5)\nfloat dim(float a) {\n  return half_of((a + 1.0);\n}\n"
+                      + SHADE, MORE),
+         [r"^/lib/all\.glsl:4:\d+: error: .* \[macro-unterminated\]$", OWN],
+         stderr=[r"\A/lib/all\.glsl:4:", *FOLLOW]),
     Case("a_misspelt_define", ["validate pack"], 1,
          two_programs("#defien EXPOSURE 1.0\n" + SHADE, MORE),
          [r"^/lib/all\.glsl:1:1: error: unknown preprocessor directive '#defien' \[directive-unknown\]$", OWN],

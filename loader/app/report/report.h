@@ -50,6 +50,7 @@ class Report {
   std::optional<std::size_t> cause(std::size_t i) const { return causes_[i]; }
   void setCause(std::size_t i, std::size_t cause) { causes_[i] = cause; }
   void setSeverity(std::size_t i, Severity severity) { all_[i].severity = severity; }
+  void relate(std::size_t i, RelatedPlace place) { all_[i].related.push_back(std::move(place)); }
   /// Puts the problems of an earlier run, with what entryFiles() and cause() say of them, into an empty
   /// report. Nothing can be added behind them.
   void restore(Diagnostics all, std::vector<std::set<std::string>> entryFiles,

@@ -47,6 +47,10 @@ constexpr std::size_t kLeastWithoutVersion = 3;
 // "i" and "uv" of two functions are two names.
 constexpr std::size_t kLongestLocal = 3;
 
+// A macro's call without its ")" takes the rest of the text for arguments, braces and all.
+constexpr std::array<std::string_view, 4> kOfSwallowed = {"brace-unbalanced", "glsl-", "varying-",
+                                                          "output-"};
+
 /// A mistake in a file, and how the ids begin of what the programs that read it are found to do by it.
 struct Lack {
   std::string_view cause;
@@ -54,6 +58,7 @@ struct Lack {
 };
 constexpr std::array<Lack, 2> kLacks = {
     {{"include-missing", kOfLackingNames}, {"render-target-syntax", kOfTargets}}};
+constexpr std::array<Lack, 1> kSwallows = {{{"macro-unterminated", kOfSwallowed}}};
 
 void foldLack(Folds& folds, std::size_t cause, const Lack& lack) {
   for (std::size_t i = 0; i < folds.all().size(); ++i) {
@@ -66,9 +71,9 @@ void foldLack(Folds& folds, std::size_t cause, const Lack& lack) {
   }
 }
 
-void foldLacks(Folds& folds) {
+void foldLacks(Folds& folds, std::span<const Lack> lacks) {
   for (std::size_t cause = 0; cause < folds.all().size(); ++cause) {
-    for (const Lack& lack : kLacks) {
+    for (const Lack& lack : lacks) {
       if (folds.all()[cause].id == lack.cause && folds.isOpen(cause)) foldLack(folds, cause, lack);
     }
   }
@@ -172,6 +177,12 @@ void foldVersions(Folds& folds) {
   }
   if (others.size() < kLeastWithoutVersion) return;
   for (const std::size_t i : others) folds.fold(i, *first);
+  const std::string shared = folds.firstIncludeOf(folds.all()[*first].at.file);
+  const bool all = std::ranges::all_of(others, [&](std::size_t i) {
+    return folds.firstIncludeOf(folds.all()[i].at.file) == shared;
+  });
+  if (all && !shared.empty())
+    folds.relate(*first, {{shared, 1, 1}, "the first file that all of these programs include"});
 }
 
 /// Errors about one unknown name are one mistake, the first of them.
@@ -208,6 +219,16 @@ const std::set<std::string>& Folds::filesOf(const std::string& entry) {
   return known->second;
 }
 
+std::string Folds::firstIncludeOf(const std::string& entry) const {
+  if (!verdict_.files->contains(entry)) return "";
+  Diagnostics ignored;  // reported when the pack was read
+  const auto graph = readIncludeGraph(*verdict_.files, {entry}, ignored);
+  const auto includes = graph.includes.find(entry);
+  return includes == graph.includes.end() || includes->second.empty()
+             ? ""
+             : includes->second.begin()->second;
+}
+
 bool Folds::isOfProgramsWith(const std::string& file, std::size_t i) {
   const std::set<std::string>& entries = report_.entryFiles(i);
   return !entries.empty() && std::ranges::all_of(entries, [&](const std::string& entry) {
@@ -232,10 +253,11 @@ void foldTwins(Folds& folds) {
       if (!isNew && (comment || milder)) folds.fold(i, known->second);
     }
   }
+  foldLacks(folds, kSwallows);
 }
 
 void foldByNames(Folds& folds, const FileSource& files) {
-  foldLacks(folds);
+  foldLacks(folds, kLacks);
   foldUnreadOptions(folds, files);
   foldUniforms(folds);
   foldWrongTypes(folds);

@@ -21,8 +21,12 @@ class Folds {
   bool isOpen(std::size_t i) const;
   /// A mistake that errors follow from is an error.
   void fold(std::size_t i, std::size_t cause);
+  /// Names another place of a problem.
+  void relate(std::size_t i, RelatedPlace place) { report_.relate(i, std::move(place)); }
   /// All files that a program file reads, itself among them.
   const std::set<std::string>& filesOf(const std::string& entry);
+  /// What its first #include names, "" for none.
+  std::string firstIncludeOf(const std::string& entry) const;
   /// Is the problem met only in programs that read `file` in one of their stages?
   bool isOfProgramsWith(const std::string& file, std::size_t i);
 
@@ -32,7 +36,8 @@ class Folds {
   std::map<std::string, std::set<std::string>> files_;
 };
 
-/// The same said of one line as an error and as a warning, and of one comment by several programs.
+/// The same said of one line as an error and as a warning, and of one comment by several programs; what a
+/// macro's call without its end takes along.
 void foldTwins(Folds& folds);
 /// What follows from files, custom uniforms and other names that are not there or of another type.
 void foldByNames(Folds& folds, const FileSource& files);
