@@ -13,6 +13,7 @@
 #include "world/blocks/block_facts.h"
 #include "world/files/schematic.h"
 #include "world/files/world_json.h"
+#include "world/random_room.h"
 #include "world/saves/save.h"
 #include "world/saves/save_files.h"
 
@@ -107,6 +108,17 @@ std::optional<World> loadJson(const fs::path& path, const std::optional<std::str
   return world;
 }
 
+std::optional<World> loadRandomRoom(const std::string& name, Diagnostics& diagnostics) {
+  const auto seed = randomRoomSeed(name);
+  if (!seed) {
+    addError(diagnostics, name, "expected a whole number from 0 to 4294967295 after random:", "random:17");
+    return std::nullopt;
+  }
+  World world = randomRoom(*seed);
+  completePalette(world);
+  return world;
+}
+
 }  // namespace
 
 const Camera* World::camera(std::string_view cameraName) const {
@@ -122,6 +134,7 @@ std::optional<World> loadWorld(const std::string& path, unsigned seed, Diagnosti
   std::error_code problem;
   const fs::path given(path);
   ReadFault fault{};
+  if (path.starts_with(kRandomRoom)) return loadRandomRoom(path, diagnostics);
   if (!fs::exists(given / "world.json", problem) && isSave(given)) {
     std::optional<World> world = loadSave(given, part, diagnostics);
     if (world) completePalette(*world);

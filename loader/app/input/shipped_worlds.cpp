@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <set>
 
+#include "world/random_room.h"
+
 namespace orris {
 namespace {
 
@@ -37,7 +39,7 @@ std::string findWorld(const std::string& request) {
   std::error_code error;
   const fs::path path(request);
   const bool plainName = path.filename() == path && path.extension().empty() && request != "." && request != "..";
-  if (!plainName || fs::exists(path, error)) return request;
+  if (!plainName || fs::exists(path, error) || request.starts_with(kRandomRoom)) return request;
   for (const fs::path& shelf : shelves()) {
     if (isWorld(shelf / path)) return (shelf / path).string();
   }

@@ -9,7 +9,7 @@ namespace orris {
 /// Names of the worlds beside the installed command (share/orris/worlds) and in the source tree, sorted.
 std::vector<std::string> shippedWorldNames();
 
-/// What `request` names: itself where it exists or is no plain name, else the folder of the shipped world
+/// What `request` names: itself where it exists, is no plain name or is a random room, else the folder of the shipped world
 /// of that name; "" when there is none.
 std::string findWorld(const std::string& request);
 
