@@ -232,6 +232,7 @@ void RenderSession::renderFrame(Diagnostics& diagnostics) {
   FrameInput input = frameInput();
   input.centerDepth = renderer_->centerDepth();
   state_ = nextFrameState(input, renderer_->pack().directives, state_ ? &*state_ : nullptr);
+  if (frame_ == 0) state_->frameCounter = request_.firstFrame;
   state_->emptyHandId = renderer_->pack().hasItemFile ? -1 : 0;
   Player& player = state_->environment.player;
   if (renderer_->pack().properties.flag("oldHandLight", true))

@@ -23,6 +23,9 @@ struct SessionRequest {
   Camera camera;
   std::optional<int> time;  ///< overrides the world's
   unsigned seed = 0;
+  /// frameCounter of the first frame. Packs take their random numbers from it: two sessions whose frames
+  /// do not overlap share none.
+  int firstFrame = 0;
   float frameTime = 1.0f / 60;  ///< fixed, for equal bytes on every run
 };
 
