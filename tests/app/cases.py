@@ -580,6 +580,9 @@ WORLDS = [
     Case("time_without_export", [f"world {CORNELL} --time 6000"], 2, {}, [r"--time requires --export"]),
     Case("export_of_cornell", [f"world {CORNELL} --export out.glb", f"world {CORNELL} --export out.glb --json"], 0,
          creates=["out.glb"]),
+    Case("world_random_room", ["world random:17"], 0, {}, stdout=["^random:17$", "camera +room: "]),
+    Case("world_random_room_without_a_seed", ["world random:x"], 2, {},
+         ["expected a whole number from 0 to 4294967295 after random:"]),
     Case("world_facts", [f"world {CORNELL}"], 0,
          stdout=["size", "lights +[1-9]", "unknown +0", "camera "]),
 ]
@@ -759,6 +762,12 @@ CHARTS = [
     Case("chart_wrong_flags", [f"{CHART} {flags}" for flags in (
         "--metric beauty", "--frames 1", "--rounds 0", "--budget soon", "--clock sun", "--shard 3/2")], 2, MODES,
         ["orris chart: error: "]),
+    Case("chart_scenes_malformed", [f"chart pack --scenes {scenes} -o out {MEASURE}" for scenes in (
+        "random:x:2", "random:1:0", "random:1:2:3", "random:1:10001", "@front")], 2, MODES,
+        ["--scenes: expected WORLD, WORLD@CAMERA or random:SEED:N"]),
+    Case("chart_world_or_scenes", [f"chart pack -o out {MEASURE}",
+                                   f"chart pack {CORNELL} --scenes random:1:2 -o out {MEASURE}"], 2, MODES,
+         ["expected either WORLD or --scenes"]),
     Case("chart_unwritable", [CHART.replace("-o out", "-o pack/shaders/final.fsh")], 2, MODES,
          ["the folder cannot be made"]),
     Case("chart_unknown_camera", [f"{CHART} --axis MODE --cameras front,bakc"], 2, MODES,

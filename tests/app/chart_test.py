@@ -181,6 +181,45 @@ def test_cameras_are_judged_together(program, folder):
     assert len(files) == 2 * 6 + 1 and sum("_from_above" in name for name in files) == 6, files
 
 
+def test_scenes_are_rows_of_one_table(program, folder):
+    command = ("chart pack --scenes world@above,random:1:2 -o scenes --size 16x9 --runs 3 --warm-up 1 --frames 4 "
+               "--rounds 2 --visit 1 --buffer colortex0 --axis SHARE=1.0,0.5 --trace-seconds 1")
+    result = orris(program, folder, command)
+    assert "* " in result.stdout and "SHARE=0.5" in result.stdout, result.stdout
+    with open(folder / "scenes/scenes.csv", newline="") as file:
+        table = list(csv.DictReader(file))
+    assert [(row["scene"], row["setting"]) for row in table] == [
+        (scene, f"SHARE={share}") for scene in ("world", "random:1", "random:3") for share in ("1.0", "0.5")], table
+    for whole, half in zip(table[::2], table[1::2]):
+        assert whole["camera"] == ("above" if whole["scene"] == "world" else "room")
+        assert float(whole["signed_red"]) > float(half["signed_red"]), (whole, half)
+        for row in (whole, half):  # every picture is the same
+            assert float(row["noise_red"]) < 1e-4 and float(row["noise_of_mean_red"]) < 1e-4, row
+            assert float(row["drift_red"]) == 0 and row["lag"] == "-1", row
+            assert float(row["rms_low_red"]) <= float(row["rms_red"]) <= float(row["rms_high_red"]), row
+            assert float(row["ratio"]) > 0 and float(row["editing_ratio"]) > 0 and float(row["megabytes"]) > 0, row
+        assert whole["ratio"] == "1.0000" == whole["editing_ratio"]
+    pictures = {path: path.stat().st_mtime_ns for path in (folder / "scenes/settings").glob("*.exr")}
+    assert len(pictures) == 3, pictures
+    orris(program, folder, command + " --no-costs --quiet")
+    assert all(path.stat().st_mtime_ns == time for path, time in pictures.items()), "traced again"
+
+
+def test_runs_of_scenes_share_no_random_numbers(program, folder):
+    noisy = folder / "noisy/shaders"
+    shutil.copytree(folder / "pack/shaders", noisy)
+    text = (noisy / "composite.fsh").read_text()
+    text = text.replace("in vec2 uv;", "in vec2 uv;\nuniform int frameCounter;")
+    text = text.replace("vec4(vec3(SHARE", "vec4(vec3((0.5 + 0.5 * fract(float(frameCounter) * 0.137)) * SHARE")
+    (noisy / "composite.fsh").write_text(text)
+    orris(program, folder, "chart noisy --scenes world -o apart --size 16x9 --runs 4 --warm-up 1 --frames 2 --no-costs "
+                           "--buffer colortex0 --trace-seconds 1 --quiet")
+    with open(folder / "apart/scenes.csv", newline="") as file:
+        row = next(csv.DictReader(file))
+    assert float(row["noise_of_mean_red"]) > 0.02, row  # 0 where all runs draw the same frames
+    assert float(row["signed_high_red"]) - float(row["signed_low_red"]) > 0.05, row
+
+
 def test_tune(program, folder):
     tune = f"tune pack world -o pack.txt {MEASURE} --axis SHARE --axis WORK "
     result = orris(program, folder, tune + "--error 0.3")

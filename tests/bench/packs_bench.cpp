@@ -77,7 +77,9 @@ std::unique_ptr<SettingSession> open(gl::Context& context, const Plan& plan,
   request.load.values = knownOptions(plan, files, request.load, diagnostics);
   request.renderer = {.width = plan.width, .height = plan.height};
   request.camera = world.cameras.front();
-  auto session = SettingSession::open(context, request, world, diagnostics);
+  World still = world;
+  still.events.clear();
+  auto session = SettingSession::open(context, request, std::move(still), diagnostics);
   for (int frame = 0; session && frame < kWarmUp; ++frame) session->draw(diagnostics);
   return session;
 }

@@ -7,6 +7,7 @@
 
 #include "app/commands/commands.h"
 #include "app/study/chart_output.h"
+#include "app/study/scene_study.h"
 #include "app/study/study.h"
 #include "chart/page/chart_text.h"
 
@@ -63,6 +64,11 @@ std::vector<std::size_t> shardOf(std::size_t settings, const std::string& text) 
 
 int runChart(const StudyOptions& options, Report& report, nlohmann::json& result) {
   int status = kClean;
+  if (options.scenes.names.empty() == options.scene.path.empty()) {
+    report.error("usage", "expected either WORLD or --scenes", "orris chart PACK WORLD -o DIR, or PACK --scenes LIST");
+    return kUsage;
+  }
+  if (!options.scenes.names.empty()) return runScenes(options, report, result);
   const StudyFiles files(options.folder);
   const auto study = Study::open(options, files, report, status);
   if (!study) return status;
@@ -76,6 +82,26 @@ int runChart(const StudyOptions& options, Report& report, nlohmann::json& result
   return status;
 }
 
+void addSceneListFlags(CLI::App& command, SceneListOptions& options) {
+  command
+      .add_option("--scenes", options.names,
+                  "instead of WORLD: judge every setting on each of these scenes against a picture traced of it: "
+                  "WORLD, WORLD@CAMERA, or random:SEED:N for N rooms with seeds SEED, SEED + 2, ...")
+      ->type_name("LIST")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command.add_option("--runs", options.runs, "of --scenes: runs with random numbers of their own")
+      ->capture_default_str()
+      ->check(CLI::Range(3, 1000));
+  command.add_option("--trace-seconds", options.traceSeconds, "of --scenes: trace a scene for at most so long")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
+  command.add_option("--trace-noise", options.traceNoise, "of --scenes: stop tracing at this noise")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
+  command.add_flag("!--no-costs", options.costs, "of --scenes: measure no costs");
+}
+
 }  // namespace
 
 void addChartCommand(CLI::App& app, int& status) {
@@ -83,7 +109,8 @@ void addChartCommand(CLI::App& app, int& status) {
   CLI::App* command =
       app.add_subcommand("chart", "what settings cost, and how wrong their pictures are");
   addPackArgument(*command, options->pack.path);
-  addWorldArgument(*command, options->scene.path);
+  addWorldArgument(*command, options->scene.path)->required(false);
+  addSceneListFlags(*command, options->scenes);
   command->add_option("-o,--output", options->folder, "folder for the chart and all it is made of")
       ->type_name("DIR")
       ->required();

@@ -7,6 +7,7 @@
 #include <csignal>
 
 #include "app/report/progress.h"
+#include "image/image.h"
 #include "trace/film/checkpoint.h"
 
 namespace orris {
@@ -107,6 +108,25 @@ TraceProgress traceUntil(TraceFilm& film, const TraceJob& job, const TraceLimits
   }
   save(job, film, report);
   return done;
+}
+
+bool writeTraced(const std::string& path, const TraceFilm& film,
+                 const std::vector<std::uint8_t>& edges, Report& report, int& status) {
+  static const std::vector<std::string> kChannels = {
+      "R",       "G",        "B",        "first.R",  "first.G",
+      "first.B", "second.R", "second.G", "second.B", "undecided.V"};
+  const ImageF halves = film.image();
+  ImageF image(film.width, film.height, int(kChannels.size()));
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const auto from = halves.pixels.begin() + std::ptrdiff_t(i * 9);
+    const auto to = image.pixels.begin() + std::ptrdiff_t(i * kChannels.size());
+    *std::copy(from, from + 9, to) = float(edges[i]);
+  }
+  Diagnostics diagnostics;
+  const bool written = writeImage(path, image, kChannels, diagnostics);
+  report.add(diagnostics);
+  if (!written) status = kUsage;
+  return written;
 }
 
 }  // namespace orris

@@ -10,6 +10,14 @@
 
 namespace orris {
 
+/// --scenes: many scenes instead of one WORLD.
+struct SceneListOptions {
+  std::vector<std::string> names;  ///< as parseScenes() takes them
+  int runs = 4;                    ///< with random numbers of their own
+  double traceSeconds = 30, traceNoise = 0.005;
+  bool costs = true;
+};
+
 struct StudyOptions {
   PackOptions pack;
   SceneOptions scene;
@@ -24,6 +32,7 @@ struct StudyOptions {
   std::string metric = "error";
   int accumulate = 1;
   MeasurePlan plan;
+  SceneListOptions scenes;  ///< of `orris chart` only
   std::string budget, shard;
   WorkLimits limits;
 };

@@ -69,7 +69,9 @@ bool Measuring::draw(SettingSession& session, int frames, Diagnostics& diagnosti
 
 std::unique_ptr<SettingSession> Measuring::openSettled(const SessionRequest& request,
                                                        Diagnostics& diagnostics) {
-  auto session = SettingSession::open(context_, request, world_, diagnostics);
+  World still = world_;
+  still.events.clear();
+  auto session = SettingSession::open(context_, request, std::move(still), diagnostics);
   if (!session || !draw(*session, plan_.warmUp, diagnostics)) return nullptr;
   session->stopClock();
   return session;

@@ -38,7 +38,6 @@ double Visit::mean() const {
 
 std::unique_ptr<SettingSession> SettingSession::open(gl::Context& context, SessionRequest request,
                                                      World world, Diagnostics& diagnostics) {
-  world.events.clear();
   request.renderer.floatScreen = true;
   request.renderer.timings = true;
   auto session = RenderSession::create(context, std::move(request), std::move(world), diagnostics);

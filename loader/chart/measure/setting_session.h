@@ -22,7 +22,7 @@ struct Visit {
   double mean() const;
 };
 
-/// Draws a still world: its events are left out.
+/// Draws a world, its events included.
 class SettingSession {
  public:
   /// nullptr when the pack cannot be rendered; see diagnostics.
