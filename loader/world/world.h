@@ -10,6 +10,7 @@
 
 #include "core/diagnostic.h"
 #include "world/blocks/block_world.h"
+#include "world/content/content.h"
 
 namespace orris {
 
@@ -29,6 +30,9 @@ struct Player {
   int heldLight = 0, heldLight2 = 0;                                      ///< 0..15, both hands
   bool sneaking = false, sprinting = false, hurt = false, invisible = false, burning = false;
   bool onGround = true, hideGui = true;
+  /// Held items with their namespace; "" shows no hand, "minecraft:air" the bare arm.
+  std::string mainHand, offHand;
+  bool body = false;  ///< casts a shadow
 };
 
 /// The game's setting of its clouds: none, flat, or boxes.
@@ -61,10 +65,21 @@ struct SetOption {
 struct SetTime {
   int time;
 };
+/// What changes of the entity of that name.
+struct ChangeEntity {
+  std::string name;
+  std::optional<glm::dvec3> position;
+  std::optional<float> yaw;
+  std::optional<bool> walking, hurt;
+};
+struct StrikeLightning {
+  glm::dvec3 at{0};
+  int frames = 12;  ///< for so many it is seen
+};
 /// Something that happens before the given frame (first frame: 0) is drawn.
 struct Event {
   int frame = 0;
-  std::variant<SetBlock, MoveCamera, SetOption, SetTime> action;
+  std::variant<SetBlock, MoveCamera, SetOption, SetTime, ChangeEntity, StrikeLightning> action;
 };
 
 struct World {
@@ -73,6 +88,7 @@ struct World {
   BlockWorld blocks;
   std::vector<Camera> cameras;  ///< at least one; the first is the default
   Environment environment;
+  WorldContent content;
   std::vector<Event> events;  ///< sorted by frame
 
   const Camera* camera(std::string_view name) const;

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "world/atlas/texture_canvas.h"
+#include "world/content/entity_models.h"
 #include "world/blocks/block_data.h"
 #include "world/blocks/block_facts.h"
 
@@ -105,6 +106,7 @@ TEST(BlockAtlas, every_texture_of_the_blocks_is_drawn_by_a_known_recipe) {
 TEST(BlockAtlas, every_texture_defined_is_used) {
   const auto& names = allNames();
   std::set<std::string> used(names.begin(), names.end());
+  for (const std::string& name : contentTextureNames()) used.insert(name);
   for (const auto& [name, definition] : blockData().textures) used.insert(definition.base);
   for (const auto& [name, definition] : blockData().textures) {
     EXPECT_TRUE(used.count(name)) << name;

@@ -47,7 +47,8 @@ TEST(WorldJsonErrors, all_are_reported_at_once) {
   EXPECT_EQ(errorsOf("{\"size\": [1, 1, 1], \"colour\": 1,\n"
                      " \"environment\": {\"time\": 24000, \"rain\": \"much\"}}"),
             "world.json:1:21: error: unknown key \"colour\" in the world: expected one of name, "
-            "exercises, origin, size, from, palette, blocks, cameras, environment, events\n"
+            "exercises, origin, size, from, palette, blocks, cameras, environment, events, "
+            "entities, particles, beams, damaged, texts, selected, border\n"
             "  {\"size\": [1, 1, 1], \"colour\": 1,\n"
             "                      ^\n"
             "world.json:2:26: error: \"time\" is 24000: expected an integer from 0 to 23999\n"
@@ -150,7 +151,7 @@ TEST(WorldJsonErrors, wrong_cameras) {
 TEST(WorldJsonErrors, wrong_events) {
   EXPECT_EQ(memberMessage(R"("events": [{"frame": 1}])"),
             "world.json:2:12: error: an event has \"frame\" and one of \"set\", \"camera\", "
-            "\"option\", \"time\"");
+            "\"option\", \"time\", \"entity\", \"lightning\"");
   EXPECT_EQ(memberMessage(R"("events": [{"frame": -1, "time": 0}])"),
             "world.json:2:22: error: \"frame\" is -1: expected an integer from 0 to 1000000000");
   EXPECT_EQ(memberMessage(R"("events": [{"frame": 1, "camera": "b"}])"),

@@ -70,6 +70,17 @@ AtlasTile BlockAtlas::tile(const std::string& name) const {
   return missing != tiles.end() ? missing->second : AtlasTile{};
 }
 
+Image8 textureImage(const std::string& name) {
+  const TextureCanvas canvas = drawTexture(name);
+  Image8 image(kTextureSize, kTextureSize, 4);
+  for (int y = 0; y < kTextureSize; ++y)
+    for (int x = 0; x < kTextureSize; ++x) {
+      const glm::vec4& c = canvas.at(x, y).colour;
+      put(image, x, y, {toByte(c.r), toByte(c.g), toByte(c.b), toByte(c.a)});
+    }
+  return image;
+}
+
 BlockAtlas buildAtlas(const std::vector<std::string>& textureNames) {
   std::set<std::string> names(textureNames.begin(), textureNames.end());
   names.insert("missing");

@@ -27,6 +27,9 @@ struct BlockAtlas {
   AtlasTile tile(const std::string& name) const;  ///< the "missing" tile when unknown
 };
 
+/// The colours of one texture.
+Image8 textureImage(const std::string& name);
+
 /// Only the named textures (model no more than the scene needs), plus "missing".
 BlockAtlas buildAtlas(const std::vector<std::string>& textureNames);
 

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/limits.h"
+#include "world/content/content_json.h"
 #include "world/files/world_json_blocks.h"
 
 namespace orris {
@@ -77,7 +78,7 @@ Player readPlayer(JsonReader& reader, const JsonNode& environment) {
   reader.object(*node, "\"player\"",
                 {"blindness", "nightVision", "darkness", "darknessLight", "brightness", "heldLight",
                  "heldLight2", "sneaking", "sprinting", "hurt", "invisible", "burning", "onGround",
-                 "hideGui"});
+                 "hideGui", "mainHand", "offHand", "body"});
   const std::pair<const char*, float*> amounts[] = {{"blindness", &player.blindness},
                                                     {"nightVision", &player.nightVision},
                                                     {"darkness", &player.darkness},
@@ -90,7 +91,11 @@ Player readPlayer(JsonReader& reader, const JsonNode& environment) {
       {"sneaking", &player.sneaking}, {"sprinting", &player.sprinting},
       {"hurt", &player.hurt},         {"invisible", &player.invisible},
       {"burning", &player.burning},   {"onGround", &player.onGround},
-      {"hideGui", &player.hideGui}};
+      {"hideGui", &player.hideGui},   {"body", &player.body}};
+  player.mainHand = readItem(reader, *node, "mainHand");
+  player.offHand = readItem(reader, *node, "offHand");
+  // The game hides hands along with the rest of what belongs to the player.
+  player.hideGui = player.mainHand.empty() && player.offHand.empty();
   for (const auto& [key, target] : states) reader.optional(*node, key, *target);
   return player;
 }
@@ -163,13 +168,14 @@ SetOption readSetOption(JsonReader& reader, const JsonNode& node) {
 }
 
 std::optional<Event> readEvent(JsonReader& reader, const JsonNode& node, const World& world) {
-  if (!reader.object(node, "an event", {"frame", "set", "camera", "option", "time"})) return {};
+  if (!reader.object(node, "an event", {"frame", "set", "camera", "option", "time", "entity", "lightning"})) return {};
   Event event;
   reader.required(node, "frame", "an event");
   reader.optional(node, "frame", IntegerRange{0, 1000000000}, event.frame);
   if (node.members.size() != 2) {
     reader.error(node.offset,
-                 "an event has \"frame\" and one of \"set\", \"camera\", \"option\", \"time\"");
+                 "an event has \"frame\" and one of \"set\", \"camera\", \"option\", \"time\", "
+                 "\"entity\", \"lightning\"");
     return {};
   }
   if (const JsonNode* set = node.find("set")) {
@@ -180,6 +186,10 @@ std::optional<Event> readEvent(JsonReader& reader, const JsonNode& node, const W
     event.action = readSetOption(reader, *option);
   } else if (const JsonNode* time = node.find("time")) {
     event.action = SetTime{reader.integer(*time, "\"time\"", kTimeRange).value_or(0)};
+  } else if (const JsonNode* entity = node.find("entity")) {
+    event.action = readEntityChange(reader, *entity, world.content);
+  } else if (const JsonNode* lightning = node.find("lightning")) {
+    event.action = readLightning(reader, *lightning);
   }
   return event;
 }
@@ -204,9 +214,10 @@ std::optional<World> parseWorldJson(const WorldJson& json, Diagnostics& diagnost
   const std::optional<JsonNode> root = parseLocatedJson(source, diagnostics);
   if (!root) return std::nullopt;
   JsonReader reader(source, diagnostics);
-  if (!reader.object(*root, "the world",
-                     {"name", "exercises", "origin", "size", "from", "palette", "blocks", "cameras",
-                      "environment", "events"}) &&
+  std::vector<std::string> keys = {"name",   "exercises", "origin",      "size",  "from", "palette",
+                                   "blocks", "cameras",   "environment", "events"};
+  keys.insert(keys.end(), contentKeys().begin(), contentKeys().end());
+  if (!reader.object(*root, "the world", keys) &&
       root->kind != JsonNode::Kind::Object) {
     return std::nullopt;
   }
@@ -220,6 +231,7 @@ std::optional<World> parseWorldJson(const WorldJson& json, Diagnostics& diagnost
   world.environment = readEnvironment(reader, *root);
   world.cameras = readCameras(reader, *root);
   if (world.cameras.empty()) world.cameras = defaultCameras(world.blocks);
+  world.content = readContent(reader, *root, world.blocks);
   world.events = readEvents(reader, *root, world);
   const std::size_t states = world.blocks.palette().size();
   if (states > kMaxPalette) {
