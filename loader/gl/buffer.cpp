@@ -6,16 +6,29 @@
 
 namespace orris::gl {
 
-Buffer createBuffer(std::size_t size, const void* data, const std::string& label) {
+namespace {
+
+Buffer makeBuffer(std::size_t size, const void* data, const std::string& label) {
   Buffer buffer;
   GLuint id = 0;
   CreateBuffers(1, &id);
   buffer.handle = Handle<deleteBuffer>(id);
   buffer.size = size;
   NamedBufferData(id, GLsizeiptr(size), data, GL_DYNAMIC_DRAW);
-  if (data == nullptr && size > 0) clearToZero(buffer);
   if (!label.empty()) ObjectLabel(GL_BUFFER, id, GLsizei(label.size()), label.data());
   return buffer;
+}
+
+}  // namespace
+
+Buffer createBuffer(std::size_t size, const void* data, const std::string& label) {
+  Buffer buffer = makeBuffer(size, data, label);
+  if (data == nullptr && size > 0) clearToZero(buffer);
+  return buffer;
+}
+
+Buffer createUnfilledBuffer(std::size_t size, const std::string& label) {
+  return makeBuffer(size, nullptr, label);
 }
 
 void upload(const Buffer& buffer, std::size_t offset, std::size_t size, const void* data) {

@@ -17,6 +17,8 @@ struct Buffer {
 /// `data` may be null: then the buffer holds zeros. `size` 0 makes a valid empty buffer. `label` is
 /// the object label ("bufferObject.0").
 Buffer createBuffer(std::size_t size, const void* data, const std::string& label);
+/// The same with any bytes in it, for what is uploaded in parts.
+Buffer createUnfilledBuffer(std::size_t size, const std::string& label);
 /// `offset + size` must be within the buffer.
 void upload(const Buffer& buffer, std::size_t offset, std::size_t size, const void* data);
 void clearToZero(const Buffer& buffer);

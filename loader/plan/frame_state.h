@@ -43,7 +43,11 @@ struct FrameState {
   glm::vec3 endFlashPosition{0};
   float endFlashIntensity = 0, previousEndFlashIntensity = 0;
   VolumeLights volumeLights{};
-  int emptyHandId = -1;  ///< heldItemId of an empty hand; 0 for a pack without item.properties
+  /// Of both hands, by item.properties; -1 for none and 0 without the file.
+  int heldItemId = -1, heldItemId2 = -1;
+  int selectedBlockId = 0;                  ///< by block.properties; 0: none is selected
+  glm::vec3 selectedBlockPos{-256};         ///< its middle in player space
+  glm::vec4 lightningBolt{0};               ///< player space; w 1 where there is one
 };
 
 /// What a frame sees of the world besides blocks that are drawn.

@@ -9,10 +9,6 @@
 namespace orris {
 namespace {
 
-// A sample at exactly the far edge of a tile would read the next one; the game shrinks its quads'
-// coordinates towards their middle for the same reason. 1/250 texel of a 16-texel tile.
-constexpr float kUvInset = 1.0f / 2048;
-
 std::int8_t snorm(float v) {
   return static_cast<std::int8_t>(std::lround(std::clamp(v, -1.0f, 1.0f) * 127));
 }
@@ -66,11 +62,11 @@ const std::vector<std::string_view>& attributeNames() {
   return kNames;
 }
 
-std::vector<GpuVertex> packVertices(const BlockMesh& mesh, const std::vector<int>& blockIds,
-                                    const VertexStyle& style) {
-  std::vector<GpuVertex> out(mesh.vertices.size());
+std::vector<GpuVertex> packVertices(const BlockMesh& mesh, const MeshSection& section,
+                                    const std::vector<int>& blockIds, const VertexStyle& style) {
+  std::vector<GpuVertex> out(section.count);
   for (size_t i = 0; i < out.size(); ++i) {
-    const BlockVertex& in = mesh.vertices[i];
+    const BlockVertex& in = mesh.vertices[section.first + i];
     GpuVertex& v = out[i];
     for (int k = 0; k < 3; ++k) {
       v.position[k] = in.position[k];
@@ -89,13 +85,11 @@ std::vector<GpuVertex> packVertices(const BlockMesh& mesh, const std::vector<int
     v.entity[1] = in.fluid != 0 ? 1 : -1;
     setColor(v, in, style);
   }
+  if (section.layer != RenderLayer::BlockEntity) return out;
   // The game's vertices of block entities have neither.
-  for (const MeshSection& section : mesh.sections) {
-    if (section.layer != RenderLayer::BlockEntity) continue;
-    for (size_t i = section.first; i < section.first + section.count; ++i) {
-      out[i].entity[0] = out[i].entity[1] = -1;
-      std::fill(std::begin(out[i].midBlock), std::end(out[i].midBlock), std::int8_t{0});
-    }
+  for (GpuVertex& v : out) {
+    v.entity[0] = v.entity[1] = -1;
+    std::fill(std::begin(v.midBlock), std::end(v.midBlock), std::int8_t{0});
   }
   return out;
 }

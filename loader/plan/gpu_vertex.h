@@ -34,6 +34,10 @@ struct VertexStyle {
   bool operator==(const VertexStyle&) const = default;
 };
 
+// A sample at exactly the far edge of a tile would read the next one; the game shrinks its quads'
+// coordinates towards their middle for the same reason. 1/250 texel of a 16-texel tile.
+inline constexpr float kUvInset = 1.0f / 2048;
+
 VertexStyle vertexStyleOf(const ShaderPack& pack);
 
 /// Where a named attribute lies in GpuVertex.
@@ -54,8 +58,8 @@ std::span<const ConstantAttribute> constantAttributes();
 /// Every attribute name that the host sets, by a vertex or with one value for all.
 const std::vector<std::string_view>& attributeNames();
 
-/// `blockIds[palette index]` is mc_Entity.x.
-std::vector<GpuVertex> packVertices(const BlockMesh& mesh, const std::vector<int>& blockIds,
-                                    const VertexStyle& style);
+/// Those of one section: `blockIds[palette index]` is mc_Entity.x.
+std::vector<GpuVertex> packVertices(const BlockMesh& mesh, const MeshSection& section,
+                                    const std::vector<int>& blockIds, const VertexStyle& style);
 
 }  // namespace orris

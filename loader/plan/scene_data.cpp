@@ -25,6 +25,7 @@ SceneContents SceneData::contents() const {
   contents.translucent = has(RenderLayer::Translucent);
   contents.cloudPlane = world.environment.dimension == "minecraft:overworld";
   contents.clouds = world.environment.clouds;
+  contents.content = content.kinds | weatherOf(world.environment);
   contents.sky = world.environment.dimension != "minecraft:the_nether";
   return contents;
 }
@@ -68,6 +69,7 @@ SceneData buildScene(World world, const MeshStyle& style, Diagnostics& diagnosti
   const BlockTable table;
   scene.facts = factsOfPalette(table, scene.world.blocks, diagnostics);
   scene.atlas = buildAtlas(texturesOf(scene.facts));
+  scene.content = buildContent(scene.world);
   rebuildMesh(scene, style);
   return scene;
 }

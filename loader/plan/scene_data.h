@@ -8,6 +8,7 @@
 
 #include "pack/shader_pack.h"
 #include "plan/frame_state.h"
+#include "plan/lists/content_scene.h"
 #include "plan/schedule.h"
 #include "world/mesh/block_mesh.h"
 #include "world/world.h"
@@ -21,6 +22,7 @@ struct SceneData {
   BlockAtlas atlas;
   std::unique_ptr<LightLevels> light;
   BlockMesh mesh;
+  ContentScene content;
 
   SceneContents contents() const;
   /// What the eye at `position` stands in.

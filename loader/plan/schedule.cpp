@@ -19,23 +19,54 @@ using Kind = Step::Kind;
 struct GeometryPass {
   std::string_view program;
   Geometry geometry;
-  bool SceneContents::*needed;
+  bool SceneContents::*needed = nullptr;  ///< nullptr: content, whose kind says so
 };
+/// Content, drawn by the program that its table names.
+constexpr GeometryPass content(Geometry geometry) { return {"", geometry}; }
 constexpr GeometryPass kSky[] = {{"gbuffers_skybasic", Geometry::Sky, &SceneContents::sky},
                                  {"gbuffers_skybasic", Geometry::Stars, &SceneContents::sky},
                                  {"gbuffers_skytextured", Geometry::SunMoon, &SceneContents::sky}};
+// Entities that blend and particles are before or after the deferred programs, as the pack wants.
 constexpr GeometryPass kOpaque[] = {
     {"gbuffers_terrain_solid", Geometry::Solid, &SceneContents::solid},
     {"gbuffers_terrain_cutout", Geometry::Cutout, &SceneContents::cutout},
-    {"gbuffers_block", Geometry::BlockEntity, &SceneContents::blockEntities}};
+    content(Geometry::Leash),
+    content(Geometry::Entities),
+    content(Geometry::EntitiesTranslucent),
+    content(Geometry::Eyes),
+    content(Geometry::Glint),
+    content(Geometry::Lightning),
+    {"gbuffers_block", Geometry::BlockEntity, &SceneContents::blockEntities},
+    content(Geometry::BlockText),
+    content(Geometry::BeamCore),
+    content(Geometry::BeamGlow),
+    content(Geometry::Cracks),
+    content(Geometry::Outline),
+    content(Geometry::Particles),
+    content(Geometry::ParticlesTranslucent)};
+constexpr GeometryPass kHand[] = {content(Geometry::Hand)};
 constexpr GeometryPass kTranslucent[] = {
+    content(Geometry::EntitiesTranslucent),
     {"gbuffers_water", Geometry::Translucent, &SceneContents::translucent},
+    content(Geometry::Particles),
+    content(Geometry::ParticlesTranslucent),
     {"gbuffers_clouds", Geometry::CloudsFast, &SceneContents::cloudPlane},
-    {"gbuffers_clouds", Geometry::CloudsFancy, &SceneContents::cloudPlane}};
+    {"gbuffers_clouds", Geometry::CloudsFancy, &SceneContents::cloudPlane},
+    content(Geometry::Rain),
+    content(Geometry::Snow),
+    content(Geometry::Border),
+    content(Geometry::HandTranslucent)};
 constexpr GeometryPass kShadowOpaque[] = {
     {"shadow_solid", Geometry::Solid, &SceneContents::solid},
     {"shadow_cutout", Geometry::Cutout, &SceneContents::cutout},
-    {"shadow_block", Geometry::BlockEntity, &SceneContents::blockEntities}};
+    content(Geometry::Leash),
+    content(Geometry::Entities),
+    content(Geometry::EntitiesTranslucent),
+    content(Geometry::PlayerBody),
+    content(Geometry::Lightning),
+    {"shadow_block", Geometry::BlockEntity, &SceneContents::blockEntities},
+    content(Geometry::BlockText),
+    content(Geometry::BeamCore)};
 constexpr GeometryPass kShadowTranslucent[] = {
     {"shadow_water", Geometry::Translucent, &SceneContents::translucent}};
 
@@ -61,7 +92,10 @@ class Builder {
     addGroup(ProgramGroup::Prepare, schedule_.frame);
     addGeometry(kSky, Kind::Draw);
     addGeometry(kOpaque, Kind::Draw);
+    const size_t beforeHand = schedule_.frame.size();
+    addGeometry(kHand, Kind::Draw);
     const size_t afterOpaque = schedule_.frame.size();
+    opaque_ = false;
     addShadowVolumes();
     addGroup(ProgramGroup::Deferred, schedule_.frame);
     addGeometry(kTranslucent, Kind::Draw);
@@ -70,7 +104,7 @@ class Builder {
     schedule_.finalFlipped = flipped_;
     schedule_.finalShadowFlipped = shadowFlipped_;
     planTargets(pack_, uses_, shadow, {everFlipped_, everShadowFlipped_}, schedule_, diagnostics_);
-    addDepthCopies(afterOpaque);
+    addDepthCopies(beforeHand, afterOpaque);
     return std::move(schedule_);
   }
 
@@ -112,11 +146,23 @@ class Builder {
   bool gbuffersDrawn(const ProgramSource& program) const {
     for (const std::span<const GeometryPass> passes :
          {std::span<const GeometryPass>(kSky), std::span<const GeometryPass>(kOpaque),
-          std::span<const GeometryPass>(kTranslucent)})
+          std::span<const GeometryPass>(kHand), std::span<const GeometryPass>(kTranslucent)})
       for (const GeometryPass& pass : passes)
-        if (scene_.*pass.needed && wanted(pass) && pack_.resolve(pass.program) == &program)
+        if (present(pass) && wanted(pass, Kind::Draw) &&
+            pack_.resolve(programOf(pass, Kind::Draw)) == &program)
           return true;
     return false;
+  }
+
+  bool present(const GeometryPass& pass) const {
+    return pass.needed != nullptr ? scene_.*pass.needed
+                                  : (scene_.content & bitOf(pass.geometry)) != 0;
+  }
+
+  static std::string_view programOf(const GeometryPass& pass, Kind kind) {
+    if (pass.needed != nullptr) return pass.program;
+    const ContentKind& row = *findContentKind(pass.geometry);
+    return kind == Kind::DrawShadow ? row.shadowProgram : row.program;
   }
 
   static bool usesShadow(const ProgramUses& uses) {
@@ -190,10 +236,11 @@ class Builder {
   void addGeometry(std::span<const GeometryPass> passes, Kind kind) {
     if (kind == Kind::Draw && pack_.properties.flag("skipAllRendering", false)) return;
     for (const GeometryPass& pass : passes) {
-      if (!(scene_.*pass.needed) || !wanted(pass)) continue;
-      const ProgramSource* program = pack_.resolve(pass.program);
+      if (!present(pass) || !wanted(pass, kind) || !inThisHalf(pass.geometry, kind)) continue;
+      const std::string_view name = programOf(pass, kind);
+      const ProgramSource* program = pack_.resolve(name);
       if (program != nullptr && program->stages.empty()) program = nullptr;
-      Step& step = add(kind, std::string(pass.program));
+      Step& step = add(kind, std::string(name));
       step.program = indexOf(program);
       step.group = kind == Kind::DrawShadow ? ProgramGroup::Shadow : ProgramGroup::Gbuffers;
       step.geometry = pass.geometry;
@@ -201,8 +248,38 @@ class Builder {
     }
   }
 
-  bool wanted(const GeometryPass& pass) const {
+  /// Some content is drawn before the deferred programs or after them. Iris: IrisRenderingPipeline,
+  /// ParticleRenderingSettings.
+  bool inThisHalf(Geometry geometry, Kind kind) const {
+    if (kind == Kind::DrawShadow) return true;
+    const bool blends = geometry == Geometry::EntitiesTranslucent;
+    if (blends) return opaque_ != pack_.properties.flag("separateEntityDraws", false);
+    if (geometry != Geometry::Particles && geometry != Geometry::ParticlesTranslucent) return true;
+    const std::string order = particleOrder();
+    if (order == "mixed") return opaque_ == (geometry == Geometry::Particles);
+    return opaque_ == (order == "before");
+  }
+
+  std::string particleOrder() const {
+    const auto& settings = pack_.properties.settings;
+    if (const auto it = settings.find("particles.ordering"); it != settings.end()) {
+      std::string order = it->second;
+      std::transform(order.begin(), order.end(), order.begin(),
+                     [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+      return order;
+    }
+    if (settings.contains("separateEntityDraws")) return "mixed";
+    if (pack_.properties.flag("particles.before.deferred", false)) return "before";
+    const bool deferred =
+        std::any_of(pack_.programs.begin(), pack_.programs.end(), [](const ProgramSource& program) {
+          return program.group == ProgramGroup::Deferred;
+        });
+    return deferred ? "after" : "mixed";
+  }
+
+  bool wanted(const GeometryPass& pass, Kind kind) const {
     const auto& p = pack_.properties;
+    const bool shadow = kind == Kind::DrawShadow;
     switch (pass.geometry) {
       case Geometry::Sky:
         return p.flag("sky", true);
@@ -212,17 +289,37 @@ class Builder {
         return p.flag("sun", true) || p.flag("moon", true);
       case Geometry::Solid:
       case Geometry::Cutout:
-        return !pass.program.starts_with("shadow") || p.flag("shadowTerrain", true);
+        return !shadow || p.flag("shadowTerrain", true);
       case Geometry::BlockEntity:
-        return !pass.program.starts_with("shadow") || p.flag("shadowBlockEntities", true);
+      case Geometry::BlockText:
+      case Geometry::BeamCore:
+      case Geometry::BeamGlow:
+        return !shadow || p.flag("shadowBlockEntities", true);
+      case Geometry::Leash:
+      case Geometry::Entities:
+      case Geometry::EntitiesTranslucent:
+      case Geometry::Lightning:
+        return !shadow || p.flag("shadowEntities", true);
+      case Geometry::PlayerBody:
+        return p.flag("shadowEntities", true) || p.flag("shadowPlayer", false);
+      case Geometry::Rain:
+      case Geometry::Snow:
+        return weatherDrawn();
       case Geometry::Translucent:
-        return !pass.program.starts_with("shadow") || p.flag("shadowTranslucent", true);
+        return !shadow || p.flag("shadowTranslucent", true);
       case Geometry::CloudsFast:
         return clouds() == Clouds::Fast;
       case Geometry::CloudsFancy:
         return clouds() == Clouds::Fancy;
+      default:
+        return true;
     }
-    return true;
+  }
+
+  // The first of two words; the second is about particles that the game makes where rain falls.
+  bool weatherDrawn() const {
+    const auto it = pack_.properties.settings.find("weather");
+    return it == pack_.properties.settings.end() || !it->second.starts_with("false");
   }
 
   Clouds clouds() const {
@@ -279,23 +376,26 @@ class Builder {
   }
 
   // Copies only what some program reads; depthtex2 lies before the hand, depthtex1 after it.
-  void addDepthCopies(size_t afterOpaque) {
-    std::vector<Step> copies;
+  void addDepthCopies(size_t beforeHand, size_t afterOpaque) {
+    std::vector<Step> copies, copiesAfterHand;
     const std::uint32_t bits =
         afterOpaque < schedule_.frame.size() ? schedule_.frame[afterOpaque].flipped : flipped_;
-    const auto push = [&](Kind kind, std::string name, int index) {
+    const auto push = [&](std::vector<Step>& list, Kind kind, std::string name, int index) {
       Step step;
       step.kind = kind;
       step.name = std::move(name);
       step.index = index;
       step.flipped = bits;
-      copies.push_back(step);
+      list.push_back(step);
     };
-    if (schedule_.centerDepth) push(Kind::SampleCenterDepth, "sample_center_depth", 0);
-    if (schedule_.depthtex2) push(Kind::CopyDepth, "copy_depthtex2", 2);
-    if (schedule_.depthtex1) push(Kind::CopyDepth, "copy_depthtex1", 1);
-    schedule_.frame.insert(schedule_.frame.begin() + static_cast<std::ptrdiff_t>(afterOpaque),
-                           copies.begin(), copies.end());
+    if (schedule_.centerDepth) push(copies, Kind::SampleCenterDepth, "sample_center_depth", 0);
+    if (schedule_.depthtex2) push(copies, Kind::CopyDepth, "copy_depthtex2", 2);
+    if (schedule_.depthtex1) push(copiesAfterHand, Kind::CopyDepth, "copy_depthtex1", 1);
+    const auto at = [&](size_t place) {
+      return schedule_.frame.begin() + static_cast<std::ptrdiff_t>(place);
+    };
+    schedule_.frame.insert(at(afterOpaque), copiesAfterHand.begin(), copiesAfterHand.end());
+    schedule_.frame.insert(at(beforeHand), copies.begin(), copies.end());
     std::erase_if(schedule_.frame, [&](const Step& step) {
       return step.kind == Kind::CopyShadowDepth && !schedule_.shadowtex1;
     });
@@ -308,17 +408,10 @@ class Builder {
   Schedule schedule_;
   std::uint32_t flipped_ = 0, shadowFlipped_ = 0, everFlipped_ = 0, everShadowFlipped_ = 0;
   std::uint32_t groupFlips_ = 0;
+  bool opaque_ = true;  ///< what is added is drawn before the deferred programs
 };
 
 }  // namespace
-
-bool isSky(Geometry geometry) {
-  return geometry == Geometry::Sky || geometry == Geometry::Stars || geometry == Geometry::SunMoon;
-}
-
-bool isClouds(Geometry geometry) {
-  return geometry == Geometry::CloudsFast || geometry == Geometry::CloudsFancy;
-}
 
 bool Step::writesAlt(int buffer) const {
   const bool shadow = group == ProgramGroup::ShadowComp || group == ProgramGroup::Shadow;

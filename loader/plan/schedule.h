@@ -10,6 +10,7 @@
 
 #include "core/diagnostic.h"
 #include "pack/shader_pack.h"
+#include "plan/geometry.h"
 #include "world/world.h"
 
 namespace orris {
@@ -27,21 +28,6 @@ struct TargetPlan {
   bool history = false;     ///< alt is copied into main at frame end
   bool operator==(const TargetPlan&) const = default;
 };
-
-/// What a geometry step draws.
-enum class Geometry {
-  Sky,
-  Stars,
-  SunMoon,
-  Solid,
-  Cutout,
-  BlockEntity,
-  Translucent,
-  CloudsFast,
-  CloudsFancy
-};
-bool isSky(Geometry geometry);
-bool isClouds(Geometry geometry);
 
 struct Step {
   enum class Kind {
@@ -100,6 +86,7 @@ struct SceneContents {
   bool sky = true;
   bool cloudPlane = true;       ///< the dimension has clouds, which a pack may switch on
   Clouds clouds = Clouds::Off;  ///< what the world asks for
+  GeometrySet content = 0;      ///< kinds besides blocks, sky and clouds
   bool operator==(const SceneContents&) const = default;
 };
 

@@ -24,7 +24,10 @@ struct DrawState {
   int alphaFunction = 7;        ///< bits: 1 less, 2 equal, 4 greater pass; 7: there is no test
   bool lightmapMatrix = false;  ///< texture matrices 1 and 2 are lightTextureMatrix()
   bool fullscreen = false;
+  bool forcedDepth = false;  ///< the pack wants depth of what else writes none
   int blockEntityId = -1;
+  int entityId = 0, itemId = -1;
+  glm::vec4 entityColor{0};
 };
 
 /// The game's fog is linear, but exponential in water.

@@ -96,8 +96,9 @@ bool FrameRenderer::resize(int width, int height, Diagnostics& diagnostics) {
   return !hasErrors(diagnostics);
 }
 
-void FrameRenderer::render(const FrameState& given) {
+void FrameRenderer::render(const FrameState& given, const DrawLists& lists) {
   FrameState state = given;
+  lists_ = &lists;
   if (loaded_->lampVolumes) state.volumeLights = loaded_->lampVolumes->choose(state.cameraPosition);
   if (vertexArray_) gl::BindVertexArray(vertexArray_.id());
   gl::PixelStorei(GL_UNPACK_ALIGNMENT, 1);
@@ -105,6 +106,7 @@ void FrameRenderer::render(const FrameState& given) {
   stepTimes_.clear();
   const float* fog = &state.environment.fogColor.x;
   loaded_->scene->updateLightmap(state);
+  if (!lists.draws.empty()) loaded_->scene->uploadLists(lists);
   loaded_->resources->bindBuffers();
   setFog(state);
   loaded_->custom.evaluate(
@@ -235,25 +237,30 @@ void FrameRenderer::drawGeometry(const Step& step, const FrameState& state) {
   DrawState draw;
   draw.atlasSize = draw.gtextureSize = loaded_->scene->atlasSize();
   draw.gtextureId = static_cast<int>(loaded_->scene->atlas().id());
+  draw.forcedDepth = (step.geometry == Geometry::BeamGlow &&
+                      pack_->properties.flag("beacon.beam.depth", false)) ||
+                     (step.name == "gbuffers_weather" && pack_->properties.flag("rain.depth", false));
   setGeometryState(step, source, draw);
   const GpuProgram& program = programOf(step);
   if (isSky(step.geometry)) {
     drawSky(step, program, state, draw);
   } else if (isClouds(step.geometry)) {
     drawClouds(step, program, state, draw);
+  } else if (findContentKind(step.geometry) != nullptr) {
+    drawContent(step, program, state, draw);
   } else {
-    glm::mat4 projection = state.gbufferProjection;
-    if (shadow) {
-      projection = state.shadowProjection;
-      if (const auto& fov = pack_->directives.shadowMapFov)
-        projection = glm::perspective(glm::radians(*fov), 1.0f, 0.05f, 256.0f);
-    }
     drawTerrain(step, program, state, shadow ? state.shadowModelView : state.gbufferModelView,
-                projection, draw);
+                shadow ? shadowProjectionOf(state) : state.gbufferProjection, draw);
   }
   unsetAlphaTest();
   gl::Disable(GL_BLEND);
   gl::DepthMask(GL_TRUE);
+}
+
+glm::mat4 FrameRenderer::shadowProjectionOf(const FrameState& state) const {
+  const auto& fov = pack_->directives.shadowMapFov;
+  if (!fov) return state.shadowProjection;
+  return glm::perspective(glm::radians(*fov), 1.0f, 0.05f, 256.0f);
 }
 
 void FrameRenderer::drawTerrain(const Step& step, const GpuProgram& program,

@@ -66,7 +66,8 @@ class FrameRenderer {
   void forgetScene();
   bool resize(int width, int height, Diagnostics& diagnostics);
 
-  void render(const FrameState& state);
+  /// `lists`: what the frame has besides blocks, sky and clouds.
+  void render(const FrameState& state, const DrawLists& lists = {});
 
   const ShaderPack& pack() const { return *pack_; }
   const std::shared_ptr<const ShaderPack>& sharedPack() const { return pack_; }
@@ -115,10 +116,14 @@ class FrameRenderer {
   void note(std::string_view name, const StageText* stage);
   void drawFullscreen(const Step& step, const FrameState& state);
   void drawGeometry(const Step& step, const FrameState& state);
+  glm::mat4 shadowProjectionOf(const FrameState& state) const;
   void drawTerrain(const Step& step, const GpuProgram& program, const FrameState& state,
                    const glm::mat4& view, const glm::mat4& projection, DrawState& draw);
   void drawSky(const Step& step, const GpuProgram& program, const FrameState& state,
                DrawState& draw);
+  void drawContent(const Step& step, const GpuProgram& program, const FrameState& state,
+                   DrawState& draw);
+  void setDrawIds(const ContentDraw& content, DrawState& draw) const;
   void drawClouds(const Step& step, const GpuProgram& program, const FrameState& state,
                   DrawState& draw);
   void drawShadowVolumes(const Step& step, const FrameState& state);
@@ -144,6 +149,7 @@ class FrameRenderer {
   bool firstFrame_ = true;
   int framesOfPack_ = 0;  ///< drawn since setPack()
   float centerDepth_ = 1;
+  const DrawLists* lists_ = nullptr;  ///< of the frame that is drawn
   std::vector<StepTime> stepTimes_;
   StepWatcher watcher_;
 };

@@ -61,7 +61,43 @@ GpuScene::GpuScene(const SceneData& scene, const std::vector<int>& blockIds,
   celestial_ = uploadImage(celestialImage(), 1, "celestial");
   gl::setParameters(celestial_, {.linear = false});
   buildShapes();
+  buildContent(scene.content, scene.contents().content);
   uploadMesh(scene, blockIds, style);
+}
+
+void GpuScene::buildContent(const ContentScene& content, GeometrySet kinds) {
+  struct NamedSheet {
+    Sheet sheet;
+    Geometry geometry;
+    const char* texture;
+  };
+  constexpr NamedSheet kSheets[] = {{Sheet::Glint, Geometry::Glint, "glint"},
+                                    {Sheet::Rain, Geometry::Rain, "rain"},
+                                    {Sheet::Snow, Geometry::Snow, "snow_flakes"},
+                                    {Sheet::Beam, Geometry::BeamCore, "beacon_beam"},
+                                    {Sheet::Border, Geometry::Border, "world_border"}};
+  for (const NamedSheet& row : kSheets)
+    if ((kinds & bitOf(row.geometry)) != 0)
+      sheets_[row.sheet] = uploadImage(textureImage(row.texture), 1, row.texture);
+  if (kinds == 0) return;
+  // What has no such maps, as lines, reads these: flat and rough.
+  const bool own = content.atlas.albedo.width > 0;
+  const BlockAtlas& atlas = own ? content.atlas : buildAtlas({});
+  contentAtlas_ = uploadColors(atlas.albedo, "content atlas");
+  contentNormals_ = uploadData(atlas.normal, "content normals");
+  contentSpecular_ = uploadData(atlas.specular, "content specular");
+}
+
+const gl::Texture& GpuScene::sheet(Sheet sheet) const {
+  if (sheet == Sheet::Content) return contentAtlas_;
+  const auto found = sheets_.find(sheet);
+  return found == sheets_.end() ? white_ : found->second;
+}
+
+void GpuScene::uploadLists(const DrawLists& lists) {
+  lists_ = gl::createBuffer(lists.vertices.size() * sizeof(GpuVertex), lists.vertices.data(),
+                            "draw lists");
+  for (const ContentDraw& draw : lists.draws) needIndices(draw.range.quads);
 }
 
 void GpuScene::buildShapes() {
@@ -99,10 +135,15 @@ void GpuScene::needIndices(unsigned quads) {
 
 void GpuScene::uploadMesh(const SceneData& scene, const std::vector<int>& blockIds,
                           const VertexStyle& style) {
-  const std::vector<GpuVertex> vertices = packVertices(scene.mesh, blockIds, style);
   sections_ = scene.mesh.sections;
-  terrain_ = gl::createBuffer(std::max<size_t>(1, vertices.size()) * sizeof(GpuVertex),
-                              vertices.empty() ? nullptr : vertices.data(), "terrain");
+  const size_t count = scene.mesh.vertices.size();
+  terrain_ = gl::createUnfilledBuffer(std::max<size_t>(1, count) * sizeof(GpuVertex), "terrain");
+  // By sections: a copy of all vertices at once would be hundreds of megabytes for a save.
+  for (const MeshSection& section : sections_) {
+    const std::vector<GpuVertex> vertices = packVertices(scene.mesh, section, blockIds, style);
+    gl::upload(terrain_, section.first * sizeof(GpuVertex), vertices.size() * sizeof(GpuVertex),
+               vertices.data());
+  }
   blockIds_ = blockIds;
   unsigned most = stars.quads;
   for (const MeshSection& section : sections_) most = std::max(most, section.count / 4);
@@ -173,6 +214,11 @@ void GpuScene::updateLightmap(const FrameState& state) {
 
 void GpuScene::bindTerrain() const {
   gl::BindBuffer(GL_ARRAY_BUFFER, terrain_.id());
+  gl::BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
+}
+
+void GpuScene::bindLists() const {
+  gl::BindBuffer(GL_ARRAY_BUFFER, lists_.id());
   gl::BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
 }
 

@@ -2,6 +2,7 @@
 // textures (atlas, lightmap, noise).
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "plan/clouds.h"
 #include "plan/frame_state.h"
 #include "plan/gpu_vertex.h"
+#include "plan/lists/draw_lists.h"
 #include "plan/scene_data.h"
 #include "plan/schedule.h"
 #include "plan/shapes.h"
@@ -39,6 +41,13 @@ class GpuScene {
   const gl::Texture& lightmap() const { return lightmap_; }
   const gl::Texture& white() const { return white_; }
   const gl::Texture& celestial() const { return celestial_; }  ///< sun left half, moon right half
+  /// Of content (plan/lists/): made only of what the scene has; 1x1 white where there is none.
+  const gl::Texture& sheet(Sheet sheet) const;
+  const gl::Texture& contentNormals() const { return contentNormals_; }
+  const gl::Texture& contentSpecular() const { return contentSpecular_; }
+  /// The vertices of a frame's draw lists, for bindLists().
+  void uploadLists(const DrawLists& lists);
+  void bindLists() const;
   glm::ivec2 atlasSize() const { return {atlas_.width, atlas_.height}; }
   const std::vector<MeshSection>& sections() const { return sections_; }
   /// The id that block.properties gives a palette index, -1 for none.
@@ -64,11 +73,14 @@ class GpuScene {
 
  private:
   void buildShapes();
+  void buildContent(const ContentScene& content, GeometrySet kinds);
   /// Makes the index buffer serve draws of so many quads.
   void needIndices(unsigned quads);
   void collectTranslucent(const BlockMesh& mesh);
+  gl::Texture contentAtlas_, contentNormals_, contentSpecular_;
+  std::map<Sheet, gl::Texture> sheets_;
   gl::Texture atlas_, normals_, specular_, lightmap_, white_, celestial_;
-  gl::Buffer terrain_, shapes_, indices_, sortedIndices_;
+  gl::Buffer terrain_, shapes_, lists_, indices_, sortedIndices_;
   unsigned indexedQuads_ = 0;
   std::optional<CloudLayer> clouds_;
   std::vector<int> blockIds_;

@@ -43,6 +43,27 @@ constexpr glm::ivec4 kTranslucentBlend(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_
                                        GL_ONE_MINUS_SRC_ALPHA);
 constexpr glm::ivec4 kAdditive(GL_SRC_ALPHA, GL_ONE, GL_ONE, GL_ZERO);
 
+// Iris: ProgramId has that of eyes; the others are the game's.
+glm::ivec4 factorsOf(DefaultBlend blend) {
+  switch (blend) {
+    case DefaultBlend::Translucent:
+      return kTranslucentBlend;
+    case DefaultBlend::Additive:
+      return kAdditive;
+    case DefaultBlend::Lightning:
+      return {GL_SRC_ALPHA, GL_ONE, GL_SRC_ALPHA, GL_ONE};
+    case DefaultBlend::Eyes:
+      return {GL_SRC_ALPHA, GL_ONE, GL_ZERO, GL_ONE};
+    case DefaultBlend::Glint:
+      return {GL_SRC_COLOR, GL_ONE, GL_ZERO, GL_ONE};
+    case DefaultBlend::Cracks:
+      return {GL_DST_COLOR, GL_SRC_COLOR, GL_ONE, GL_ZERO};
+    case DefaultBlend::Off:
+      break;
+  }
+  return kNoBlend;
+}
+
 glm::ivec4 factorsOf(const BlendMode& mode) {
   if (mode.off) return kNoBlend;
   glm::ivec4 factors;
@@ -76,6 +97,7 @@ void applyBufferBlend(const Step& step, const ProgramSource& program) {
 
 glm::ivec4 defaultBlend(const Step& step) {
   if (step.kind == Step::Kind::DrawShadow) return kNoBlend;
+  if (const ContentKind* kind = findContentKind(step.geometry)) return factorsOf(kind->blend);
   switch (step.geometry) {
     case Geometry::Translucent:
     case Geometry::CloudsFast:
@@ -100,6 +122,10 @@ bool hasDefaultAlphaTest(const Step& step) {
 void setAlphaTest(const Step& step, const ProgramSource* program, DrawState& draw) {
   AlphaTest test;
   test.off = !hasDefaultAlphaTest(step);
+  if (const ContentKind* kind = findContentKind(step.geometry)) {
+    test.off = kind->alphaReference < 0;
+    test.reference = kind->alphaReference;
+  }
   if (program != nullptr && program->alphaTest) test = *program->alphaTest;
   draw.alphaTestRef = test.off ? 0.0f : test.reference;
   // Iris adds its discard only to programs that write gl_FragData or gl_FragColor.
@@ -128,6 +154,7 @@ glm::mat4 fullscreenProjection() {
 }
 
 int renderStageOf(Geometry geometry) {
+  if (const ContentKind* kind = findContentKind(geometry)) return kind->renderStage;
   switch (geometry) {
     case Geometry::Sky:
       return 1;
@@ -146,8 +173,9 @@ int renderStageOf(Geometry geometry) {
     case Geometry::CloudsFast:
     case Geometry::CloudsFancy:
       return 20;
+    default:
+      return 0;
   }
-  return 0;
 }
 
 void setFullscreenState(const ProgramSource* program, DrawState& draw) {
@@ -163,12 +191,16 @@ void setFullscreenState(const ProgramSource* program, DrawState& draw) {
 }
 
 void setGeometryState(const Step& step, const ProgramSource* program, DrawState& draw) {
-  const bool sky = isSky(step.geometry);
+  const ContentKind* kind = findContentKind(step.geometry);
+  const bool sky = isSky(step.geometry), shadow = step.kind == Step::Kind::DrawShadow;
   gl::Enable(GL_DEPTH_TEST);
-  gl::DepthFunc(GL_LEQUAL);
-  gl::DepthMask(sky ? GL_FALSE : GL_TRUE);
+  // The glint lies on what was drawn with the same vertices.
+  gl::DepthFunc(step.geometry == Geometry::Glint ? GL_EQUAL : GL_LEQUAL);
+  const bool writesDepth = kind == nullptr || shadow || kind->writesDepth || draw.forcedDepth;
+  gl::DepthMask(sky || !writesDepth ? GL_FALSE : GL_TRUE);
   // Contract programs.csv "shadow": back faces are drawn there. Flat clouds are seen from above too.
-  if (!sky && step.kind == Step::Kind::Draw && step.geometry != Geometry::CloudsFast)
+  const bool culled = kind != nullptr ? kind->culled : step.geometry != Geometry::CloudsFast;
+  if (!sky && !shadow && culled)
     gl::Enable(GL_CULL_FACE);
   else
     gl::Disable(GL_CULL_FACE);
@@ -186,7 +218,7 @@ void loadMatrices(DrawState& draw, bool lightmapMatrix) {
   draw.lightmapMatrix = lightmapMatrix;
   if (gl::isCoreProfile()) return;
   const glm::mat4 light = lightmapMatrix ? lightTextureMatrix() : glm::mat4(1);
-  loadTextureMatrix(0, glm::mat4(1));
+  loadTextureMatrix(0, draw.textureMatrix);
   loadTextureMatrix(1, light);
   loadTextureMatrix(2, light);
   gl::MatrixMode(GL_PROJECTION);

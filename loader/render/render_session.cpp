@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "core/work_record.h"
+#include "plan/lists/draw_lists.h"
 #include "plan/scene_quantities.h"
 
 namespace orris {
@@ -53,6 +54,7 @@ std::unique_ptr<RenderSession> RenderSession::create(gl::Context& context, Sessi
   const auto pack = session->settle(asked, diagnostics);
   if (pack == nullptr) return nullptr;
   if (meshStyleOf(*pack) != meshStyleOf(*asked)) rebuildMesh(session->scene_, meshStyleOf(*pack));
+  session->weather_ = weatherOf(session->scene_.world.environment);
   session->renderer_ = std::make_unique<FrameRenderer>(context, session->request_.renderer);
   SessionReload start{0, "start", false, {}};
   start.succeeded = session->renderer_->setPack(pack, session->scene_, start.report, diagnostics);
@@ -165,6 +167,7 @@ bool RenderSession::setWorld(World world, const Camera& camera, Diagnostics& dia
       std::exchange(scene_, buildScene(std::move(world), meshStyleOf(*asked_), diagnostics));
   const Camera cameraBefore = std::exchange(request_.camera, camera);
   renderer_->forgetScene();
+  weather_ = weatherOf(scene_.world.environment);
   const std::size_t eventBefore = std::exchange(nextEvent_, 0);
   // Events count frames of their world.
   const int frameBefore = std::exchange(frame_, 0);
@@ -193,23 +196,40 @@ void RenderSession::applyEvents(Diagnostics& diagnostics) {
       setOption(option->name, option->value, diagnostics);
     } else if (const auto* time = std::get_if<SetTime>(&action)) {
       world.environment.time = time->time;
+    } else if (const auto* change = std::get_if<ChangeEntity>(&action)) {
+      changeEntity(*change);
+    } else if (const auto* bolt = std::get_if<StrikeLightning>(&action)) {
+      world.content.bolts.push_back({bolt->at, frame_ + bolt->frames});
     }
   }
+  std::erase_if(world.content.bolts, [&](const LightningBolt& bolt) { return bolt.until <= frame_; });
   if (!blocksChanged) return;
   chosenFor_.blocksChanged = true;
   rebuildScene(diagnostics);
+}
+
+void RenderSession::changeEntity(const ChangeEntity& change) {
+  for (Entity& entity : scene_.world.content.entities) {
+    if (entity.name != change.name) continue;
+    entity.position = change.position.value_or(entity.position);
+    entity.yaw = change.yaw.value_or(entity.yaw);
+    entity.walking = change.walking.value_or(entity.walking);
+    entity.hurt = change.hurt.value_or(entity.hurt);
+  }
+}
+
+void RenderSession::followContents(const std::string& cause, Diagnostics& diagnostics) {
+  SessionReload reload{frame_, cause, false, {}};
+  reload.succeeded =
+      renderer_->setPack(renderer_->sharedPack(), scene_, reload.report, diagnostics);
+  reloads_.push_back(reload);
 }
 
 void RenderSession::rebuildScene(Diagnostics& diagnostics) {
   const SceneContents before = scene_.contents();
   rebuildMesh(scene_, meshStyleOf(renderer_->pack()));
   // The first glass pane brings a translucent pass with it, the last one takes it away.
-  if (scene_.contents() != before) {
-    SessionReload reload{frame_, "blocks changed", false, {}};
-    reload.succeeded =
-        renderer_->setPack(renderer_->sharedPack(), scene_, reload.report, diagnostics);
-    reloads_.push_back(reload);
-  }
+  if (scene_.contents() != before) followContents("blocks changed", diagnostics);
   renderer_->updateScene(scene_);
 }
 
@@ -225,20 +245,52 @@ FrameInput RenderSession::frameInput() const {
   return input;
 }
 
+void RenderSession::setContentIds(FrameState& state) const {
+  const ShaderPack& pack = renderer_->pack();
+  const int none = pack.hasItemFile ? -1 : 0;
+  const auto heldId = [&](const std::string& item) {
+    const auto found = pack.itemIds.find(item);
+    return found == pack.itemIds.end() ? none : found->second;
+  };
+  Player& player = state.environment.player;
+  state.heldItemId = heldId(player.mainHand);
+  state.heldItemId2 = heldId(player.offHand);
+  const auto& items = scene_.content.items;
+  if (const auto it = items.find(player.mainHand); it != items.end())
+    player.heldLight = std::max(player.heldLight, it->second.emission);
+  if (const auto it = items.find(player.offHand); it != items.end())
+    player.heldLight2 = std::max(player.heldLight2, it->second.emission);
+  const WorldContent& content = scene_.world.content;
+  if (content.selected) {
+    const BlockState& block = scene_.world.blocks.at(*content.selected);
+    state.selectedBlockId = pack.blockIds.idOf(block.name, block.properties);
+    state.selectedBlockPos =
+        glm::vec3(glm::dvec3(*content.selected) + 0.5 - state.cameraPosition);
+  }
+  if (!content.bolts.empty())
+    state.lightningBolt =
+        glm::vec4(glm::vec3(content.bolts.back().at - state.cameraPosition), 1);
+}
+
 void RenderSession::renderFrame(Diagnostics& diagnostics) {
   noteFrame(frame_);
   applyEvents(diagnostics);
+  if (const GeometrySet weather = weatherOf(scene_.world.environment); weather != weather_) {
+    weather_ = weather;
+    renderer_->forgetScene();  // its textures are others
+    followContents("weather changed", diagnostics);
+  }
   if (sceneChanged()) chooseAgain(diagnostics);
   FrameInput input = frameInput();
   input.centerDepth = renderer_->centerDepth();
   state_ = nextFrameState(input, renderer_->pack().directives, state_ ? &*state_ : nullptr);
   if (frame_ == 0) state_->frameCounter = request_.firstFrame;
-  state_->emptyHandId = renderer_->pack().hasItemFile ? -1 : 0;
+  setContentIds(*state_);
   Player& player = state_->environment.player;
   if (renderer_->pack().properties.flag("oldHandLight", true))
     player.heldLight = std::max(player.heldLight, player.heldLight2);
   noteFrame(frame_);  // events and choices may have compiled programs
-  renderer_->render(*state_);
+  renderer_->render(*state_, buildDrawLists(scene_, *state_));
   ++frame_;
 }
 

@@ -88,6 +88,11 @@ class RenderSession {
   FrameInput frameInput() const;
   void applyEvents(Diagnostics& diagnostics);
   void rebuildScene(Diagnostics& diagnostics);
+  void changeEntity(const ChangeEntity& change);
+  /// The steps for what the scene has, where they are not those that it had.
+  void followContents(const std::string& cause, Diagnostics& diagnostics);
+  /// What of the frame depends on both the pack and the content.
+  void setContentIds(FrameState& state) const;
 
   SessionRequest request_;
   SceneData scene_;
@@ -103,6 +108,7 @@ class RenderSession {
     bool blocksChanged = false;  ///< since
   } chosenFor_;
   size_t nextEvent_ = 0;
+  GeometrySet weather_ = 0;  ///< of the frame before
   int frame_ = 0;
 };
 

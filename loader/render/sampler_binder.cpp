@@ -95,8 +95,11 @@ SamplerBinder::Choice SamplerBinder::chooseNamed(const SamplerBinding& sampler, 
   if (sampler.name.starts_with("dhDepthTex")) return {&scene_.white(), {}};
   if (isGeometry(step)) {
     if (sampler.name == "lightmap") return {&scene_.lightmap(), {true, false, false, false, false}};
-    if (sampler.name == "normals") return {&scene_.normals(), kAtlas};
-    if (sampler.name == "specular") return {&scene_.specular(), kAtlas};
+    const bool content = findContentKind(step.geometry) != nullptr;
+    if (sampler.name == "normals")
+      return {content ? &scene_.contentNormals() : &scene_.normals(), kAtlas};
+    if (sampler.name == "specular")
+      return {content ? &scene_.contentSpecular() : &scene_.specular(), kAtlas};
   }
   found = false;
   return {};
@@ -104,6 +107,12 @@ SamplerBinder::Choice SamplerBinder::chooseNamed(const SamplerBinding& sampler, 
 
 SamplerBinder::Choice SamplerBinder::chooseFallback(const Step& step) {
   if (!isGeometry(step)) return colorChoice(false, 0, altSide(step, false, 0));
+  if (const ContentKind* kind = findContentKind(step.geometry)) {
+    const bool repeats = kind->sheet > Sheet::White;
+    // Iris keeps the game's filters: the glint is smooth.
+    return {&scene_.sheet(kind->sheet),
+            {kind->sheet == Sheet::Glint, repeats, kind->sheet == Sheet::Content, false, false}};
+  }
   switch (step.geometry) {
     case Geometry::Sky:
     case Geometry::Stars:

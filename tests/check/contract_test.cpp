@@ -150,7 +150,7 @@ TEST(ContractUniforms, an_empty_hand_depends_on_item_properties) {
   FrameState state;
   const auto heldItem = [&] { return findUniform("heldItemId")->value(state, {}).i[0]; };
   EXPECT_EQ(heldItem(), -1);
-  state.emptyHandId = 0;
+  state.heldItemId = 0;
   EXPECT_EQ(heldItem(), 0);
 }
 

@@ -320,6 +320,93 @@ TEST(ProgramUses, buffer_names_and_their_legacy_names) {
   EXPECT_FALSE(parseBufferName("colortexture", false));
 }
 
+/// All kinds of content.
+SceneContents everyContent() {
+  SceneContents scene;
+  for (const ContentKind& kind : contentKinds()) scene.content |= bitOf(kind.geometry);
+  return scene;
+}
+
+std::vector<std::string> drawnNames(const Schedule& schedule) {
+  std::vector<std::string> names;
+  for (const Step& step : schedule.frame)
+    if (step.kind == Step::Kind::Draw || step.name == "deferred" || step.kind == Step::Kind::CopyDepth)
+      names.push_back(step.name);
+  return names;
+}
+
+TEST(ScheduleContent, is_drawn_in_the_order_of_the_game) {
+  Files files;
+  add(files, "gbuffers_basic", fragment({}, "0"));
+  add(files, "deferred", fragment({"colortex0", "depthtex1", "depthtex2"}, "0"));
+  files["/shaders.properties"] = "sky=false\nstars=false\nsun=false\nmoon=false\n";
+  EXPECT_THAT(
+      drawnNames(scheduleOf(load(files), everyContent())),
+      ElementsAre("gbuffers_terrain_solid", "gbuffers_terrain_cutout", "gbuffers_basic",
+                  "gbuffers_entities", "gbuffers_entities_translucent", "gbuffers_spidereyes",
+                  "gbuffers_armor_glint", "gbuffers_lightning", "gbuffers_block",
+                  "gbuffers_block_translucent", "gbuffers_beaconbeam", "gbuffers_beaconbeam",
+                  "gbuffers_damagedblock", "gbuffers_line", "copy_depthtex2", "gbuffers_hand",
+                  "copy_depthtex1", "deferred", "gbuffers_water", "gbuffers_particles",
+                  "gbuffers_particles_translucent", "gbuffers_weather", "gbuffers_weather",
+                  "gbuffers_textured", "gbuffers_hand_water"));
+}
+
+TEST(ScheduleContent, the_pack_orders_particles_and_entities_that_blend) {
+  const auto halves = [](const std::string& properties, bool deferred) {
+    Files files;
+    add(files, "gbuffers_basic", fragment({}, "0"));
+    if (deferred) add(files, "deferred", fragment({"colortex0"}, "0"));
+    files["/shaders.properties"] = properties;
+    const auto names = stepNames(scheduleOf(load(files), everyContent()));
+    const auto place = [&](const char* name) {
+      return std::find(names.begin(), names.end(), name) - names.begin();
+    };
+    std::string text;
+    for (const char* name : {"gbuffers_entities_translucent", "gbuffers_particles",
+                             "gbuffers_particles_translucent"})
+      text += place(name) < place("gbuffers_hand") ? '<' : '>';
+    return text;
+  };
+  EXPECT_EQ(halves("", true), "<>>");
+  EXPECT_EQ(halves("", false), "<<>");
+  EXPECT_EQ(halves("particles.ordering=before\n", true), "<<<");
+  EXPECT_EQ(halves("particles.ordering=MIXED\n", true), "<<>");
+  EXPECT_EQ(halves("particles.ordering=after\n", false), "<>>");
+  EXPECT_EQ(halves("particles.before.deferred=true\n", true), "<<<");
+  EXPECT_EQ(halves("separateEntityDraws=true\n", true), "><>");
+  EXPECT_EQ(halves("separateEntityDraws=false\n", true), "<<>");
+}
+
+TEST(ScheduleContent, shadows_follow_the_switches_of_the_pack) {
+  const auto casters = [](const std::string& properties) {
+    Files files;
+    add(files, "shadow", fragment({"gtexture"}, "0"));
+    add(files, "final", fragment({"shadowtex0", "shadowcolor0"}, ""));
+    files["/shaders.properties"] = properties;
+    std::vector<std::string> names;
+    for (const Step& step : scheduleOf(load(files), everyContent()).frame)
+      if (step.kind == Step::Kind::DrawShadow && findContentKind(step.geometry))
+        names.push_back(step.name);
+    return names;
+  };
+  EXPECT_THAT(casters(""), ElementsAre("shadow", "shadow_entities", "shadow_entities",
+                                       "shadow_entities", "shadow_lightning", "shadow_block",
+                                       "shadow_entities"));
+  EXPECT_THAT(casters("shadowEntities=false\n"), ElementsAre("shadow_block", "shadow_entities"));
+  EXPECT_THAT(casters("shadowEntities=false\nshadowPlayer=true\n"),
+              ElementsAre("shadow_entities", "shadow_block", "shadow_entities"));
+  EXPECT_THAT(casters("shadowEntities=false\nshadowBlockEntities=false\n"), IsEmpty());
+}
+
+TEST(ScheduleContent, weather_is_the_packs_to_leave_out) {
+  Files files;
+  add(files, "gbuffers_basic", fragment({}, "0"));
+  files["/shaders.properties"] = "weather=false\n";
+  EXPECT_THAT(stepNames(scheduleOf(load(files), everyContent())),
+              ::testing::Not(::testing::Contains("gbuffers_weather")));
+}
+
 /// The reference pack with everything off: no voxel, floodfill or shadow target, no such program.
 TEST(ReferencePack, cost_follows_use) {
   Diagnostics diagnostics;

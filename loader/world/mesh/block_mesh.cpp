@@ -1,6 +1,7 @@
 #include "world/mesh/block_mesh.h"
 
 #include <fmt/core.h>
+#include <malloc.h>
 
 #include <algorithm>
 #include <array>
@@ -276,7 +277,11 @@ BlockMesh buildMesh(const MeshInput& input) {
   forEachInParallel(origins.size(), [&](std::size_t i) {
     parts[i] = SectionMesher(input, states, lighting).build(origins[i]);
   });
-  return joinParts(parts);
+  BlockMesh mesh = joinParts(parts);
+  parts.clear();
+  // What many threads allocated in small pieces stays with the process unless it is asked for.
+  malloc_trim(0);
+  return mesh;
 }
 
 

@@ -1,0 +1,119 @@
+// What is in the air: particles, rain, snow.
+#include <algorithm>
+#include <cmath>
+
+#include "plan/lists/content_scene.h"
+#include "plan/lists/list_writer.h"
+
+namespace orris {
+namespace {
+
+/// How a kind of particle looks and moves.
+struct ParticleLook {
+  const char* texture;
+  Geometry geometry;
+  float life, rise, size;  ///< seconds, blocks a second, blocks
+  bool shines;
+};
+constexpr ParticleLook kLooks[] = {
+    {"flame_particle", Geometry::Particles, 1.2f, 0.4f, 0.12f, true},
+    {"smoke_particle", Geometry::Particles, 3.0f, 0.7f, 0.2f, false},
+    {"spark_particle", Geometry::ParticlesTranslucent, 1.6f, 0.9f, 0.14f, true}};
+
+/// 0..1, of a particle and a purpose.
+float chance(int particle, int purpose) {
+  const auto seed = static_cast<std::uint32_t>(particle * 8 + purpose);
+  return static_cast<float>(mixBits(seed + 1) >> 8) / 16777216.0f;
+}
+
+/// A square that faces the screen.
+ContentQuad facingQuad(const ListWriter& writer, const glm::vec3& at, float half) {
+  const glm::mat4& toPlayer = writer.state.gbufferModelViewInverse;
+  const glm::vec3 right = glm::vec3(toPlayer[0]) * half, up = glm::vec3(toPlayer[1]) * half;
+  ContentQuad quad;
+  quad.corners = {at - right + up, at - right - up, at + right - up, at + right + up};
+  quad.hasNormal = false;
+  return quad;
+}
+
+void addSource(ListWriter& writer, const ParticleSource& source, int first) {
+  const ParticleLook& look = kLooks[static_cast<int>(source.kind)];
+  ContentDraw draw;
+  draw.geometry = look.geometry;
+  writer.begin(draw);
+  const AtlasTile tile = writer.scene.content.atlas.tile(look.texture);
+  for (int i = 0; i < source.count; ++i) {
+    const int id = first + i;
+    const float lives = writer.state.frameTimeCounter / look.life + chance(id, 0);
+    const float age = lives - std::floor(lives);
+    const glm::dvec3 off((chance(id, 1) - 0.5) * 2, 0, (chance(id, 2) - 0.5) * 2);
+    const glm::dvec3 place = source.position + off * double(source.spread) +
+                             glm::dvec3(0, double(age * look.life * look.rise), 0);
+    const float shrink = look.shines ? 1 - 0.6f * age : 0.5f + 0.5f * age;
+    ContentQuad quad = facingQuad(writer, writer.local(place), look.size * shrink);
+    quad.uv = tileUv(tile);
+    if (!look.shines) quad.light = writer.lightAt(place);
+    if (look.geometry == Geometry::ParticlesTranslucent) quad.color.a = 1 - age * 0.8f;
+    writer.quad(quad);
+  }
+}
+
+constexpr int kReach = 10;  // blocks, of the game's fancy graphics
+
+/// The cells of a column that rain falls through: from and to, y; nothing where there is a roof.
+std::optional<glm::ivec2> openPart(const ListWriter& writer, int x, int z) {
+  constexpr int kOpenSky = 15;
+  const int eye = static_cast<int>(std::floor(writer.state.cameraPosition.y));
+  const auto open = [&](int y) { return writer.scene.light->sky({x, y, z}) == kOpenSky; };
+  int low = eye + kReach;
+  while (low > eye - kReach && open(low - 1)) --low;
+  if (low == eye + kReach) return std::nullopt;
+  return glm::ivec2(low, eye + kReach);
+}
+
+void addColumn(ListWriter& writer, int x, int z, bool snow) {
+  const auto part = openPart(writer, x, z);
+  const glm::vec3 foot = writer.local({x + 0.5, 0, z + 0.5});
+  const float distance = std::sqrt(foot.x * foot.x + foot.z * foot.z);
+  if (!part || distance > kReach || distance == 0) return;
+  const float t = writer.state.frameTimeCounter, share = distance / kReach;
+  const int id = static_cast<int>(mixBits(static_cast<std::uint32_t>(x * 7919 + z)) & 0xffff);
+  const float fall = t * (snow ? 0.4f : 2.6f) * (0.8f + 0.4f * chance(id, 3)) + chance(id, 4);
+  const float v = -(fall - std::floor(fall)), drift = chance(id, 5);
+  const glm::vec3 side = glm::vec3(-foot.z, 0, foot.x) / distance * 0.5f;
+  const glm::vec3 low(foot.x, writer.local({0, part->x, 0}).y, foot.z);
+  const glm::vec3 high(foot.x, writer.local({0, part->y, 0}).y, foot.z);
+  constexpr float kPerBlock = 0.5f;
+  ContentQuad quad;
+  quad.corners = {high - side, low - side, low + side, high + side};
+  const float length = (high.y - low.y) * kPerBlock;
+  quad.uv = {{{drift, v}, {drift, v + length}, {drift + 1, v + length}, {drift + 1, v}}};
+  quad.color.a = ((1 - share * share) * 0.5f + 0.5f) * writer.state.environment.rain;
+  quad.light = writer.lightAt({x + 0.5, double(part->y), z + 0.5});
+  quad.hasNormal = false;
+  writer.quad(quad);
+}
+
+}  // namespace
+
+void addParticles(ListWriter& writer) {
+  int first = 0;
+  for (const ParticleSource& source : writer.scene.world.content.particles) {
+    addSource(writer, source, first);
+    first += source.count;
+  }
+}
+
+void addWeather(ListWriter& writer) {
+  const GeometrySet weather = weatherOf(writer.scene.world.environment);
+  if (weather == 0) return;
+  const bool snow = (weather & bitOf(Geometry::Snow)) != 0;
+  ContentDraw draw;
+  draw.geometry = snow ? Geometry::Snow : Geometry::Rain;
+  writer.begin(draw);
+  const glm::ivec3 eye(glm::floor(writer.state.cameraPosition));
+  for (int z = eye.z - kReach; z <= eye.z + kReach; ++z)
+    for (int x = eye.x - kReach; x <= eye.x + kReach; ++x) addColumn(writer, x, z, snow);
+}
+
+}  // namespace orris

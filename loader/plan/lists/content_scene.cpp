@@ -1,0 +1,112 @@
+#include "plan/lists/content_scene.h"
+
+#include <algorithm>
+#include <set>
+
+#include "world/content/entity_models.h"
+#include "world/mesh/block_mesh.h"
+
+namespace orris {
+namespace {
+
+using G = Geometry;
+
+std::set<std::string> itemsOf(const World& world) {
+  std::set<std::string> items;
+  for (const Entity& entity : world.content.entities) items.insert(entity.item);
+  for (const std::string& item :
+       {world.environment.player.mainHand, world.environment.player.offHand})
+    items.insert(item);
+  items.erase("");
+  return items;
+}
+
+GeometrySet kindsOf(const Entity& entity, const ContentScene& scene) {
+  const EntityModel* model = findEntityModel(entity.kind);
+  GeometrySet kinds = entity.leash ? bitOf(G::Leash) : 0;
+  if (entity.glint) kinds |= bitOf(G::Glint);
+  if (model == nullptr) return kinds;
+  for (const ModelBox& box : model->boxes)
+    kinds |= bitOf(box.layer == ModelLayer::Eyes          ? G::Eyes
+                   : box.layer == ModelLayer::Translucent ? G::EntitiesTranslucent
+                                                          : G::Entities);
+  if (!model->carriesItem || entity.item.empty()) return kinds;
+  const bool translucent = scene.items.at(entity.item).layer == RenderLayer::Translucent;
+  return kinds | bitOf(translucent ? G::EntitiesTranslucent : G::Entities);
+}
+
+GeometrySet kindsOf(const World& world, const ContentScene& scene) {
+  const WorldContent& content = world.content;
+  GeometrySet kinds = 0;
+  const auto has = [&](bool present, Geometry kind) { kinds |= present ? bitOf(kind) : 0; };
+  for (const Entity& entity : content.entities) kinds |= kindsOf(entity, scene);
+  for (const ParticleSource& source : content.particles)
+    has(true, source.kind == ParticleKind::Spark ? G::ParticlesTranslucent : G::Particles);
+  has(!content.beams.empty(), G::BeamCore);
+  has(!content.beams.empty(), G::BeamGlow);
+  has(!content.damaged.empty(), G::Cracks);
+  has(!content.texts.empty(), G::BlockText);
+  has(content.selected.has_value(), G::Outline);
+  has(content.border.has_value(), G::Border);
+  has(std::any_of(
+          world.events.begin(), world.events.end(),
+          [](const Event& event) { return std::holds_alternative<StrikeLightning>(event.action); }),
+      G::Lightning);
+  const Player& player = world.environment.player;
+  for (const std::string& item : {player.mainHand, player.offHand}) {
+    if (item.empty() || player.hideGui) continue;
+    const bool translucent = scene.items.at(item).layer == RenderLayer::Translucent;
+    has(true, translucent ? G::HandTranslucent : G::Hand);
+  }
+  has(player.body, G::PlayerBody);
+  return kinds;
+}
+
+std::vector<std::string> texturesFor(const World& world, const ContentScene& scene) {
+  std::set<std::string> names;
+  const auto add = [&](const std::vector<std::string>& more) {
+    names.insert(more.begin(), more.end());
+  };
+  for (const Entity& entity : world.content.entities)
+    if (const EntityModel* model = findEntityModel(entity.kind)) add(texturesOf(*model));
+  if (world.environment.player.body) add(texturesOf(*findEntityModel("player")));
+  for (const auto& [name, facts] : scene.items) {
+    add(texturesOf(std::vector<BlockFacts>{facts}));
+    if (facts.boxes.empty())
+      names.insert(name == "minecraft:air" ? "figure_sleeve" : "item_sprite");
+  }
+  constexpr const char* kParticles[] = {"flame_particle", "smoke_particle", "spark_particle"};
+  for (const ParticleSource& source : world.content.particles)
+    names.insert(kParticles[static_cast<int>(source.kind)]);
+  for (const DamagedBlock& damage : world.content.damaged) names.insert(crackTexture(damage.stage));
+  return {names.begin(), names.end()};
+}
+
+}  // namespace
+
+ContentScene buildContent(const World& world) {
+  ContentScene scene;
+  const std::set<std::string> items = itemsOf(world);
+  if (!items.empty()) {
+    const BlockTable table;
+    for (const std::string& item : items) {
+      BlockFacts facts = table.factsOf({item, {}});
+      if (!facts.known) facts.boxes.clear();
+      scene.items.emplace(item, std::move(facts));
+    }
+  }
+  scene.kinds = kindsOf(world, scene);
+  const std::vector<std::string> textures = texturesFor(world, scene);
+  if (!textures.empty()) scene.atlas = buildAtlas(textures);
+  return scene;
+}
+
+// Iris: biome_precipitation asks the same.
+GeometrySet weatherOf(const Environment& environment) {
+  constexpr float kFreezing = 0.15f;
+  const bool falls = environment.rain > 0 && environment.dimension == "minecraft:overworld";
+  if (falls && environment.temperature < kFreezing) return bitOf(G::Snow);
+  return falls && environment.rainfall > 0 ? bitOf(G::Rain) : 0;
+}
+
+}  // namespace orris

@@ -1,0 +1,24 @@
+// What of a world's content does not change from frame to frame: its kinds, its atlas, its items.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "plan/geometry.h"
+#include "world/atlas/block_atlas.h"
+#include "world/blocks/block_facts.h"
+#include "world/world.h"
+
+namespace orris {
+
+struct ContentScene {
+  GeometrySet kinds = 0;  ///< that some frame has; weather apart. Nothing else is compiled or drawn
+  BlockAtlas atlas;       ///< of entities, particles, cracks and items; empty without these
+  std::map<std::string, BlockFacts> items;  ///< by name; an item that is no block has no boxes
+};
+ContentScene buildContent(const World& world);
+
+/// Rain or snow, by biome and strength; none outside of the overworld.
+GeometrySet weatherOf(const Environment& environment);
+
+}  // namespace orris

@@ -1,0 +1,35 @@
+// Everything of a frame besides blocks, sky and clouds, as quads by kind of program: a value that a
+// renderer draws and an engine could make itself. No GL in it.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+#include "plan/geometry.h"
+#include "plan/gpu_vertex.h"
+#include "plan/scene_data.h"
+#include "plan/shapes.h"
+
+namespace orris {
+
+/// Quads with one set of values of the uniforms that change by draw. Contract: uniforms.csv "draw".
+struct ContentDraw {
+  Geometry geometry = Geometry::Entities;
+  QuadRange range;
+  std::string entity{};  ///< entityId, by name; "" for none
+  std::string item{};    ///< currentRenderedItemId, by name; "" for none
+  BlockState block{};    ///< blockEntityId; name "" for none
+  glm::vec4 entityColor{0};
+};
+
+/// Positions are relative to the camera in the world's axes; those of hands in view space.
+struct DrawLists {
+  std::vector<GpuVertex> vertices;
+  std::vector<ContentDraw> draws;
+};
+
+/// `state` is that of the frame.
+DrawLists buildDrawLists(const SceneData& scene, const FrameState& state);
+
+}  // namespace orris

@@ -1,0 +1,235 @@
+// Entities, their eyes, glint and leashes, and items.
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "plan/lists/list_writer.h"
+#include "world/content/entity_models.h"
+#include "world/mesh/block_faces.h"
+
+namespace orris {
+namespace {
+
+constexpr float kModelTexels = 16;
+// The game's overlay of what is hurt. Iris: entityColor.
+constexpr glm::vec4 kHurt(1, 0, 0, 0.302f);
+// What the game's grass and leaves look like on the plains.
+constexpr glm::vec3 kPlainsTint(0.57f, 0.74f, 0.35f);
+
+/// Right and up of each side of a box as seen from outside, in the order of FaceDirection.
+constexpr glm::vec3 kRight[] = {{1, 0, 0}, {1, 0, 0}, {-1, 0, 0}, {1, 0, 0}, {0, 0, 1}, {0, 0, -1}};
+constexpr glm::vec3 kUp[] = {{0, 0, 1}, {0, 0, -1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}};
+
+glm::mat4 turned(const glm::vec3& degrees) {
+  glm::mat4 m(1);
+  for (const int axis : {2, 1, 0}) {
+    glm::vec3 around(0);
+    around[axis] = 1;
+    m = glm::rotate(m, glm::radians(degrees[axis]), around);
+  }
+  return m;
+}
+
+glm::mat4 standing(const ListWriter& writer, const glm::dvec3& position, float yaw) {
+  const glm::mat4 moved = glm::translate(glm::mat4(1), writer.local(position));
+  return glm::rotate(moved, glm::radians(-yaw), glm::vec3(0, 1, 0));
+}
+
+glm::mat4 boxMatrix(const ModelBox& box, float step) {
+  glm::vec3 turn = box.turn;
+  turn.x += box.swing * step;
+  return glm::translate(glm::mat4(1), box.pivot) * turned(turn);
+}
+
+/// One side of a box; texels of the texture are as large as those of the model.
+ContentQuad boxSide(const ModelBox& box, int side, const glm::mat4& place) {
+  const glm::vec3 middle = (box.from + box.to) * 0.5f, half = (box.to - box.from) * 0.5f;
+  const glm::vec3 right = kRight[side] * half, up = kUp[side] * half;
+  const glm::vec3 out = glm::cross(kRight[side], kUp[side]) * half;
+  ContentQuad quad;
+  const glm::vec3 corners[] = {up - right, -up - right, right - up, right + up};
+  for (int i = 0; i < 4; ++i)
+    quad.corners[static_cast<std::size_t>(i)] =
+        glm::vec3(place * glm::vec4(middle + out + corners[i], 1));
+  return quad;
+}
+
+glm::vec2 sideSize(const ModelBox& box, int side) {
+  const glm::vec3 size = box.to - box.from;
+  return {std::abs(glm::dot(kRight[side], size)), std::abs(glm::dot(kUp[side], size))};
+}
+
+void addBoxes(ListWriter& writer, const EntityModel& model, ModelLayer layer,
+              const glm::mat4& place, float step, glm::ivec2 light) {
+  constexpr int kFront = static_cast<int>(FaceDirection::South);
+  for (const ModelBox& box : model.boxes) {
+    if (box.layer != layer) continue;
+    const glm::mat4 m = place * boxMatrix(box, step);
+    for (int side = 0; side < 6; ++side) {
+      if (layer == ModelLayer::Eyes && side != kFront) continue;
+      const std::string_view name = side == kFront && !box.front.empty() ? box.front : box.side;
+      ContentQuad quad = boxSide(box, side, m);
+      const glm::vec2 part = glm::min(sideSize(box, side) / kModelTexels, glm::vec2(1));
+      quad.uv = tileUv(writer.scene.content.atlas.tile(std::string(name)), glm::vec2(0), part);
+      quad.light = light;
+      writer.quad(quad);
+    }
+  }
+}
+
+/// The same sides that wear armour, with coordinates for the texture of the glint.
+void addArmourGlint(ListWriter& writer, const EntityModel& model, const glm::mat4& place,
+                    float step) {
+  for (const ModelBox& box : model.boxes) {
+    if (!box.armour) continue;
+    const glm::mat4 m = place * boxMatrix(box, step);
+    for (int side = 0; side < 6; ++side) {
+      ContentQuad quad = boxSide(box, side, m);
+      quad.uv = tileUv({glm::vec2(0), sideSize(box, side) / kModelTexels});
+      writer.quad(quad);
+    }
+  }
+}
+
+float stepOf(const Entity& entity, const FrameState& state) {
+  constexpr float kStepsPerSecond = 1.1f;
+  // A still that shows a step, not the moment between two.
+  constexpr float kFirst = 0.2f;
+  if (!entity.walking) return 0;
+  return std::sin((state.frameTimeCounter * kStepsPerSecond + kFirst) * 6.2831853f);
+}
+
+/// Where a model's item is, as a cube 0..1.
+glm::mat4 itemMatrix(const ListWriter& writer, const Entity& entity) {
+  const bool block = !writer.scene.content.items.at(entity.item).boxes.empty();
+  glm::mat4 m = standing(writer, entity.position, entity.yaw);
+  float size = block ? 0.25f : 0.5f;
+  if (entity.kind == "minecraft:item") {
+    const float t = writer.state.frameTimeCounter;
+    m = glm::translate(m, {0, 0.3f + 0.1f * std::sin(t * 2), 0});
+    m = glm::rotate(m, t, glm::vec3(0, 1, 0));
+  } else {
+    m = glm::translate(m, {0, 0, 0.14f});
+    size = 0.4f;
+  }
+  return glm::translate(glm::scale(m, glm::vec3(size)), glm::vec3(-0.5f));
+}
+
+/// What a layer of an entity's model is drawn as, with the uniforms of that entity.
+ContentDraw drawOf(Geometry geometry, const Entity& entity) {
+  ContentDraw draw;
+  draw.geometry = geometry;
+  draw.entity = entity.kind;
+  if (entity.hurt) draw.entityColor = kHurt;
+  return draw;
+}
+
+void addEntity(ListWriter& writer, const Entity& entity) {
+  const EntityModel* model = findEntityModel(entity.kind);
+  if (model == nullptr) return;
+  const glm::ivec2 light = writer.lightAt(entity.position + glm::dvec3(0, 0.5, 0));
+  const float step = stepOf(entity, writer.state);
+  const glm::mat4 place = glm::scale(standing(writer, entity.position, entity.yaw),
+                                     glm::vec3(model->scale / kModelTexels));
+  writer.begin(drawOf(Geometry::Entities, entity));
+  addBoxes(writer, *model, ModelLayer::Body, place, step, light);
+  writer.begin(drawOf(Geometry::EntitiesTranslucent, entity));
+  addBoxes(writer, *model, ModelLayer::Translucent, place, step, light);
+  writer.begin(drawOf(Geometry::Eyes, entity));
+  addBoxes(writer, *model, ModelLayer::Eyes, place, step, {240, 240});
+  if (model->carriesItem && !entity.item.empty()) {
+    const bool translucent = isTranslucentItem(writer.scene, entity.item);
+    ContentDraw draw =
+        drawOf(translucent ? Geometry::EntitiesTranslucent : Geometry::Entities, entity);
+    draw.item = entity.item;
+    writer.begin(draw);
+    addItem(writer, entity.item, itemMatrix(writer, entity), light);
+  }
+  if (!entity.glint) return;
+  writer.begin(drawOf(Geometry::Glint, entity));
+  addArmourGlint(writer, *model, place, step);
+  if (model->carriesItem && !entity.item.empty())
+    addItem(writer, entity.item, itemMatrix(writer, entity), light);
+}
+
+/// Two ribbons that cross, hanging through.
+void addLeash(ListWriter& writer, const Entity& entity) {
+  constexpr int kParts = 24;
+  constexpr float kWidth = 0.025f, kHeight = 0.9f, kSag = 0.4f;
+  const glm::vec3 from = writer.local(entity.position + glm::dvec3(0, kHeight, 0));
+  const glm::vec3 to = writer.local(*entity.leash);
+  const auto at = [&](int i) {
+    const float t = static_cast<float>(i) / kParts;
+    return glm::mix(from, to, t) - glm::vec3(0, kSag * 4 * t * (1 - t), 0);
+  };
+  writer.begin(drawOf(Geometry::Leash, entity));
+  for (int i = 0; i < kParts; ++i) {
+    const float tone = i % 2 == 0 ? 1.0f : 0.7f;
+    for (const glm::vec3& side : {glm::vec3(0, kWidth, 0), glm::vec3(kWidth, 0, kWidth)}) {
+      ContentQuad quad;
+      quad.corners = {at(i) + side, at(i) - side, at(i + 1) - side, at(i + 1) + side};
+      quad.color = glm::vec4(glm::vec3(0.5f, 0.4f, 0.3f) * tone, 1);
+      quad.light = writer.lightAt(entity.position + glm::dvec3(0, kHeight, 0));
+      quad.hasNormal = false;
+      writer.quad(quad);
+    }
+  }
+}
+
+void addBody(ListWriter& writer) {
+  constexpr double kEyeHeight = 1.62;
+  const EntityModel* model = findEntityModel("player");
+  Entity player;
+  player.kind = "minecraft:player";
+  writer.begin(drawOf(Geometry::PlayerBody, player));
+  const glm::dvec3 feet = writer.state.cameraPosition - glm::dvec3(0, kEyeHeight, 0);
+  const glm::mat4 place = glm::scale(standing(writer, feet, writer.state.camera.yaw),
+                                     glm::vec3(model->scale / kModelTexels));
+  addBoxes(writer, *model, ModelLayer::Body, place, 0, writer.lightAt(feet));
+}
+
+void addSprite(ListWriter& writer, const glm::mat4& place, glm::ivec2 light) {
+  const AtlasTile tile = writer.scene.content.atlas.tile("item_sprite");
+  const glm::vec3 corners[] = {{0, 1, 0.5f}, {0, 0, 0.5f}, {1, 0, 0.5f}, {1, 1, 0.5f}};
+  ContentQuad quad;
+  quad.uv = tileUv(tile);
+  quad.light = light;
+  for (std::size_t i = 0; i < 4; ++i) quad.corners[i] = glm::vec3(place * glm::vec4(corners[i], 1));
+  writer.quad(quad);
+  std::swap(quad.corners[0], quad.corners[3]);
+  std::swap(quad.corners[1], quad.corners[2]);
+  std::swap(quad.uv[0], quad.uv[3]);
+  std::swap(quad.uv[1], quad.uv[2]);
+  writer.quad(quad);
+}
+
+}  // namespace
+
+bool isTranslucentItem(const SceneData& scene, const std::string& item) {
+  return scene.content.items.at(item).layer == RenderLayer::Translucent;
+}
+
+void addItem(ListWriter& writer, const std::string& item, const glm::mat4& place,
+             glm::ivec2 light) {
+  const BlockFacts& facts = writer.scene.content.items.at(item);
+  if (facts.boxes.empty()) return addSprite(writer, place, light);
+  for (const BlockFace& face : makeBlockFaces(facts, writer.scene.content.atlas).faces) {
+    ContentQuad quad;
+    for (std::size_t i = 0; i < 4; ++i)
+      quad.corners[i] = glm::vec3(place * glm::vec4(face.corners[i], 1));
+    quad.uv = face.uv;
+    quad.light = light;
+    if (face.tinted) quad.color = glm::vec4(kPlainsTint, 1);
+    writer.quad(quad);
+  }
+}
+
+void addEntities(ListWriter& writer) {
+  for (const Entity& entity : writer.scene.world.content.entities) {
+    if (entity.leash) addLeash(writer, entity);
+    addEntity(writer, entity);
+  }
+  if (writer.scene.world.environment.player.body) addBody(writer);
+}
+
+}  // namespace orris

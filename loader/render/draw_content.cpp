@@ -1,0 +1,80 @@
+// What a FrameRenderer draws of a frame's lists: entities, hands, particles, weather and the like.
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "render/frame_renderer.h"
+#include "render/loaded_pack.h"
+#include "render/pass_state.h"
+#include "render/vertex_layout.h"
+
+namespace orris {
+namespace {
+
+// As a pack's entityId sees an entity that its entity.properties does not list. Contract: uniforms.csv.
+constexpr int kUnlistedEntity = 65535;
+
+// Iris: HandRenderer. The hand has its own field of view, and depth in front of all else.
+glm::mat4 handProjection(const FrameState& state) {
+  constexpr float kHandDepth = 0.125f, kHandFov = 70;
+  const float focal = 1 / std::tan(glm::radians(kHandFov) / 2);
+  glm::mat4 projection = state.gbufferProjection;
+  projection[0][0] = focal * static_cast<float>(state.height) / static_cast<float>(state.width);
+  projection[1][1] = focal;
+  return glm::scale(glm::mat4(1), {1, 1, kHandDepth}) * projection;
+}
+
+// The game's: it moves along both axes, turned by 10 degrees.
+glm::mat4 glintMatrix(const FrameState& state) {
+  const double t = double(state.frameTimeCounter);
+  const auto u = static_cast<float>(std::fmod(t / 27.5, 1)),
+             v = static_cast<float>(std::fmod(t / 7.5, 1));
+  const glm::mat4 moved = glm::translate(glm::mat4(1), {-u, v, 0});
+  return glm::rotate(moved, glm::radians(10.0f), glm::vec3(0, 0, 1));
+}
+
+}  // namespace
+
+void FrameRenderer::setDrawIds(const ContentDraw& content, DrawState& draw) const {
+  const auto idOf = [](const std::map<std::string, int>& ids, const std::string& name, int other) {
+    const auto found = ids.find(name);
+    return found == ids.end() ? other : found->second;
+  };
+  const bool listed = !pack_->entityIds.empty();
+  draw.entityId = content.entity.empty() || !listed
+                      ? 0
+                      : idOf(pack_->entityIds, content.entity, kUnlistedEntity);
+  draw.itemId = content.item.empty() ? -1 : idOf(pack_->itemIds, content.item, -1);
+  draw.blockEntityId = content.block.name.empty()
+                           ? -1
+                           : pack_->blockIds.idOf(content.block.name, content.block.properties);
+  draw.entityColor = content.entityColor;
+}
+
+void FrameRenderer::drawContent(const Step& step, const GpuProgram& program,
+                                const FrameState& state, DrawState& draw) {
+  const bool shadow = step.kind == Step::Kind::DrawShadow, hand = isHand(step.geometry);
+  draw.modelView = shadow ? state.shadowModelView : hand ? glm::mat4(1) : state.gbufferModelView;
+  draw.projection = shadow ? shadowProjectionOf(state)
+                    : hand ? handProjection(state)
+                           : state.gbufferProjection;
+  const gl::Texture& texture = loaded_->scene->sheet(findContentKind(step.geometry)->sheet);
+  draw.gtextureSize = {texture.width, texture.height};
+  draw.gtextureId = static_cast<int>(texture.id());
+  draw.atlasSize =
+      hand || texture.id() == loaded_->scene->white().id() ? glm::ivec2(0) : draw.gtextureSize;
+  if (step.geometry == Geometry::Glint) draw.textureMatrix = glintMatrix(state);
+  loadMatrices(draw, true);
+  useProgram(program, step, state, draw);
+  loaded_->scene->bindLists();
+  bindVertices(program.program);
+  for (const ContentDraw& content : lists_->draws) {
+    if (content.geometry != step.geometry) continue;
+    setDrawIds(content, draw);
+    uploadUniforms(program.drawUniforms, state, draw, loaded_->custom);
+    loaded_->scene->drawQuads(content.range, program.patches);
+  }
+  unbindVertices(program.program);
+  SamplerBinder::unbind(program);
+}
+
+}  // namespace orris

@@ -1,0 +1,187 @@
+// What a frame has besides blocks: which kinds, and their quads.
+#include "plan/lists/draw_lists.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <set>
+
+#include "world/files/world_json.h"
+
+namespace orris {
+namespace {
+
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+World worldOf(const std::string& members) {
+  Diagnostics diagnostics;
+  auto world = parseWorldJson({"{\"size\": [8, 8, 8], \"blocks\": [{\"box\": \"stone\", \"min\": "
+                               "[0, 0, 0], \"max\": [7, 0, 7]}]" +
+                                   (members.empty() ? "" : ", " + members) + "}",
+                               "world.json", "test", 0, nullptr},
+                              diagnostics);
+  for (const Diagnostic& d : diagnostics) ADD_FAILURE() << formatDiagnostic(d);
+  return std::move(world).value();
+}
+
+SceneData sceneOf(const std::string& members) {
+  Diagnostics diagnostics;
+  SceneData scene = buildScene(worldOf(members), {}, diagnostics);
+  for (const Diagnostic& d : diagnostics) ADD_FAILURE() << formatDiagnostic(d);
+  return scene;
+}
+
+FrameState stateOf(const SceneData& scene, glm::dvec3 eye = {4, 3, 7}) {
+  FrameInput input;
+  input.width = 64;
+  input.height = 48;
+  input.environment = scene.world.environment;
+  input.camera.position = eye;
+  return nextFrameState(input, {}, nullptr);
+}
+
+std::set<Geometry> drawn(const DrawLists& lists) {
+  std::set<Geometry> kinds;
+  for (const ContentDraw& draw : lists.draws) kinds.insert(draw.geometry);
+  return kinds;
+}
+
+TEST(DrawLists, a_world_of_blocks_has_none_and_makes_no_texture) {
+  const SceneData scene = sceneOf("");
+  EXPECT_EQ(scene.contents().content, 0u);
+  EXPECT_EQ(scene.content.atlas.albedo.width, 0);
+  const DrawLists lists = buildDrawLists(scene, stateOf(scene));
+  EXPECT_THAT(lists.draws, IsEmpty());
+  EXPECT_THAT(lists.vertices, IsEmpty());
+}
+
+TEST(DrawLists, each_thing_has_its_kinds_and_no_other) {
+  using G = Geometry;
+  const auto entity = [](const std::string& more) {
+    return "\"entities\": [{\"position\": [4, 1, 4], " + more + "}]";
+  };
+  const auto player = [](const std::string& more) {
+    return "\"environment\": {\"player\": {" + more + "}}";
+  };
+  const std::pair<std::string, std::set<Geometry>> rows[] = {
+      {entity(R"("kind": "cow")"), {G::Entities}},
+      {entity(R"("kind": "cow", "leash": [1, 1, 1])"), {G::Entities, G::Leash}},
+      {entity(R"("kind": "spider")"), {G::Entities, G::Eyes}},
+      {entity(R"("kind": "slime")"), {G::Entities, G::EntitiesTranslucent}},
+      {entity(R"("kind": "armor_stand", "glint": true)"), {G::Entities, G::Glint}},
+      {entity(R"("kind": "item", "item": "stone")"), {G::Entities}},
+      {entity(R"("kind": "item", "item": "red_stained_glass")"), {G::EntitiesTranslucent}},
+      {entity(R"("kind": "item", "item": "iron_sword")"), {G::Entities}},
+      {R"("particles": [{"kind": "smoke", "position": [4, 2, 4]}])", {G::Particles}},
+      {R"("particles": [{"kind": "spark", "position": [4, 2, 4]}])", {G::ParticlesTranslucent}},
+      {R"("beams": [{"at": [4, 0, 4]}])", {G::BeamCore, G::BeamGlow}},
+      {R"("damaged": [{"at": [4, 0, 4]}])", {G::Cracks}},
+      {R"("texts": [{"text": "A", "at": [4, 0, 4], "position": [4, 2, 4]}])", {G::BlockText}},
+      {R"("selected": [4, 0, 4])", {G::Outline}},
+      {R"("border": {"min": [0, 0], "max": [8, 8]})", {G::Border}},
+      {player(R"("mainHand": "torch")"), {G::Hand}},
+      {player(R"("offHand": "air")"), {G::Hand}},
+      {player(R"("offHand": "glass", "mainHand": "red_stained_glass")"),
+       {G::Hand, G::HandTranslucent}},
+      {player(R"("mainHand": "torch", "hideGui": true)"), {}},
+      {player(R"("body": true)"), {G::PlayerBody}},
+      {R"("environment": {"rain": 1})", {G::Rain}},
+      {R"("environment": {"rain": 1, "temperature": 0})", {G::Snow}},
+      {R"("environment": {"rain": 1, "rainfall": 0})", {}},
+      {R"("environment": {"rain": 1, "dimension": "minecraft:the_nether"})", {}}};
+  for (const auto& [members, kinds] : rows) {
+    const SceneData scene = sceneOf(members);
+    GeometrySet bits = 0;
+    for (const Geometry kind : kinds) bits |= bitOf(kind);
+    EXPECT_EQ(scene.contents().content, bits) << members;
+    EXPECT_EQ(drawn(buildDrawLists(scene, stateOf(scene))), kinds) << members;
+  }
+}
+
+TEST(DrawLists, lightning_is_a_kind_from_the_start_and_drawn_while_it_is_there) {
+  SceneData scene = sceneOf(R"("events": [{"frame": 3, "lightning": {"at": [1, 1, 1]}}])");
+  EXPECT_EQ(scene.contents().content, bitOf(Geometry::Lightning));
+  EXPECT_THAT(buildDrawLists(scene, stateOf(scene)).draws, IsEmpty());
+  scene.world.content.bolts = {{{1, 1, 1}, 15}};
+  EXPECT_THAT(buildDrawLists(scene, stateOf(scene)).draws, SizeIs(1));
+}
+
+TEST(DrawLists, sides_of_a_model_look_outwards) {
+  const SceneData scene =
+      sceneOf(R"("entities": [{"kind": "slime", "position": [4, 1, 4], "yaw": 30}])");
+  const FrameState state = stateOf(scene);
+  const DrawLists lists = buildDrawLists(scene, state);
+  ASSERT_FALSE(lists.draws.empty());
+  const glm::vec3 middle(glm::dvec3(4, 1.4, 4) - state.cameraPosition);
+  for (std::size_t i = 0; i < lists.vertices.size(); i += 4) {
+    glm::vec3 corner[4];
+    for (int k = 0; k < 4; ++k) {
+      const GpuVertex& v = lists.vertices[i + static_cast<std::size_t>(k)];
+      corner[k] = {v.position[0], v.position[1], v.position[2]};
+    }
+    const glm::vec3 out = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
+    EXPECT_GT(glm::dot(out, corner[0] - middle), 0) << i;
+    const GpuVertex& v = lists.vertices[i];
+    EXPECT_GT(glm::dot(out, glm::vec3(v.normal[0], v.normal[1], v.normal[2])), 0) << i;
+  }
+}
+
+TEST(DrawLists, what_is_hurt_is_red_and_what_is_carried_has_its_name) {
+  const SceneData scene = sceneOf(
+      R"("entities": [{"kind": "cow", "position": [4, 1, 4], "hurt": true},
+                      {"kind": "item_frame", "position": [2, 2, 1], "item": "stone"}])");
+  const DrawLists lists = buildDrawLists(scene, stateOf(scene));
+  ASSERT_THAT(lists.draws, SizeIs(3));
+  EXPECT_EQ(lists.draws[0].entity, "minecraft:cow");
+  EXPECT_EQ(lists.draws[0].entityColor, glm::vec4(1, 0, 0, 0.302f));
+  EXPECT_EQ(lists.draws[1].entity, "minecraft:item_frame");
+  EXPECT_EQ(lists.draws[1].item, "");
+  EXPECT_EQ(lists.draws[2].item, "minecraft:stone");
+  EXPECT_EQ(lists.draws[2].entityColor, glm::vec4(0));
+}
+
+TEST(DrawLists, entities_walk_and_particles_rise_with_time) {
+  const SceneData scene = sceneOf(
+      R"("entities": [{"kind": "player", "position": [4, 1, 4], "walking": true}],
+         "particles": [{"kind": "smoke", "position": [2, 1, 2]}])");
+  FrameState state = stateOf(scene);
+  const DrawLists first = buildDrawLists(scene, state), again = buildDrawLists(scene, state);
+  state.frameTimeCounter += 0.1f;
+  const DrawLists later = buildDrawLists(scene, state);
+  const auto moved = [&](const DrawLists& other, const ContentDraw& draw) {
+    const auto at = [&](const DrawLists& lists, unsigned i) {
+      return lists.vertices[draw.range.firstVertex + i].position[1];
+    };
+    for (unsigned i = 0; i < draw.range.quads * 4; ++i)
+      if (at(first, i) != at(other, i)) return true;
+    return false;
+  };
+  for (const ContentDraw& draw : first.draws) {
+    EXPECT_FALSE(moved(again, draw));
+    EXPECT_TRUE(moved(later, draw));
+  }
+}
+
+TEST(DrawLists, rain_does_not_fall_through_roofs) {
+  const std::string rain = R"("environment": {"rain": 1})";
+  SceneData scene = sceneOf(rain);
+  const auto columns = [&] {
+    const DrawLists lists = buildDrawLists(scene, stateOf(scene, {4, 2.5, 4}));
+    std::size_t above = 0;
+    for (std::size_t i = 0; i < lists.vertices.size(); i += 4) {
+      const GpuVertex& v = lists.vertices[i + 1];  // below
+      if (v.position[0] > -2 && v.position[0] < 2 && v.position[2] > -2 && v.position[2] < 2)
+        above += v.position[1] < 0;
+    }
+    return above;
+  };
+  EXPECT_GT(columns(), 4u);
+  const std::uint32_t stone = scene.world.blocks.paletteIndex({"minecraft:stone", {}});
+  scene.world.blocks.fill({0, 5, 0}, {7, 5, 7}, stone);
+  rebuildMesh(scene, {});
+  EXPECT_EQ(columns(), 0u);
+}
+
+}  // namespace
+}  // namespace orris
