@@ -1,5 +1,5 @@
-// Cracks of a block being broken: the game multiplies them onto the albedo. Alpha 0 is the
-// material byte of a plain block.
+// Cracks of a block being broken, which the game multiplies onto the albedo, and the glint of what is
+// enchanted, which it adds. Alpha 0 is the material byte of a plain block.
 #if defined VERTEX_STAGE
 
 out vec2 uv;

@@ -1,4 +1,4 @@
-// Water, glass, weather and clouds (PROGRAM_CLOUDS): lit where they are drawn, blended over the lit
+// Water, glass, weather (PROGRAM_WEATHER) and clouds (PROGRAM_CLOUDS): lit where they are drawn, blended over the lit
 // scene.
 #include "/settings.glsl"
 #include "/include/blocks.glsl"
@@ -133,6 +133,9 @@ void main() {
     discard;
 #endif
     vec4 color = texture(gtexture, uv) * vec4(tint.rgb, 1.0);
+#if defined PROGRAM_WEATHER
+    color.a *= tint.a;  // fades with distance; of blocks alpha is occlusion
+#endif
     if (color.a < alphaTestRef) discard;
     vec3 albedo = to_linear(color.rgb);
 
