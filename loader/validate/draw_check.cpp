@@ -4,39 +4,34 @@
 
 #include "render/render_session.h"
 #include "validate/driver_check.h"
-#include "world/world.h"
+#include "world/files/world_json.h"
 
 namespace orris {
+
+extern const char* const kEverythingWorld;
+
 namespace {
 
 constexpr int kDrawnWidth = 64, kDrawnHeight = 36;
 
-World smallWorld(const std::string& dimension) {
-  World world;
-  world.name = "built-in";
-  world.blocks = BlockWorld({0, 0, 0}, {8, 4, 8});
-  const auto set = [&](const char* state, glm::ivec3 from, glm::ivec3 to) {
-    world.blocks.fill(from, to, world.blocks.paletteIndex(*parseBlockState(state)));
-  };
-  set("stone", {0, 0, 0}, {7, 0, 7});
-  set("glowstone", {4, 1, 4}, {4, 1, 4});
-  set("oak_leaves", {2, 1, 2}, {2, 2, 2});
-  set("glass", {5, 1, 2}, {5, 2, 2});
-  set("water", {2, 0, 5}, {4, 0, 6});
-  world.cameras = defaultCameras(world.blocks);
-  world.environment.dimension = dimension;
+/// Holds something for each kind of program (worlds/everything).
+std::optional<World> everything(const std::string& dimension, Diagnostics& diagnostics) {
+  std::optional<World> world =
+      parseWorldJson({kEverythingWorld, "everything", "everything", 0, nullptr}, diagnostics);
+  if (world) world->environment.dimension = dimension;
   return world;
 }
 
 void drawOneFrame(gl::Context& context, const std::shared_ptr<const FileSource>& files,
                   const LoadRequest& load, Diagnostics& diagnostics) {
-  World world = smallWorld(load.dimension);
+  std::optional<World> world = everything(load.dimension, diagnostics);
+  if (!world) return;
   SessionRequest request;
   request.openPack = [&files](Diagnostics&) { return files; };
   request.load = load;
   request.renderer = {.width = kDrawnWidth, .height = kDrawnHeight};
-  request.camera = world.cameras.front();
-  const auto session = RenderSession::create(context, request, std::move(world), diagnostics);
+  request.camera = world->cameras.front();
+  const auto session = RenderSession::create(context, request, std::move(*world), diagnostics);
   if (session) session->renderFrame(diagnostics);
   for (const std::string& message : context.takeErrors()) {
     Diagnostic& diagnostic = diagnostics.emplace_back();

@@ -11,7 +11,7 @@
 
 namespace orris {
 
-/// Draws one small frame of a built-in scene with solid, cutout, translucent and glowing blocks, in
+/// Draws one small frame of worlds/everything, which holds something for each program, in
 /// a process of its own that may take `time` of the processor; GL errors become diagnostics. What loading
 /// reports is left out.
 void checkDrawing(gl::Backend backend, const std::shared_ptr<const FileSource>& files,
