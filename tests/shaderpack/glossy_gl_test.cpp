@@ -51,24 +51,54 @@ std::array<glm::dvec3, 2> lampWall(PackSession& pack) {
 
 double linear(float stored) { return std::pow(double(stored), 2.2); }
 
-// From 3 blocks above and 4 behind, the mirror image of the wall's middle: cosine 3/5.
-TEST(glossy, metal_shows_the_lamps_that_it_mirrors_in_its_own_colour) {
-  // Lamps all about: the lobe's tail is wider than one wall.
-  PackSession pack(hall("gold_block", "glowstone"), glossyOptions("true"));
+/// A metal floor in a room of lamps: what is seen of it by channel, over the share of light that metal of its colour
+/// sends back. From 3 blocks above and 4 behind, the mirror image of the wall's middle: cosine 3/5. Lamps all about: the
+/// lobe's tail is wider than one wall.
+glm::dvec3 mirrored(PackSession& pack) {
   pack.look(kEye, kFloor);
   pack.renderFrames(100);
   const ImageF albedo = pack.dump("colortex1");
-  const glm::dvec3 seen = pack.meanRadiance();
+  const double half = std::tan(glm::radians(4.0));  // of the field of view
+  glm::dvec3 share(0);
+  for (int y = 0; y < albedo.height; ++y) {
+    for (int x = 0; x < albedo.width; ++x) {
+      const double right = half * (2 * (x + .5) / albedo.width - 1), up = half * (1 - 2 * (y + .5) / albedo.height);
+      const double cosine = (.6 - .8 * up) / std::sqrt(1 + right * right + up * up);
+      for (int channel = 0; channel < 3; ++channel) {
+        const double straight = linear(albedo.at(x, y)[channel]);
+        share[channel] += (straight + (1 - straight) * std::pow(1 - cosine, 5)) / (albedo.width * albedo.height);
+      }
+    }
+  }
+  return pack.meanRadiance() / share;
+}
+
+// Lamps that reflect nothing are all equally bright.
+TEST(glossy, metal_shows_the_lamps_that_it_mirrors_in_its_own_colour) {
+  SessionSetup setup;
+  setup.world = hall("gold_block", "glowstone");
+  setup.options = glossyOptions("true");
+  setup.change = [](PackTexts& files) {
+    const std::string albedo = "return is_ball(v.code) ? vec3(0.0) : v.color;";
+    std::string& text = files["/include/voxel/voxel.glsl"];
+    const std::size_t at = text.find(albedo);
+    ASSERT_NE(at, std::string::npos);
+    text.replace(at, albedo.size(), "return is_lamp_voxel(v.code) ? vec3(0.0) : v.color;");
+  };
+  PackSession pack(setup);
+  const glm::dvec3 seen = mirrored(pack);
+  for (int channel = 0; channel < 3; ++channel)
+    EXPECT_NEAR(seen[channel] / (16 * glm::dvec3(1, .70, .38)[channel]), 1, .03) << channel;
+}
+
+TEST(glossy, metal_shows_what_lamps_reflect) {
+  PackSession pack(hall("gold_block", "glowstone"), glossyOptions("true"));
+  const glm::dvec3 seen = mirrored(pack);
   const auto [darkest, brightest] = lampWall(pack);
   for (int channel = 0; channel < 3; ++channel) {
-    double share = 0;  // of the light that comes
-    for (std::size_t i = 0; i < albedo.pixels.size(); i += 4) {
-      const double straight = linear(albedo.pixels[i + std::size_t(channel)]);
-      share += straight + (1 - straight) * std::pow(.4, 5);
-    }
-    share /= double(albedo.pixels.size() / 4);
-    EXPECT_GT(seen[channel] / (share * darkest[channel]), 1 - .03) << channel;
-    EXPECT_LT(seen[channel] / (share * brightest[channel]), 1 + .03) << channel;
+    EXPECT_GT(darkest[channel], 1.05 * 16 * glm::dvec3(1, .70, .38)[channel]) << "lamps reflect";
+    EXPECT_GT(seen[channel] / darkest[channel], 1 - .03) << channel;
+    EXPECT_LT(seen[channel] / brightest[channel], 1 + .03) << channel;
   }
 }
 

@@ -222,8 +222,11 @@ void emit_voxel() {
 #endif
 #if FACES
     // What is thinner than half a block counts as half of it.
-    bool inner = has_octants(code) && dot(vertex_player[0] - block.middle, vertex_normal[0]) < 0.25;
-    list_face(cell, inner ? face + face_inner : face, code, int(clamp(vertex_sky[0], 0.0, 15.0) + 0.5));
+    float outward = dot(vertex_player[0] - block.middle, vertex_normal[0]);
+    bool inner = has_octants(code) && outward < 0.25;
+    int sky = int(clamp(vertex_sky[0], 0.0, 15.0) + 0.5);
+    list_face(cell, inner ? face + face_inner : face, code, sky);
+    if (code >= voxel_lamp && abs(outward) < 0.3) list_cube(cell, code, sky);
 #endif
 
     // The faces of a block share one texel; depth lets the one with the largest holes win, and the top of those
