@@ -37,7 +37,7 @@ void addCommands(CLI::App& app, int& status, const FolderConfig& folder) {
 
 // Flags that take several assignments: "--set A=1 B=2" is "--set A=1 --set B=2". Left to the parser,
 // such a flag would swallow the positional arguments behind it.
-constexpr const char* kAssignmentFlags[] = {"--set", "--dump"};
+constexpr const char* kAssignmentFlags[] = {"--set", "--dump", "--show"};
 
 std::vector<std::string> repeatAssignmentFlags(int argc, char** argv) {
   std::vector<std::string> result;

@@ -67,9 +67,9 @@ Transfer transferOf(const Texture& texture) {
   return {format->pixelFormat, format->channels, format->formatClass};
 }
 
-/// A part of level 0.
+/// A part of a level.
 struct TexelBox {
-  int x = 0, y = 0, z = 0, width = 1, height = 1, depth = 1;
+  int level = 0, x = 0, y = 0, z = 0, width = 1, height = 1, depth = 1;
 };
 
 template <typename Texel>
@@ -78,7 +78,7 @@ std::vector<float> readAs(const Texture& texture, GLenum format, GLenum type, si
   std::vector<Texel> texels(count);
   const auto bytes = GLsizei(count * sizeof(Texel));
   if (box) {
-    GetTextureSubImage(texture.id(), 0, box->x, box->y, box->z, box->width, box->height,
+    GetTextureSubImage(texture.id(), box->level, box->x, box->y, box->z, box->width, box->height,
                        box->depth, format, type, bytes, texels.data());
   } else {
     GetTextureImage(texture.id(), 0, format, type, bytes, texels.data());
@@ -142,6 +142,15 @@ std::vector<float> readPixels(const Texture& texture, int& channels) {
   channels = transferOf(texture).channels;
   return readPart(texture, size_t(texture.width) * size_t(texture.height) * size_t(texture.depth),
                   std::nullopt);
+}
+
+std::vector<float> readLevel(const Texture& texture, int level, int slice, int& channels) {
+  channels = transferOf(texture).channels;
+  const TexelBox box{.level = level,
+                     .z = slice,
+                     .width = std::max(texture.width >> level, 1),
+                     .height = std::max(texture.height >> level, 1)};
+  return readPart(texture, size_t(box.width) * size_t(box.height), box);
 }
 
 std::vector<float> readTexel(const Texture& texture, int x, int y, int z) {

@@ -26,6 +26,9 @@ Framebuffer createFramebuffer(const std::vector<const Texture*>& colors, const T
 /// as GL has it; 3-D textures slice after slice; depth as one channel.
 std::vector<float> readPixels(const Texture& texture, int& channels);
 
+/// One level, of a 3-D texture one slice of it, as readPixels() gives level 0. Both must exist.
+std::vector<float> readLevel(const Texture& texture, int level, int slice, int& channels);
+
 /// One texel of level 0, counted from the bottom left, just as readPixels() gives it.
 std::vector<float> readTexel(const Texture& texture, int x, int y, int z = 0);
 

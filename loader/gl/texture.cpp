@@ -1,5 +1,6 @@
 #include "gl/texture.h"
 
+#include <algorithm>
 #include <cassert>
 
 #include "gl/functions.h"
@@ -125,5 +126,11 @@ void upload(const Texture& texture, unsigned pixelFormat, unsigned pixelType, co
 }
 
 void generateMipmaps(const Texture& texture) { GenerateTextureMipmap(texture.id()); }
+
+int levelsOf(const Texture& texture) {
+  GLint levels = 1;
+  GetTextureParameteriv(texture.id(), GL_TEXTURE_IMMUTABLE_LEVELS, &levels);
+  return std::max(levels, 1);
+}
 
 }  // namespace orris::gl

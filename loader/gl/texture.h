@@ -37,5 +37,7 @@ void setParameters(const Texture& texture, const TextureParameters& parameters);
 /// Whole level 0; `pixels` tightly packed, rows without padding.
 void upload(const Texture& texture, unsigned pixelFormat, unsigned pixelType, const void* pixels);
 void generateMipmaps(const Texture& texture);
+/// So many levels have storage.
+int levelsOf(const Texture& texture);
 
 }  // namespace orris::gl

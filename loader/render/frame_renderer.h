@@ -89,6 +89,9 @@ class FrameRenderer {
   /// What a step leaves its results in: draw buffers, then depth, then images that its programs have, which it
   /// may only read. A copy's destination; of the last step "screen".
   std::vector<BufferSide> writesOf(const Step& step) const;
+  /// What the samplers of a step's programs read, and images, which they may only write: sides of buffers,
+  /// and by their names what else there is ("gtexture", "noisetex").
+  std::vector<BufferSide> readsOf(const Step& step) const;
   /// nullptr where the frame has no such buffer.
   const gl::Texture* texture(const BufferSide& side) const;
   /// The side that holds the result of the frame.
@@ -105,6 +108,12 @@ class FrameRenderer {
   /// A custom image of whole numbers, all bits of them, bottom row first, slice after slice; empty
   /// where there is none.
   std::vector<std::uint32_t> dumpWords(const std::string& image) const;
+  /// Bytes of a bufferObject of the pack; 0 where there is none.
+  std::size_t storageBytes(int index) const;
+  /// Words of it from a byte on that is a multiple of 4, up to its end.
+  std::vector<std::uint32_t> storageWords(int index, std::size_t offset, std::size_t words) const;
+  /// Numbers of the pack's bufferObjects.
+  std::vector<int> storageNumbers() const;
   /// What dump() takes, separated by blanks.
   std::string bufferNames() const;
   unsigned screenFramebuffer();
@@ -139,6 +148,8 @@ class FrameRenderer {
   void useProgram(const GpuProgram& program, const Step& step, const FrameState& state,
                   const DrawState& draw);
   const GpuProgram& programOf(const Step& step) const;
+  /// Of the pack: what is drawn with, or its computes.
+  std::vector<const GpuProgram*> programsOf(const Step& step) const;
 
   gl::Context& context_;
   RendererOptions options_;

@@ -44,6 +44,7 @@ class PackResources {
   void clearImages(bool all) const;  ///< all: also those without clear=true (creation)
   /// Buffer object of a bufferObject index, 0 when absent.
   unsigned buffer(int index) const;
+  const std::map<int, gl::Buffer>& buffers() const { return buffers_; }
 
  private:
   void addTexture(const ShaderPack& pack, const TextureBinding& binding, Diagnostics& diagnostics);

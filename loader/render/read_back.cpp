@@ -99,6 +99,29 @@ std::vector<std::uint32_t> FrameRenderer::dumpWords(const std::string& image) co
                              : gl::readWords(resource->texture, channels);
 }
 
+std::vector<int> FrameRenderer::storageNumbers() const {
+  std::vector<int> numbers;
+  for (const auto& [index, buffer] : loaded_->resources->buffers()) numbers.push_back(index);
+  return numbers;
+}
+
+std::size_t FrameRenderer::storageBytes(int index) const {
+  const auto& all = loaded_->resources->buffers();
+  const auto found = all.find(index);
+  return found == all.end() ? 0 : found->second.size;
+}
+
+std::vector<std::uint32_t> FrameRenderer::storageWords(int index, std::size_t offset,
+                                                       std::size_t words) const {
+  const std::size_t bytes = storageBytes(index);
+  if (offset >= bytes) return {};
+  std::vector<std::uint32_t> read(std::min(words, (bytes - offset) / sizeof(std::uint32_t)));
+  if (!read.empty())
+    gl::read(loaded_->resources->buffers().at(index), offset, read.size() * sizeof(std::uint32_t),
+             read.data());
+  return read;
+}
+
 std::string FrameRenderer::bufferNames() const {
   std::string names;
   for (const TargetPlan& plan : schedule_.colortex) names += fmt::format("colortex{} ", plan.index);

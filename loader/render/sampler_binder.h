@@ -31,6 +31,10 @@ class SamplerBinder {
   /// Binds everything `program` samples or loads during `step`, units from 0.
   void bind(const GpuProgram& program, const Step& step);
   static void unbind(const GpuProgram& program);
+  /// What a sampler reads in `step`; nullptr where it reads nothing.
+  const gl::Texture* textureOf(const SamplerBinding& sampler, const Step& step) {
+    return choose(sampler, step).texture;
+  }
 
  private:
   struct Choice {

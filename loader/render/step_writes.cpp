@@ -1,8 +1,10 @@
-// What each step of a frame leaves its results in.
+// What each step of a frame reads, and what it leaves its results in.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
+#include "pack/files/text.h"
 #include "render/frame_renderer.h"
 #include "render/loaded_pack.h"
 
@@ -26,7 +28,48 @@ BufferSide sideOfImage(const SamplerBinding& image, const Step& step) {
           (flipped >> image.buffer->index & 1u) != 0};
 }
 
+/// The buffers of the frame that a texture can be; of two names of one texture the first.
+std::map<const gl::Texture*, BufferSide> sidesByTexture(const FrameRenderer& renderer) {
+  std::map<const gl::Texture*, BufferSide> sides;
+  for (const std::string& name : splitBlanks(renderer.bufferNames()))
+    for (const bool alt : {false, true})
+      if (const gl::Texture* texture = renderer.texture({name, alt}); texture != nullptr)
+        sides.emplace(texture, BufferSide{name, alt});
+  return sides;
+}
+
 }  // namespace
+
+std::vector<const GpuProgram*> FrameRenderer::programsOf(const Step& step) const {
+  std::vector<const GpuProgram*> programs;
+  if (step.program < 0) return programs;
+  if (const auto drawn = loaded_->programs.find(step.program); drawn != loaded_->programs.end())
+    programs.push_back(drawn->second.get());
+  for (const auto& [key, program] : loaded_->computes)
+    if (key.first == step.program && step.kind == Step::Kind::Compute)
+      programs.push_back(program.get());
+  return programs;
+}
+
+std::vector<BufferSide> FrameRenderer::readsOf(const Step& step) const {
+  using Kind = Step::Kind;
+  if (step.kind == Kind::CopyDepth || step.kind == Kind::SampleCenterDepth)
+    return {{"depthtex0", false}};
+  if (step.kind == Kind::CopyShadowDepth) return {{"shadowtex0", false}};
+  std::vector<BufferSide> reads;
+  // Without a final program the picture is a copy.
+  if (step.kind == Kind::Present && step.program < 0)
+    return {{"colortex0", (step.flipped & 1u) != 0}};
+  const auto sides = sidesByTexture(*this);
+  for (const GpuProgram* program : programsOf(step)) {
+    for (const SamplerBinding& sampler : program->samplers) {
+      const auto side = sides.find(loaded_->binder->textureOf(sampler, step));
+      addOnce(reads, side == sides.end() ? BufferSide{sampler.name, false} : side->second);
+    }
+    for (const SamplerBinding& image : program->images) addOnce(reads, sideOfImage(image, step));
+  }
+  return reads;
+}
 
 std::vector<BufferSide> FrameRenderer::writesOf(const Step& step) const {
   using Kind = Step::Kind;
@@ -46,14 +89,8 @@ std::vector<BufferSide> FrameRenderer::writesOf(const Step& step) const {
       addOnce(sides, {fmt::format("{}{}", kind, buffer), step.writesAlt(buffer)});
   }
   if (draws) addOnce(sides, {inShadowMap(step) ? "shadowtex0" : "depthtex0", false});
-  if (step.program < 0) return sides;
-  const auto addImages = [&](const GpuProgram& program) {
-    for (const SamplerBinding& image : program.images) addOnce(sides, sideOfImage(image, step));
-  };
-  if (const auto drawn = loaded_->programs.find(step.program); drawn != loaded_->programs.end())
-    addImages(*drawn->second);
-  for (const auto& [key, program] : loaded_->computes)
-    if (key.first == step.program && step.kind == Kind::Compute) addImages(*program);
+  for (const GpuProgram* program : programsOf(step))
+    for (const SamplerBinding& image : program->images) addOnce(sides, sideOfImage(image, step));
   return sides;
 }
 

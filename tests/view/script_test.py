@@ -195,6 +195,123 @@ def passes_are_timed_and_pixels_probed_only_while_shown(test):
         [(one["step"], one["buffer"], one["value"]) for one in opened["probe"]]
 
 
+def write_odd_values(test):
+    """composite leaves a NaN, an Inf and negative values, and fills a buffer object."""
+    shaders = test.folder / "pack" / "shaders"
+    (shaders / "composite.fsh").write_text("""#version 430 compatibility
+uniform sampler2D colortex0;
+uniform sampler2D colortex1;
+in vec2 uv;
+layout(std430, binding = 0) buffer Numbers { uint numbers[8]; };
+layout(r32ui) uniform uimage3D cube;
+/* RENDERTARGETS: 0,4 */
+/*
+const int colortex4Format = RGBA32F;
+const bool colortex0MipmapEnabled = true;
+*/
+void main() {
+  ivec2 at = ivec2(gl_FragCoord.xy);
+  if (at.x < 8 && at.y == 0) numbers[at.x] = 100u + uint(at.x);
+  if (at.x < 4 && at.y < 4) imageStore(cube, ivec3(at, 2), uvec4(7u));
+  vec4 odd = vec4(0.25, 0.5, 2.0, 1.0);
+  if (at == ivec2(10, 239)) odd.r = sqrt(-uv.x);
+  if (at == ivec2(11, 239)) odd.g = 1.0 / (uv.x * 0.0);
+  if (at == ivec2(12, 239)) odd.b = -3.0;
+  gl_FragData[0] = texture2DLod(colortex0, uv, 2.0) + texture2D(colortex1, uv) * 0.0;
+  gl_FragData[1] = odd;
+}
+""")
+    (shaders / "composite.vsh").write_text("#version 430 compatibility\nout vec2 uv;\nvoid main() {"
+                                           " gl_Position = ftransform(); uv = gl_MultiTexCoord0.st; }\n")
+    with (shaders / "shaders.properties").open("a") as file:
+        file.write("bufferObject.0=32\nimage.cube=none RED_INTEGER R32UI UNSIGNED_INT true false 4 4 4\n"
+                   "iris.features.required=SSBO CUSTOM_IMAGES\n")
+
+
+def buffers_are_shown_after_any_pass(test):
+    write_odd_values(test)
+    test.view([{"frames": 2}, {"show": "colortex4@composite:0..2"}, {"frames": 2}, {"state": "odd.json"},
+               {"shown": "odd.png"}, {"show": "colortex4@composite:b:false:0..2:signed"}, {"frames": 1},
+               {"shown": "blue.png"}, {"show": "colortex0@composite:mip3"}, {"frames": 1},
+               {"expect": {"/shown/width": 40, "/shown/height": 30, "/shown/mip": 3, "/shown/problem": ""}},
+               {"show": "cube:slice2"}, {"frames": 1},
+               {"expect": {"/shown/slices": 4, "/shown/slice": 2, "/shown/high": [7], "/shown/low": [7]}},
+               {"show": "bufferObject.0@composite:at8"}, {"frames": 1},
+               {"expect": {"/shown/words": [102, 103, 104, 105, 106, 107], "/shown/bytes": 32}},
+               {"shown": "words.csv"}, {"screenshot": "table.png"}, {"show": "depthtex0@composite"}, {"frames": 1},
+               {"expect": {"/shown/high": {"contains": 1}, "/shown/side": "main", "/glErrors": 0}},
+               {"show": ""}, {"frames": 1}, {"expect": {"/shown": None, "/panels/buffers": False}}])
+    state = json.loads((test.folder / "odd.json").read_text())["shown"]
+    assert (state["nan"], state["infinite"], state["negative"]) == (1, 1, 1), state
+    assert state["low"] == [0.25, 0.5, -3, 1] and state["high"] == [0.25, 0.5, 2, 1], state
+    assert (state["width"], state["height"], state["range"]) == (320, 240, [0, 2]), state
+    picture = test.picture("odd.png")
+    assert picture[0][10:14] == [(255, 0, 255), (0, 255, 255), (0, 200, 60), (32, 64, 255)], picture[0][10:14]
+    blue = test.picture("blue.png")
+    assert blue[0][0] == (255, 250, 190) and blue[0][12] == (8, 8, 60), (blue[0][0], blue[0][12])
+    table = (test.folder / "words.csv").read_text().splitlines()
+    assert table[0] == "byte,word,int,float,hexadecimal" and table[1].startswith("8,102,102,"), table
+    # Headless, the same pixels.
+    subprocess.run([test.orris, "render", "pack", HERE / "world", "--size", "320x240", "--frames", "4", "--backend",
+                    "egl", "-o", "out.png", "--show", "colortex4@composite:0..2=again.png",
+                    "--show", "bufferObject.0@composite:at8=again.csv"], cwd=test.folder, check=True, timeout=TIMEOUT)
+    assert test.picture("again.png") == picture
+    assert (test.folder / "again.csv").read_text().splitlines() == table
+
+
+def buffers_cost_nothing_while_none_is_shown(test):
+    test.view([{"frames": 5}, {"expect": {"/copies": 0, "/shown": None, "/interface": False}}, {"key": "F4"},
+               {"frames": 4}, {"state": "open.json"}, {"key": "F4"}, {"frames": 1}, {"state": "closed.json"},
+               {"frames": 10}, {"state": "later.json"}, {"show": "colortex0@composite"}, {"frames": 2},
+               {"key": "Escape"}, {"frames": 1}, {"state": "escaped.json"}, {"frames": 5}, {"state": "end.json"}])
+    opened, closed, later, escaped, end = [json.loads((test.folder / f"{name}.json").read_text())
+                                           for name in ("open", "closed", "later", "escaped", "end")]
+    assert 4 <= opened["copies"] <= opened["frame"] - 5 and opened["shown"]["asked"] == "colortex0", opened
+    assert closed["shown"] is None and closed["copies"] == later["copies"], (closed, later)
+    assert escaped["copies"] > later["copies"] and escaped["copies"] == end["copies"], (escaped, end)
+
+
+def buffers_are_chosen_by_hand(test):
+    write_odd_values(test)
+    test.view([{"resize": [1000, 700]}, {"frames": 2}, {"key": "F3"}, {"frames": 2},
+               {"click": "colortex4@composite"}, {"frames": 2},
+               {"expect": {"/shown/asked": "colortex4@composite", "/panels/buffers": True}}, {"key": "F3"},
+               {"click": "g"}, {"frames": 1}, {"expect": {"/shown/asked": "colortex4@composite:g"}},
+               {"click": "false colours"}, {"frames": 1},
+               {"expect": {"/shown/asked": "colortex4@composite:g:false"}}, {"click": "alt"}, {"frames": 1},
+               {"expect": {"/shown/asked": "colortex4@composite:alt:g:false"}}, {"click": "after"}, {"frames": 1},
+               {"click": "after whole frame"}, {"frames": 1}, {"expect": {"/shown/asked": "colortex4:alt:g:false"}},
+               {"click": "buffer"}, {"frames": 1}, {"click": "buffer bufferObject.0"}, {"frames": 2},
+               {"expect": {"/shown/bytes": 32, "/items": {"contains": "words"}, "/glErrors": 0}},
+               {"move": [600, 650]}, {"screenshot": "table.png"}, {"frames": 1}])
+
+
+def passes_say_what_they_read_and_write(test):
+    write_odd_values(test)
+    test.view([{"frames": 1},
+               {"expect": {"/passes/composite/writes": ["colortex0 alt", "colortex4 alt", "cube"],
+                           "/passes/composite/reads": ["colortex0", "colortex1", "cube"],
+                           "/passes/gbuffers_terrain_solid/reads": ["gtexture"],
+                           "/passes/gbuffers_terrain_solid/writes": ["colortex0", "depthtex0"],
+                           "/passes/final/reads": ["colortex0 alt"], "/passes/final/writes": ["screen"]}}])
+
+
+def what_cannot_be_shown_is_said(test):
+    for step, expected in (("colortex9", "there is no buffer colortex9 in this frame: it has colortex0"),
+                           ("colortex0@composite7", "there is no pass composite7 in this frame"),
+                           ("colortex0:mipx", "\"mipx\" is none of main, alt, mipN"), (":alt", "names no buffer")):
+        process = test.view([{"frames": 1}, {"show": step}], 1)
+        assert expected in process.stderr, (expected, process.stderr)
+        run = subprocess.run([test.orris, "render", "pack", HERE / "world", "--size", "32x24", "--frames", "1",
+                              "--backend", "egl", "-o", "out.png", "--show", f"{step}=a.png"], cwd=test.folder,
+                             capture_output=True, text=True, timeout=TIMEOUT)
+        assert run.returncode == 2 and expected in run.stderr, (run.returncode, run.stderr)
+        assert not (test.folder / "a.png").exists()
+    test.view([{"frames": 1}, {"show": "colortex0@composite"}, {"frames": 1},
+               {"rename": "pack/shaders/composite.fsh", "to": "composite.fsh"}, {"until": {"/loads": 2}}, {"frames": 1},
+               {"expect": {"/shown/problem": {"contains": "there is no pass composite"}, "/glErrors": 0}}])
+
+
 def scene_is_chosen_in_its_panel(test):
     test.view([{"frames": 2}, {"key": "T"}, {"frames": 2}, {"click": "midnight"}, {"expect": {"/time": 18000}},
                {"drag": "rain", "to": 0.98}, {"expect": {"/rain": {"min": 0.9}}},
@@ -206,7 +323,7 @@ def scene_is_chosen_in_its_panel(test):
 
 
 def panels_survive_any_size(test):
-    test.view([{"key": key} for key in ("F1", "O", "T", "F3")] +
+    test.view([{"key": key} for key in ("F1", "O", "T", "F3", "F4")] +
               [step for size in ([1, 1], [40, 30], [5, 400], [1200, 20], [320, 240])
                for step in ({"resize": size}, {"frames": 3}, {"expect": {"/width": size[0], "/glErrors": 0}})] +
               [{"key": "Escape"}, {"frames": 1}, {"expect": {"/items": []}}])
@@ -225,7 +342,8 @@ def error_is_opened_in_the_editor(test):
     assert opened == f"+3 {test.folder.resolve()}/pack/shaders/lib/tint.glsl\n", opened
 
 
-CASES = [options_are_walked_changed_and_reset, problems_are_on_screen_over_the_last_good_picture,
+CASES = [buffers_are_shown_after_any_pass, buffers_cost_nothing_while_none_is_shown, buffers_are_chosen_by_hand,
+         what_cannot_be_shown_is_said, passes_say_what_they_read_and_write, options_are_walked_changed_and_reset, problems_are_on_screen_over_the_last_good_picture,
          passes_are_timed_and_pixels_probed_only_while_shown, scene_is_chosen_in_its_panel,
          panels_survive_any_size, error_is_opened_in_the_editor,
          script_draws_what_render_draws, option_is_taken_over_saved_and_read_back, own_save_is_no_edit,

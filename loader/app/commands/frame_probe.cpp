@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "pack/files/text.h"
+#include "render/buffer_view.h"
 
 namespace orris {
 namespace {
@@ -18,19 +19,6 @@ std::string exact(float value) { return fmt::format("{:.9g}", value); }
 /// JSON has no NaN.
 nlohmann::json exactJson(float value) {
   return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(exact(value));
-}
-
-/// The side of a buffer that holds what it is worth after a step.
-BufferSide sideAfter(const FrameRenderer& renderer, const Step& step, const std::string& name) {
-  for (const BufferSide& side : renderer.writesOf(step))
-    if (side.name == name) return side;
-  const auto buffer = parseBufferName(name, false);
-  using Kind = BufferName::Kind;
-  if (!buffer || (buffer->kind != Kind::Color && buffer->kind != Kind::ShadowColor))
-    return {name, false};
-  const std::uint32_t flipped =
-      buffer->kind == Kind::Color ? step.flipped : step.shadowFlipped;
-  return {name, (flipped >> buffer->index & 1u) != 0};
 }
 
 }  // namespace
@@ -55,9 +43,15 @@ FrameProbe::FrameProbe(const RenderOutputs& outputs, FrameRenderer& renderer)
   if (const auto pixel = parsePixel(outputs.probe))
     pixel_.emplace(renderer, pixel->first, pixel->second);
   if (outputs.checkFinite) finite_.emplace(renderer);
+  for (const auto& [text, path] : outputs.shows) {
+    std::string problem;
+    shows_[text] = {*parseShown(text, problem), {}};
+  }
   const bool dumps = std::ranges::any_of(
       outputs.dumps, [](const auto& dump) { return splitDumpName(dump.first).has_value(); });
-  if (pixel_ || finite_ || dumps) renderer.watchSteps([this](const Step& step) { after(step); });
+  const bool shows = std::ranges::any_of(
+      shows_, [](const auto& one) { return !one.second.asked.what.step.empty(); });
+  if (pixel_ || finite_ || dumps || shows) renderer.watchSteps([this](const Step& step) { after(step); });
 }
 
 FrameProbe::~FrameProbe() { renderer_.watchSteps({}); }
@@ -77,6 +71,15 @@ void FrameProbe::after(const Step& step) {
     if (auto image = renderer_.dump(sideAfter(renderer_, step, parts->first)))
       dumps_[name] = std::move(*image);
   }
+  for (auto& [text, show] : shows_)
+    if (isAsked(renderer_, step, show.asked.what))
+      show.view = viewBuffer(renderer_, &step, show.asked.what);
+}
+
+const std::map<std::string, FrameProbe::Show>& FrameProbe::shows() {
+  for (auto& [text, show] : shows_)
+    if (show.asked.what.step.empty()) show.view = viewBuffer(renderer_, nullptr, show.asked.what);
+  return shows_;
 }
 
 std::string FrameProbe::text() const {

@@ -1,7 +1,8 @@
-// What `orris render` looks at between the passes of a frame: --probe, --check-finite, and --dump of a
-// buffer after a pass.
+// What `orris render` looks at between the passes of a frame: --probe, --check-finite, and --dump and
+// --show of a buffer after a pass.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -9,6 +10,7 @@
 #include <utility>
 
 #include "app/commands/render_output.h"
+#include "app/input/shown_buffer.h"
 #include "render/finite_check.h"
 #include "render/pixel_probe.h"
 
@@ -35,6 +37,13 @@ class FrameProbe {
   /// The chain of the pixel as text, "" where none was asked for.
   std::string text() const;
   nlohmann::json json() const;
+  /// A buffer of --show as it was, by the text asked for.
+  struct Show {
+    ShownBuffer asked;
+    std::optional<BufferView> view;
+  };
+  /// After the last frame.
+  const std::map<std::string, Show>& shows();
   Diagnostics findings() const { return finite_ ? finite_->findings() : Diagnostics(); }
 
  private:
@@ -44,6 +53,7 @@ class FrameProbe {
   std::optional<PixelProbe> pixel_;
   std::optional<FiniteCheck> finite_;
   PassDumps dumps_;
+  std::map<std::string, Show> shows_;
   int frame_ = 0;
   bool last_ = false;
 };

@@ -88,6 +88,7 @@ void sayRendered(const RenderOptions& options, RenderSession& session,
                  const gl::DriverInfo& driver, Clock::time_point began) {
   std::vector<std::string> paths = {options.outputs.picture};
   for (const auto& [buffer, path] : options.outputs.dumps) paths.push_back(path);
+  for (const auto& [shown, path] : options.outputs.shows) paths.push_back(path);
   paths.push_back(options.outputs.timings);
   const double seconds = std::chrono::duration<double>(Clock::now() - began).count();
   sayWritten(options.output, paths,
@@ -110,6 +111,13 @@ bool sayLeftOut(const FrameRenderer& renderer, bool allowed, Report& report) {
   if (!allowed) found.hint = "with --allow-missing this is a warning";
   report.add(diagnostics);
   return allowed;
+}
+
+nlohmann::json shownJson(FrameProbe& probe) {
+  nlohmann::json all = nlohmann::json::object();
+  for (const auto& [text, show] : probe.shows())
+    if (show.view) all[text] = toJson(*show.view, show.asked.how);
+  return all;
 }
 
 int runRender(const RenderOptions& options, Report& report, nlohmann::json& result) {
@@ -138,6 +146,7 @@ int runRender(const RenderOptions& options, Report& report, nlohmann::json& resu
   const auto times = drawFrames(*session, options.image.frames, probe, report);
   result = describe(*session, context->driver());
   if (!options.outputs.probe.empty()) result["probe"] = probe.json();
+  if (!options.outputs.shows.empty()) result["shown"] = shownJson(probe);
   if (!options.output.json && !options.output.quiet) printText(probe.text());
   Diagnostics counted = counterWarnings(session->renderer());
   report.add(counted);
@@ -146,7 +155,11 @@ int runRender(const RenderOptions& options, Report& report, nlohmann::json& resu
   for (const std::string& message : errors) report.error("gl-error", message);
   // The frames are not what the pack asks for: a picture of an earlier run stays.
   if (!errors.empty()) return kHostFailed;
-  if (writeOutputs(options.outputs, session->renderer(), probe.dumps(), times, report, status))
+  bool written = writeOutputs(options.outputs, session->renderer(), probe.dumps(), times, report, status);
+  for (const auto& [text, show] : probe.shows())
+    if (show.view)
+      written &= writeShown(options.outputs.shows.at(text), show.asked, *show.view, report, status);
+  if (written)
     sayRendered(options, *session, context->driver(), began);
   Diagnostics notFinite = probe.findings();
   if (!notFinite.empty() && status == kClean) status = kProblems;
@@ -161,6 +174,7 @@ SupervisedWork supervised(const RenderOptions& options) {
   AllowedOutputs outputs;
   outputs.files = {options.outputs.picture, options.outputs.timings};
   for (const auto& [buffer, path] : options.outputs.dumps) outputs.files.push_back(path);
+  for (const auto& [shown, path] : options.outputs.shows) outputs.files.push_back(path);
   if (!options.outputs.patched.empty()) outputs.folders = {options.outputs.patched};
   return {options.limits, options.image.backend, std::move(outputs), true};
 }
@@ -172,6 +186,10 @@ void addOutputPaths(CLI::App& command, RenderOutputs& outputs) {
   addAssignmentFlag(command, "--dump", outputs.dumps,
                     "write a buffer after the last frame, or after a pass of it",
                     "BUFFER[@PASS]=FILE");
+  addAssignmentFlag(command, "--show", outputs.shows,
+                    "paint the values of a buffer, or list them: side, mip, slice, channel, range, "
+                    "false colours (docs/view.md)",
+                    "BUFFER[@PASS][:WORD...]=FILE");
   command
       .add_option("--probe", outputs.probe,
                   "print the value of a pixel after every pass of the last frame that wrote it")
@@ -184,6 +202,13 @@ void addOutputPaths(CLI::App& command, RenderOutputs& outputs) {
                    "status 0 although this driver cannot run some programs");
   command.add_option("--patched", outputs.patched, "write the sources as the driver gets them")
       ->type_name("DIR");
+}
+
+void checkShows(const RenderOptions& options) {
+  for (const auto& [text, path] : options.outputs.shows) {
+    std::string problem;
+    if (!parseShown(text, problem)) throw CLI::ValidationError("--show", problem);
+  }
 }
 
 void checkProbe(const RenderOptions& options) {
@@ -213,6 +238,7 @@ void addRenderCommand(CLI::App& app, int& status) {
   addOutputFlags(*command, options->output);
   command->callback([options, &status] {
     checkProbe(*options);
+    checkShows(*options);
     Report report(options->output);
     nlohmann::json result = nlohmann::json::object();
     status = runSupervised(supervised(*options), report,

@@ -97,6 +97,9 @@ bool isLinear(const std::string& path) { return std::filesystem::path(path).exte
 bool checkPaths(const RenderOutputs& outputs, Report& report, int& status) {
   bool good = checkPicturePath(outputs.picture, report, status);
   for (const auto& [buffer, path] : outputs.dumps) good &= checkPicturePath(path, report, status);
+  for (const auto& [shown, path] : outputs.shows)
+    good &= shown.starts_with("bufferObject.") ? checkWritable(path, report, status)
+                                               : checkPicturePath(path, report, status);
   if (!outputs.timings.empty()) good &= checkWritable(outputs.timings, report, status);
   return good;
 }
@@ -124,7 +127,23 @@ bool checkBuffers(const RenderOutputs& outputs, const FrameRenderer& renderer, R
                  "buffers: " + renderer.bufferNames());
     status = kUsage;
   }
+  for (const auto& [text, path] : outputs.shows) {
+    std::string problem;
+    if (const auto shown = parseShown(text, problem)) problem = problemOf(renderer, shown->what);
+    if (problem.empty()) continue;
+    good = false;
+    report.error("show-unknown", fmt::format("--show {}: {}", text, problem), "");
+    status = kUsage;
+  }
   return good;
+}
+
+bool writeShown(const std::string& path, const ShownBuffer& asked, const BufferView& view,
+                Report& report, int& status) {
+  if (view.pixels.pixels.empty())
+    return writeWholeFile(path, storageTable(view), report, status);
+  return isLinear(path) ? writePicture(path, view.pixels, report, status)
+                        : writePicture(path, paintValues(view.pixels, asked.how), report, status);
 }
 
 bool writeOutputs(const RenderOutputs& outputs, const FrameRenderer& renderer,

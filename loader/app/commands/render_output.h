@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/input/shown_buffer.h"
 #include "app/report/report.h"
 #include "render/render_session.h"
 
@@ -14,6 +15,7 @@ namespace orris {
 struct RenderOutputs {
   std::string picture;
   OptionValues dumps;   ///< buffer, or buffer@pass -> file
+  OptionValues shows;   ///< buffer as parseShown() takes it -> picture or table
   std::string probe;    ///< pixel "X,Y", "" for none
   bool checkFinite = false;
   std::string timings;  ///< CSV
@@ -38,6 +40,10 @@ bool checkBuffers(const RenderOutputs& outputs, const FrameRenderer& renderer, R
 
 /// Buffers after passes, by the name that --dump gives them.
 using PassDumps = std::map<std::string, ImageF>;
+
+/// What --show names: a picture of the values, a table of a bufferObject.
+bool writeShown(const std::string& path, const ShownBuffer& asked, const BufferView& view,
+                Report& report, int& status);
 
 /// The picture, the buffers and the times.
 bool writeOutputs(const RenderOutputs& outputs, const FrameRenderer& renderer,

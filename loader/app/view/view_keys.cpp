@@ -16,6 +16,7 @@ constexpr KeyRow kKeyRows[] = {
     {GLFW_KEY_O, ViewCommand::Options, "O", "the pack's options; a change is saved to its option file"},
     {GLFW_KEY_T, ViewCommand::Scene, "T", "time of day, weather, world, camera"},
     {GLFW_KEY_F3, ViewCommand::Passes, "F3", "the passes with their times; click on a pixel to probe it"},
+    {GLFW_KEY_F4, ViewCommand::Buffers, "F4", "any buffer after any pass, as picture or numbers"},
     {GLFW_KEY_E, ViewCommand::Editor, "E", "open $VISUAL at the first error"},
     {GLFW_KEY_R, ViewCommand::Reload, "R", "reload the pack from its files"},
     {GLFW_KEY_P, ViewCommand::NextProfile, "P", "next profile of the pack"},

@@ -13,6 +13,7 @@ enum class ViewCommand {
   Options,
   Scene,
   Passes,
+  Buffers,
   Editor,
   Reload,
   NextProfile,

@@ -45,6 +45,8 @@ const std::vector<StepRow>& stepRows() {
       {"expect", {Kind::Object}, ""},
       {"screenshot", {Kind::String}, ""},
       {"picture", {Kind::String}, ""},
+      {"show", {Kind::String}, ""},
+      {"shown", {Kind::String}, ""},
       {"state", {Kind::String}, ""},
   };
   return kRows;

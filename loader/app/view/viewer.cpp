@@ -161,16 +161,19 @@ void Viewer::drawPicture(double seconds) {
   std::optional<PixelProbe> probe;
   if (panels_.passes && pixel_) {
     probe.emplace(renderer, pixel_->first, pixel_->second);
-    renderer.watchSteps([&](const Step& step) { probe->after(step); });
   }
+  if (probe || inspector_)
+    renderer.watchSteps([&](const Step& step) {
+      if (probe) probe->after(step);
+      if (inspector_) inspector_->after(renderer, step);
+    });
   Diagnostics diagnostics;
   session().renderFrame(diagnostics);
   report_.add(diagnostics);
   if (panels_.passes) times_.add(renderer.schedule(), renderer.stepTimes());
-  if (probe) {
-    renderer.watchSteps({});
-    probe_ = probe->values();
-  }
+  if (probe || inspector_) renderer.watchSteps({});
+  if (probe) probe_ = probe->values();
+  if (inspector_) inspector_->endFrame(renderer);
   if (++framesDrawn_ != 1) return;
   const std::string chosen = session().autoChoices().text();
   say(chosen.empty() ? "ready" : "ready; AUTO took " + chosen);

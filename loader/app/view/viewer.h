@@ -9,6 +9,7 @@
 
 #include "app/input/common.h"
 #include "app/report/report.h"
+#include "app/view/buffer_inspector.h"
 #include "app/view/file_watch.h"
 #include "app/view/live_pack.h"
 #include "app/view/script_player.h"
@@ -60,6 +61,9 @@ class Viewer final : public ScriptTarget {
   void closePanels();
   bool setWorld(const std::string& name);
   void openEditor();
+  /// Opens the buffers.
+  void show(ShownBuffer shown);
+  void toggleBuffers();
   std::vector<ViewEvent> pollEvents();
   void handle(const ViewInput& input, double seconds);
   void run(ViewCommand command);
@@ -91,6 +95,8 @@ class Viewer final : public ScriptTarget {
   std::string resizeStep(const JsonNode& value);
   std::string screenshotStep(const JsonNode& value);
   std::string pictureStep(const JsonNode& value);
+  std::string showStep(const JsonNode& value);
+  std::string shownStep(const JsonNode& value);
   std::string stateStep(const JsonNode& value);
 
   ViewOptions options_;
@@ -111,6 +117,7 @@ class Viewer final : public ScriptTarget {
   StepHistory times_;
   std::optional<std::pair<int, int>> pixel_;  ///< that is probed, from the top left
   std::vector<ProbeValue> probe_;
+  std::optional<BufferInspector> inspector_;  ///< only while the buffers are open
   FlyCamera fly_{Camera{}};
   bool closed_ = false, paused_ = false, fullScreen_ = false;
   int singleFrames_ = 0;  ///< to be drawn although paused

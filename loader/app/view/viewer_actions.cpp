@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "app/commands/render_output.h"
 #include "app/input/inputs.h"
 #include "app/view/plain_pack.h"
 #include "app/view/viewer.h"
@@ -39,6 +40,8 @@ void Viewer::run(ViewCommand command) {
       return toggle(panels_.scene);
     case ViewCommand::Passes:
       return toggle(panels_.passes);
+    case ViewCommand::Buffers:
+      return toggleBuffers();
     case ViewCommand::Editor:
       return openEditor();
     case ViewCommand::Reload:
@@ -168,7 +171,8 @@ std::string Viewer::perform(const ScriptStep& step) {
       {"thunder", &Viewer::thunderStep},     {"camera", &Viewer::cameraStep},
       {"pause", &Viewer::pauseStep},         {"pack", &Viewer::packStep},
       {"resize", &Viewer::resizeStep},       {"screenshot", &Viewer::screenshotStep},
-      {"picture", &Viewer::pictureStep},     {"state", &Viewer::stateStep}};
+      {"picture", &Viewer::pictureStep},     {"state", &Viewer::stateStep},
+      {"show", &Viewer::showStep},           {"shown", &Viewer::shownStep}};
   const auto row = std::ranges::find_if(kRows, [&](const Row& one) { return one.name == step.action; });
   return row == std::end(kRows) ? "cannot be done here" : (this->*row->action)(step.value);
 }
@@ -246,6 +250,26 @@ std::string Viewer::screenshotStep(const JsonNode& value) {
 std::string Viewer::pictureStep(const JsonNode& value) {
   saveScreenshot(value.text);
   return "";
+}
+
+std::string Viewer::showStep(const JsonNode& value) {
+  if (value.text.empty()) {
+    panels_.buffers = false;
+    inspector_.reset();
+    return "";
+  }
+  std::string problem;
+  const auto shown = parseShown(value.text, problem);
+  if (shown) problem = problemOf(session().renderer(), shown->what);
+  if (problem.empty()) show(*shown);
+  return problem;
+}
+
+std::string Viewer::shownStep(const JsonNode& value) {
+  if (!inspector_ || !inspector_->view()) return "no buffer is shown";
+  return writeShown(value.text, inspector_->asked(), *inspector_->view(), report_, status_)
+             ? ""
+             : value.text + " cannot be written";
 }
 
 std::string Viewer::stateStep(const JsonNode& value) {

@@ -14,11 +14,13 @@ namespace orris {
 
 bool Viewer::panelsShown() const {
   const bool problems = panels_.problems && !pack_->outcome().succeeded;
-  return panels_.help || panels_.options || panels_.scene || panels_.passes || problems;
+  return panels_.help || panels_.options || panels_.scene || panels_.passes ||
+         panels_.buffers || problems;
 }
 
 void Viewer::closePanels() {
-  panels_.help = panels_.options = panels_.scene = panels_.passes = panels_.problems = false;
+  panels_.help = panels_.options = panels_.scene = panels_.passes = panels_.buffers =
+      panels_.problems = false;
 }
 
 void Viewer::beginPanels(std::vector<ViewEvent>& events, double seconds) {
@@ -51,13 +53,16 @@ void Viewer::endPanels() {
   if (!building_) return;
   building_ = false;
   const PanelFacts facts{*pack_,  session(), plain_ == nullptr, paused_,
-                         times_, pixel_,    probe_};
+                         times_, pixel_,    probe_,
+                         inspector_ ? &*inspector_ : nullptr};
   if (panels_.options) drawOptions(*interface_, panels_, facts, requests_);
   if (panels_.scene) drawScene(*interface_, panels_, facts, requests_);
   if (panels_.passes) drawPasses(*interface_, panels_, facts, requests_);
+  if (panels_.buffers) drawBuffers(*interface_, panels_, facts, requests_);
   if (panels_.problems && !pack_->outcome().succeeded) drawProblems(*interface_, panels_, facts);
   if (panels_.help) drawHelp(*interface_, panels_);
   interface_->end(surface_->framebuffer());
+  if (!panels_.buffers) inspector_.reset();
   if (!panels_.passes) {
     times_ = {};
     pixel_.reset();
@@ -83,6 +88,7 @@ void Viewer::apply(const PanelRequests& requests) {
     pixel_.reset();
     probe_.clear();
   }
+  if (requests.show) show(*requests.show);
   if (requests.packOn) setPackOn(*requests.packOn);
 }
 
@@ -99,6 +105,26 @@ bool Viewer::setWorld(const std::string& name) {
   report_.add(diagnostics);
   say(done ? "world " + name : fmt::format("the world {} cannot be drawn", name));
   return done;
+}
+
+void Viewer::show(ShownBuffer shown) {
+  panels_.buffers = true;
+  if (inspector_) {
+    inspector_->ask(std::move(shown));
+  } else {
+    inspector_.emplace(std::move(shown));
+  }
+  singleFrames_ = std::max(singleFrames_, 1);  // a pause has read nothing of it
+}
+
+void Viewer::toggleBuffers() {
+  panels_.buffers = !panels_.buffers;
+  inspector_.reset();
+  if (!panels_.buffers) return;
+  controls_.giveMouseBack();
+  ShownBuffer first;
+  first.what.buffer = viewableBuffers(session().renderer()).front();
+  show(first);
 }
 
 void Viewer::openEditor() {

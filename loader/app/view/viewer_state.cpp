@@ -27,6 +27,7 @@ nlohmann::json panelsState(const PanelState& panels) {
           {"options", panels.options},
           {"scene", panels.scene},
           {"passes", panels.passes},
+          {"buffers", panels.buffers},
           {"screen", panels.screens.empty() ? "" : panels.screens.back()},
           {"search", panels.search}};
 }
@@ -36,6 +37,21 @@ nlohmann::json probeState(const std::vector<ProbeValue>& probe) {
   for (const ProbeValue& value : probe)
     chain.push_back({{"step", value.step}, {"buffer", value.side.name}, {"value", value.value}});
   return chain;
+}
+
+nlohmann::json sidesState(const std::vector<BufferSide>& sides) {
+  nlohmann::json names = nlohmann::json::array();
+  for (const BufferSide& side : sides) names.push_back(side.name + (side.alt ? " alt" : ""));
+  return names;
+}
+
+/// Of passes of one name the last.
+nlohmann::json passesState(const FrameRenderer& renderer) {
+  nlohmann::json passes = nlohmann::json::object();
+  for (const Step& step : renderer.schedule().frame)
+    passes[step.name] = {{"reads", sidesState(renderer.readsOf(step))},
+                         {"writes", sidesState(renderer.writesOf(step))}};
+  return passes;
 }
 
 }  // namespace
@@ -63,8 +79,11 @@ nlohmann::json Viewer::state() {
           {"items", items},
           {"interface", interface_ != nullptr},
           {"steps", steps},
+          {"passes", passesState(renderer)},
           {"timedSteps", renderer.stepTimes().size()},
           {"probe", probeState(probe_)},
+          {"shown", inspector_ ? inspector_->state() : nlohmann::json()},
+          {"copies", BufferInspector::copies()},
           {"packOn", plain_ == nullptr},
           {"pack", pack.name},
           {"profile", pack.currentProfile()},

@@ -10,18 +10,22 @@
 #include <utility>
 #include <vector>
 
+#include "app/input/shown_buffer.h"
 #include "app/view/live_pack.h"
 #include "app/window/interface.h"
 #include "render/pixel_probe.h"
 
 namespace orris {
 
+class BufferInspector;
+
 /// Which panels are open and where the user is in them.
 struct PanelState {
-  bool help = false, options = false, scene = false, passes = false;
+  bool help = false, options = false, scene = false, passes = false, buffers = false;
   bool problems = true;              ///< shown while the last load failed
   std::vector<std::string> screens;  ///< from the main screen to the one shown
   std::string search;
+  int wordKind = 0;                  ///< how the words of a bufferObject are written
   std::map<std::string, int> dragged;  ///< sliders being dragged: index of the value under the mouse
 };
 
@@ -45,6 +49,7 @@ struct PanelFacts {
   const StepHistory& times;
   const std::optional<std::pair<int, int>>& pixel;  ///< that is probed
   const std::vector<ProbeValue>& probe;
+  const BufferInspector* inspector = nullptr;  ///< nullptr: no buffer is shown
 };
 
 /// What the user asked for in this frame.
@@ -58,6 +63,7 @@ struct PanelRequests {
   std::optional<bool> pause, packOn;
   bool singleFrame = false;
   bool dropPixel = false;
+  std::optional<ShownBuffer> show;  ///< opens the buffers
 };
 
 void drawHelp(Interface& interface, PanelState& state);
@@ -67,6 +73,8 @@ void drawScene(Interface& interface, PanelState& state, const PanelFacts& facts,
                PanelRequests& requests);
 void drawPasses(Interface& interface, PanelState& state, const PanelFacts& facts,
                 PanelRequests& requests);
+void drawBuffers(Interface& interface, PanelState& state, const PanelFacts& facts,
+                 PanelRequests& requests);
 void drawProblems(Interface& interface, PanelState& state, const PanelFacts& facts);
 
 }  // namespace orris

@@ -1,8 +1,9 @@
-// The passes of the frame in order: times, what each writes, and a pixel through all of them.
+// The passes of the frame in order: times, what each writes and reads, and a pixel through all of them.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "app/window/panel_parts.h"
 #include "app/window/panels.h"
@@ -20,7 +21,31 @@ void textCell(const std::string& text) {
   ImGui::TextUnformatted(text.c_str());
 }
 
-void drawSteps(Interface& interface, const PanelFacts& facts) {
+std::string sidesText(const std::vector<BufferSide>& sides) {
+  std::vector<std::string> names;
+  for (const BufferSide& side : sides) names.push_back(sideName(side));
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+/// A click on a buffer shows it as it is after the pass.
+void drawWrites(Interface& interface, const FrameRenderer& renderer, const Step& step,
+                const std::string& label, PanelRequests& requests) {
+  ImGui::TableNextColumn();
+  bool first = true;
+  for (const BufferSide& side : renderer.writesOf(step)) {
+    if (!std::exchange(first, false)) ImGui::SameLine();
+    const std::string item = side.name + "@" + label;
+    ImGui::PushID(item.c_str());
+    if (ImGui::SmallButton(sideName(side).c_str())) {
+      ShownBuffer& show = requests.show.emplace();
+      show.what = {.buffer = side.name, .step = step.name};
+    }
+    ImGui::PopID();
+    interface.name(item);
+  }
+}
+
+void drawSteps(Interface& interface, const PanelFacts& facts, PanelRequests& requests) {
   const FrameRenderer& renderer = facts.session.renderer();
   const std::vector<std::string> names = stepLabels(renderer.schedule());
   double total = 0;
@@ -28,19 +53,18 @@ void drawSteps(Interface& interface, const PanelFacts& facts) {
   ImGui::TextUnformatted(fmt::format("median of the last {} frames; all passes {:.2f} ms",
                                      StepHistory::kFrames, total).c_str());
   const ImVec2 size(0, ImGui::GetContentRegionAvail().y * (facts.pixel ? 0.5f : 0.9f));
-  if (!ImGui::BeginTable("steps", 4, kTable, size)) return;
+  if (!ImGui::BeginTable("steps", 5, kTable | ImGuiTableFlags_ScrollX, size)) return;
   ImGui::TableSetupScrollFreeze(0, 1);
-  for (const char* head : {"pass", "ms", "processor ms", "writes"}) ImGui::TableSetupColumn(head);
+  for (const char* head : {"pass", "ms", "processor ms", "writes", "reads"}) ImGui::TableSetupColumn(head);
   ImGui::TableHeadersRow();
   for (std::size_t i = 0; i < names.size(); ++i) {
-    std::vector<std::string> writes;
-    for (const BufferSide& side : renderer.writesOf(renderer.schedule().frame[i]))
-      writes.push_back(sideName(side));
+    const Step& step = renderer.schedule().frame[i];
     const auto [passed, worked] = facts.times.median(names[i]);
     textCell(names[i]);
     textCell(fmt::format("{:.3f}", passed));
     textCell(fmt::format("{:.3f}", worked));
-    textCell(fmt::format("{}", fmt::join(writes, ", ")));
+    drawWrites(interface, renderer, step, names[i], requests);
+    textCell(sidesText(renderer.readsOf(step)));
   }
   ImGui::EndTable();
   interface.name("steps");
@@ -107,7 +131,7 @@ std::pair<double, double> StepHistory::median(const std::string& step) const {
 void drawPasses(Interface& interface, PanelState& state, const PanelFacts& facts,
                 PanelRequests& requests) {
   if (beginPanel("Passes", &state.passes, ImVec2(0.45f, 0.05f), ImVec2(0.53f, 0.9f))) {
-    drawSteps(interface, facts);
+    drawSteps(interface, facts, requests);
     drawPixel(interface, facts, requests);
   }
   ImGui::End();
