@@ -33,6 +33,7 @@ void addCommands(CLI::App& app, int& status, const FolderConfig& folder) {
   addChartCommand(app, status);
   addTuneCommand(app, status);
   addDoctorCommand(app, status);
+  addLspCommand(app, status);
 }
 
 // Flags that take several assignments: "--set A=1 B=2" is "--set A=1 --set B=2". Left to the parser,

@@ -21,5 +21,6 @@ void addTraceCommand(CLI::App& app, int& status);
 void addChartCommand(CLI::App& app, int& status);
 void addTuneCommand(CLI::App& app, int& status);
 void addDoctorCommand(CLI::App& app, int& status);
+void addLspCommand(CLI::App& app, int& status);
 
 }  // namespace orris

@@ -38,7 +38,7 @@ std::vector<std::string> chosen(const std::vector<std::string>& request,
 }
 
 void checkPrograms(const ShaderPack& pack, Checker& checker, Diagnostics& diagnostics) {
-  checkWithGlslang(pack, checker.jobs, checker.glslang, diagnostics);
+  checkWithGlslang(pack, checker.jobs, checker.glslang, diagnostics, checker.quiet);
   if (!checker.gpu) return;
   // What glslang refuses has been reported; the driver would report it again in other words.
   for (const auto& [hash, good] : checker.glslang) {
@@ -265,6 +265,7 @@ void checkAgain(const std::shared_ptr<const FileSource>& files, const ValidateOp
   same.patched.clear();
   checker.glslang.clear();
   checker.driver.clear();
+  checker.quiet = nullptr;
   checker.draw = false;
   checkPack(verdict, same, checker, report);
 }
@@ -285,6 +286,30 @@ bool findDriver(const ValidateOptions& options, Checker& checker) {
   checker.gpu = askDriver(options.backend, diagnostics);
   report.add(diagnostics);
   return checker.gpu.has_value();
+}
+
+PackVerdict validateFiles(const std::string& path, std::shared_ptr<const FileSource> files,
+                          const ValidateOptions& options, Checker& checker, Report& report) {
+  const WorkStage stage("checking", path);
+  PackVerdict verdict{.path = path, .files = std::move(files)};
+  checkPack(verdict, options, checker, report);
+  findConsequences(verdict, options, checker, checkAgain, report);
+  return verdict;
+}
+
+void compileFiles(std::shared_ptr<const FileSource> files, const ValidateOptions& options,
+                  Checker& checker, Report& report) {
+  PackVerdict verdict{.files = std::move(files)};
+  const HostVersions newest = options.versions ? options.versions->newest : HostVersions();
+  auto outline = loadOutline(newest, options, checker, verdict, report);
+  if (!outline) return;
+  const std::vector<ShaderPack> folders = makeFolders(*outline->pack, outline->pack->dimensions,
+                                                      outline->request, checker, verdict, report);
+  for (const ShaderPack& folder : folders) {
+    Diagnostics diagnostics;
+    checkPrograms(folder, checker, diagnostics);
+    report.add(diagnostics);
+  }
 }
 
 PackVerdict validatePack(const std::string& path, const ValidateOptions& options,

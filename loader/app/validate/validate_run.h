@@ -44,6 +44,7 @@ struct Checker {
   MatrixBudget budget;
   std::optional<gl::DriverInfo> gpu;
   Verdicts glslang, driver;
+  std::set<std::uint64_t>* quiet = nullptr;  ///< learns of checkWithGlslang(); may be null
   bool draw = true;  ///< a frame, with a driver
   std::chrono::seconds drawTime = kDrawTime;  ///< of the processor, for that frame
 
@@ -52,6 +53,14 @@ struct Checker {
 };
 
 class ResultCache;
+
+/// All of validatePack() for files that are open, as with edits that nobody has saved; `path` names them.
+PackVerdict validateFiles(const std::string& path, std::shared_ptr<const FileSource> files,
+                          const ValidateOptions& options, Checker& checker, Report& report);
+
+/// Only what loading the programs of all folders and compiling them reports.
+void compileFiles(std::shared_ptr<const FileSource> files, const ValidateOptions& options,
+                  Checker& checker, Report& report);
 
 /// Asks the driver that --draw needs; false: reported.
 bool findDriver(const ValidateOptions& options, Checker& checker);

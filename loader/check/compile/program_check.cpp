@@ -151,8 +151,8 @@ bool hasUnclosedComment(const ProgramSource& program) {
                              [](const Diagnostic& d) { return d.id == "comment-unclosed"; });
 }
 
-void checkWithGlslang(const ShaderPack& pack, int jobs, Verdicts& verdicts,
-                      Diagnostics& diagnostics) {
+void checkWithGlslang(const ShaderPack& pack, int jobs, Verdicts& verdicts, Diagnostics& diagnostics,
+                      std::set<std::uint64_t>* quiet) {
   const std::vector<ProgramUnit> units = unitsWithoutVerdict(pack, verdicts);
   if (units.empty()) return;
   std::vector<Diagnostics> found(units.size());
@@ -189,6 +189,7 @@ void checkWithGlslang(const ShaderPack& pack, int jobs, Verdicts& verdicts,
   for (size_t i = 0; i < units.size(); ++i) {
     verdicts[units[i].hash] = !hasErrors(found[i]) && !units[i].incomplete && !units[i].refused &&
                               !lacksVersion(units[i]);
+    if (quiet != nullptr && found[i].empty() && verdicts[units[i].hash]) quiet->insert(units[i].hash);
     if (!units[i].mod.empty()) markAsOfMod(units[i].mod, found[i]);
     if (units[i].mod == kPatchingMod) excuseNamesOfTheMod(found[i]);
     diagnostics.insert(diagnostics.end(), found[i].begin(), found[i].end());

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,9 +43,11 @@ std::string entryFile(const ProgramUnit& unit);
 /// Validates with glslang those units of `pack` that `verdicts` lacks, in `jobs` processes, and adds
 /// their verdicts. Diagnostics come in the order of the units whatever the number of processes. A
 /// unit that kills or stalls the compiler is reported (compiler-crash, compiler-timeout), the others
-/// are checked all the same. See check/workers/isolated_jobs.h for what the caller must not have.
-void checkWithGlslang(const ShaderPack& pack, int jobs, Verdicts& verdicts,
-                      Diagnostics& diagnostics);
+/// are checked all the same. See check/workers/isolated_jobs.h for what the caller must not have. `quiet`,
+/// when given, learns the units that nothing at all was reported of: with their verdicts given, another
+/// check of equal units reports the same.
+void checkWithGlslang(const ShaderPack& pack, int jobs, Verdicts& verdicts, Diagnostics& diagnostics,
+                      std::set<std::uint64_t>* quiet = nullptr);
 
 /// What is reported of a unit or program whose check did not end well. `file` is its entry file.
 Diagnostic lostJob(const JobOutcome& outcome, std::string_view tool, const std::string& name,

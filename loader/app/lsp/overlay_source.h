@@ -1,0 +1,26 @@
+// The files of a pack with texts of an editor over them.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+
+#include "core/file_source.h"
+
+namespace orris {
+
+using Overlay = std::map<std::string, std::string>;  ///< pack path -> text
+
+/// A text of the overlay takes the place of the file, and may be a file that is not there.
+std::shared_ptr<const FileSource> overlaidSource(std::shared_ptr<const FileSource> files,
+                                                 Overlay overlay);
+
+/// The stage files of programs that read one of the `changed` files.
+std::set<std::string> affectedStages(const FileSource& files, const std::set<std::string>& changed);
+
+/// Without the stage files that `kept` lacks.
+std::shared_ptr<const FileSource> onlyStages(std::shared_ptr<const FileSource> files,
+                                             const std::set<std::string>& kept);
+
+}  // namespace orris
