@@ -43,11 +43,11 @@ struct Comment {
 /// Reads "ignore(a, b)" or "ignore-file(a)"; leaves what follows in `text`.
 bool readCall(std::string_view& text, Comment& comment) {
   text = text.substr(std::min(text.find_first_not_of(" \t"), text.size()));
-  constexpr std::string_view kIgnore = "ignore", kFile = "-file";
+  constexpr std::string_view kIgnore = "ignore", kWhole = "-file";
   if (!text.starts_with(kIgnore)) return false;
   text.remove_prefix(kIgnore.size());
-  comment.wholeFile = text.starts_with(kFile);
-  if (comment.wholeFile) text.remove_prefix(kFile.size());
+  comment.wholeFile = text.starts_with(kWhole);
+  if (comment.wholeFile) text.remove_prefix(kWhole.size());
   const std::size_t close = text.find(')');
   if (!trim(text.substr(0, text.find('('))).empty() || close == std::string_view::npos) {
     return false;
