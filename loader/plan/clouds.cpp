@@ -10,7 +10,7 @@ namespace {
 // The game's sizes: cells of 12 x 4 x 12 blocks that move west by 0.03 blocks a tick, a third of a
 // block above the height of uniform cloudHeight.
 constexpr int kCells = 64;
-constexpr float kCell = 12, kThickness = 4, kHeight = 192.33f, kBlocksPerSecond = 0.6f;
+constexpr float kCell = 12, kThickness = 4, kCloudHeight = 192.33f, kBlocksPerSecond = 0.6f;
 constexpr double kPeriod = double(kCells) * double(kCell);
 // Cells between the points of the noise that makes the pattern; divides kCells.
 constexpr int kPatch = 4;
@@ -90,7 +90,7 @@ std::vector<glm::vec3> cloudOrigins(const FrameState& state) {
   std::vector<glm::vec3> origins;
   for (double z = first(eyeZ); z <= last(eyeZ); ++z)
     for (double x = first(eyeX); x <= last(eyeX); ++x)
-      origins.emplace_back(x * kPeriod - eyeX, double(kHeight) - state.cameraPosition.y,
+      origins.emplace_back(x * kPeriod - eyeX, double(kCloudHeight) - state.cameraPosition.y,
                            z * kPeriod - eyeZ);
   return origins;
 }

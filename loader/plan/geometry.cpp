@@ -9,7 +9,7 @@ using G = Geometry;
 using B = DefaultBlend;
 
 constexpr int kEntities = 11, kBlockEntities = 12, kDestroy = 13, kOutline = 14, kHandSolid = 16,
-              kParticles = 19, kRainSnow = 21, kWorldBorder = 22, kHandTranslucent = 23;
+              kParticleStage = 19, kRainSnow = 21, kWorldBorder = 22, kHandTranslucent = 23;
 constexpr float kNoTest = -1, kTenth = 0.1f, kNotZero = 0.0001f;
 
 constexpr ContentKind kKinds[] = {
@@ -32,9 +32,9 @@ constexpr ContentKind kKinds[] = {
     {G::Cracks, "gbuffers_damagedblock", "", kDestroy, Sheet::Content, B::Cracks, kTenth, false,
      true},
     {G::Outline, "gbuffers_line", "", kOutline, Sheet::White, B::Translucent, kNoTest, true, false},
-    {G::Particles, "gbuffers_particles", "", kParticles, Sheet::Content, B::Off, kTenth, true,
+    {G::Particles, "gbuffers_particles", "", kParticleStage, Sheet::Content, B::Off, kTenth, true,
      false},
-    {G::ParticlesTranslucent, "gbuffers_particles_translucent", "", kParticles, Sheet::Content,
+    {G::ParticlesTranslucent, "gbuffers_particles_translucent", "", kParticleStage, Sheet::Content,
      B::Translucent, kTenth, true, false},
     {G::Hand, "gbuffers_hand", "", kHandSolid, Sheet::Content, B::Off, kTenth, true, true},
     {G::HandTranslucent, "gbuffers_hand_water", "", kHandTranslucent, Sheet::Content,
