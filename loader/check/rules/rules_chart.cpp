@@ -22,6 +22,7 @@ std::span<const Rule> chartRules() {
       {"reference-not-finite", Severity::Error,
        "a reference picture holds a value that is no number"},
       {"reference-size", Severity::Error, "no reference picture has the size of the frames"},
+      {"scenes-syntax", Severity::Error, "the list of --scenes cannot be read"},
       {"setting-syntax", Severity::Error, "a setting is not written as NAME=VALUE"},
       {"study-file", Severity::Error, "a file of a chart cannot be read or written"},
       {"study-unfinished", Severity::Warning, "some settings are not measured yet"},

@@ -59,6 +59,7 @@ std::span<const Rule> hostRules() {
       {"script-step", Severity::Error, "a script of the window has a step that there is not"},
       {"shard-mismatch", Severity::Error, "the shards of --merge are not of one picture"},
       {"shard-missing", Severity::Error, "--merge lacks a shard of the picture"},
+      {"show-unknown", Severity::Error, "--show names nothing that the frame holds"},
       {"symlink-outside", Severity::Warning, "a symbolic link leads nowhere or out of the pack"},
       {"unknown-block", Severity::Warning, "the world has a block that this host does not know"},
       {"world-json-syntax", Severity::Error, "world.json is no JSON"},
