@@ -8,6 +8,7 @@
 #include <span>
 
 #include "pack/versions/features.h"
+#include "plan/geometry_order.h"
 #include "plan/program_uses.h"
 #include "plan/schedule_targets.h"
 
@@ -15,60 +16,6 @@ namespace orris {
 namespace {
 
 using Kind = Step::Kind;
-
-struct GeometryPass {
-  std::string_view program;
-  Geometry geometry;
-  bool SceneContents::*needed = nullptr;  ///< nullptr: content, whose kind says so
-};
-/// Content, drawn by the program that its table names.
-constexpr GeometryPass content(Geometry geometry) { return {"", geometry}; }
-constexpr GeometryPass kSky[] = {{"gbuffers_skybasic", Geometry::Sky, &SceneContents::sky},
-                                 {"gbuffers_skybasic", Geometry::Stars, &SceneContents::sky},
-                                 {"gbuffers_skytextured", Geometry::SunMoon, &SceneContents::sky}};
-// Entities that blend and particles are before or after the deferred programs, as the pack wants.
-constexpr GeometryPass kOpaque[] = {
-    {"gbuffers_terrain_solid", Geometry::Solid, &SceneContents::solid},
-    {"gbuffers_terrain_cutout", Geometry::Cutout, &SceneContents::cutout},
-    content(Geometry::Leash),
-    content(Geometry::Entities),
-    content(Geometry::EntitiesTranslucent),
-    content(Geometry::Eyes),
-    content(Geometry::Glint),
-    content(Geometry::Lightning),
-    {"gbuffers_block", Geometry::BlockEntity, &SceneContents::blockEntities},
-    content(Geometry::BlockText),
-    content(Geometry::BeamCore),
-    content(Geometry::BeamGlow),
-    content(Geometry::Cracks),
-    content(Geometry::Outline),
-    content(Geometry::Particles),
-    content(Geometry::ParticlesTranslucent)};
-constexpr GeometryPass kHand[] = {content(Geometry::Hand)};
-constexpr GeometryPass kTranslucent[] = {
-    content(Geometry::EntitiesTranslucent),
-    {"gbuffers_water", Geometry::Translucent, &SceneContents::translucent},
-    content(Geometry::Particles),
-    content(Geometry::ParticlesTranslucent),
-    {"gbuffers_clouds", Geometry::CloudsFast, &SceneContents::cloudPlane},
-    {"gbuffers_clouds", Geometry::CloudsFancy, &SceneContents::cloudPlane},
-    content(Geometry::Rain),
-    content(Geometry::Snow),
-    content(Geometry::Border),
-    content(Geometry::HandTranslucent)};
-constexpr GeometryPass kShadowOpaque[] = {
-    {"shadow_solid", Geometry::Solid, &SceneContents::solid},
-    {"shadow_cutout", Geometry::Cutout, &SceneContents::cutout},
-    content(Geometry::Leash),
-    content(Geometry::Entities),
-    content(Geometry::EntitiesTranslucent),
-    content(Geometry::PlayerBody),
-    content(Geometry::Lightning),
-    {"shadow_block", Geometry::BlockEntity, &SceneContents::blockEntities},
-    content(Geometry::BlockText),
-    content(Geometry::BeamCore)};
-constexpr GeometryPass kShadowTranslucent[] = {
-    {"shadow_water", Geometry::Translucent, &SceneContents::translucent}};
 
 /// Builds the steps in frame order while keeping the flip bits; then finds what they touch.
 class Builder {
@@ -90,15 +37,15 @@ class Builder {
     addGroup(ProgramGroup::Begin, schedule_.frame);
     if (shadow) addShadow();
     addGroup(ProgramGroup::Prepare, schedule_.frame);
-    addGeometry(kSky, Kind::Draw);
-    addGeometry(kOpaque, Kind::Draw);
+    addGeometry(geometry_order::kSky, Kind::Draw);
+    addGeometry(geometry_order::kOpaque, Kind::Draw);
     const size_t beforeHand = schedule_.frame.size();
-    addGeometry(kHand, Kind::Draw);
+    addGeometry(geometry_order::kHand, Kind::Draw);
     const size_t afterOpaque = schedule_.frame.size();
     opaque_ = false;
     addShadowVolumes();
     addGroup(ProgramGroup::Deferred, schedule_.frame);
-    addGeometry(kTranslucent, Kind::Draw);
+    addGeometry(geometry_order::kTranslucent, Kind::Draw);
     addGroup(ProgramGroup::Composite, schedule_.frame);
     addFinal();
     schedule_.finalFlipped = flipped_;
@@ -144,9 +91,9 @@ class Builder {
   }
 
   bool gbuffersDrawn(const ProgramSource& program) const {
-    for (const std::span<const GeometryPass> passes :
-         {std::span<const GeometryPass>(kSky), std::span<const GeometryPass>(kOpaque),
-          std::span<const GeometryPass>(kHand), std::span<const GeometryPass>(kTranslucent)})
+    using Passes = std::span<const GeometryPass>;
+    using namespace geometry_order;
+    for (const Passes passes : {Passes(kSky), Passes(kOpaque), Passes(kHand), Passes(kTranslucent)})
       for (const GeometryPass& pass : passes)
         if (present(pass) && wanted(pass, Kind::Draw) &&
             pack_.resolve(programOf(pass, Kind::Draw)) == &program)
@@ -333,9 +280,9 @@ class Builder {
   void addShadow() {
     add(Kind::ClearShadow, "clear_shadow");
     if (pack_.properties.flag("shadow.enabled", true)) {
-      addGeometry(kShadowOpaque, Kind::DrawShadow);
+      addGeometry(geometry_order::kShadowOpaque, Kind::DrawShadow);
       add(Kind::CopyShadowDepth, "copy_shadowtex1");
-      addGeometry(kShadowTranslucent, Kind::DrawShadow);
+      addGeometry(geometry_order::kShadowTranslucent, Kind::DrawShadow);
       add(Kind::ShadowMipmaps, "shadow_mipmaps");
     }
     addGroup(ProgramGroup::ShadowComp, schedule_.frame);
