@@ -103,6 +103,18 @@ def keeps_all_but_declarations(before, after):
     return expected is None
 
 
+def declarations(text):
+    """The pieces of a text at file scope, sorted: their order does not matter where all of it compiles."""
+    pieces, piece, depth = [], [], 0
+    for line in text.split("\n"):
+        piece.append(line.strip())
+        depth += line.count("{") - line.count("}")
+        if depth == 0 and (line.rstrip().endswith((";", "}")) or line.startswith("#")):
+            pieces.append(" ".join(filter(None, piece)))
+            piece = []
+    return sorted([*pieces, " ".join(filter(None, piece))])
+
+
 def equivalence(view, fault, root):
     """Why nothing could be found, or "": only texts that reach the driver prove it."""
     nowhere = properties_faults.names_nothing(view, fault)
@@ -116,9 +128,12 @@ def equivalence(view, fault, root):
     if texts == before:
         return nowhere or "no text that reaches the driver changes"
     # Such a text was compiled and linked without a complaint.
-    if fault.kind == "include-removed" and texts.keys() == before.keys() and all(
-            keeps_all_but_declarations(before[name], texts[name]) for name in texts):
+    if fault.kind != "include-removed" or texts.keys() != before.keys():
+        return ""
+    if all(keeps_all_but_declarations(before[name], texts[name]) for name in texts):
         return "the texts lose declarations only, and nothing names what they declared"
+    if all(declarations(before[name]) == declarations(texts[name]) for name in texts):
+        return "the texts hold the same declarations in another order"
     return ""
 
 

@@ -82,16 +82,8 @@ def find_packs(folder):
 
 
 def copy_pack(source, target):
-    """Text is copied, pictures and the like are linked: no fault touches them."""
-    def take(path, copy):
-        if Path(path).suffix in TEXT_SUFFIXES:
-            shutil.copyfile(path, copy)
-        else:
-            try:
-                os.link(path, copy)
-            except OSError:
-                shutil.copyfile(path, copy)
-    shutil.copytree(source / "shaders", Path(target) / "shaders", copy_function=take)
+    """Any file may be included, so that any may hold the fault: none is shared with the source."""
+    shutil.copytree(source / "shaders", Path(target) / "shaders", copy_function=shutil.copyfile)
 
 
 def read_lines(path):
