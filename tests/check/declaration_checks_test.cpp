@@ -221,6 +221,18 @@ TEST(Outputs, several_that_nothing_is_written_to_are_one_finding) {
                           "the program writes nothing to them"));
 }
 
+TEST(Outputs, final_has_the_screen_alone) {
+  const std::string vertex = kVersion + "void main() { gl_Position = vec4(0); }\n";
+  const auto final = [&](const std::string& list) {
+    return messages({{"/final.vsh", vertex},
+                     {"/final.fsh", kVersion + "/* RENDERTARGETS: " + list + " */\n" +
+                                        "void main() { gl_FragData[0] = vec4(1); }\n"}});
+  };
+  EXPECT_THAT(final("0,7"), ElementsAre("output-unwritten /final.fsh:2:1: warning: final draws to the "
+                                        "screen only: the buffers listed get nothing"));
+  EXPECT_THAT(final("0"), IsEmpty());
+}
+
 TEST(Outputs, a_ninth_has_no_place_in_any_list) {
   const auto hintOf = [](const std::string& index) {
     const ShaderPack pack =

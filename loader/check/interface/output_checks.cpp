@@ -47,7 +47,7 @@ class FragmentOutputs {
   void check() {
     checkShared();
     checkAny();
-    if (program_.program->group == ProgramGroup::Final) return;
+    if (program_.program->group == ProgramGroup::Final) return checkFinal();
     for (const StageGlobal* output : outputs_) checkListed(*output);
     for (const FragDataUse& use : stage_.fragData) checkListed(use);
     checkWritten();
@@ -184,6 +184,18 @@ class FragmentOutputs {
       return assigns ? std::optional(TextPlace{token.line, token.column}) : std::nullopt;
     }
     return std::nullopt;
+  }
+
+  // Iris: FinalPassRenderer draws to the game's picture, whatever is listed.
+  void checkFinal() {
+    const ProgramDirectives& directives = program_.program->directives;
+    if (!directives.drawBuffers || directives.drawBuffers->size() < 2) return;
+    report_.add(directives.drawBuffersAt,
+                {Severity::Warning,
+                 "output-unwritten",
+                 "final draws to the screen only: the buffers listed get nothing",
+                 "drop the list, and write what is to be kept in a composite pass",
+                 {"in " + program_.name()}});
   }
 
   // A program that writes nothing at all is left to checkAny().
