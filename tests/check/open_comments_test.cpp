@@ -34,11 +34,18 @@ TEST(OpenComments, what_ends_a_comment_or_decorates_it_begins_none) {
   EXPECT_THAT(comments("// /*\n/* a */\n/* a /* b\n*/\n"), IsEmpty());
 }
 
-TEST(OpenComments, those_that_swallow_nothing_known_are_notes) {
+TEST(OpenComments, those_that_swallow_nothing_known_are_warnings_where_a_comment_begins_a_line) {
   EXPECT_THAT(
       found(checkNestedComments, {{"/settings.glsl", "/*\nold /* why */\n"}}),
       ElementsAre("comment-nested /settings.glsl:1:1: note: this comment does not end before the "
                   "\"/*\" in line 2"));
+  EXPECT_THAT(
+      found(checkNestedComments, {{"/settings.glsl", "/*\nold\n  /* DRAWBUFFERS:0 */\n"}}),
+      ElementsAre("comment-nested /settings.glsl:1:1: warning: this comment does not end before the "
+                  "\"/*\" in line 3"));
+  EXPECT_THAT(found(checkNestedComments, {{"/settings.glsl", "/*\nold\n"}}),
+              ElementsAre("comment-nested /settings.glsl:1:1: warning: this comment does not end in "
+                          "its file"));
   EXPECT_THAT(found(checkNestedComments,
                     {{"/settings.glsl", "#define A 1 /* [0 1]\nold\n/* why */\n"}}),
               ElementsAre("comment-nested /settings.glsl:1:13: warning: this comment does not end "

@@ -50,8 +50,10 @@ class CommentScan {
         close();
         ++i;
       } else if (inside_ && two == "/*" && isNested(line, i)) {
-        if (current_.nestedLine == 0)
+        if (current_.nestedLine == 0) {
           current_.nestedLine = number_, current_.nestedColumn = int(i) + 1;
+          current_.likelyLost = current_.ofOption || trim(line.substr(0, i)).empty();
+        }
       }
     }
   }
@@ -176,12 +178,12 @@ std::ptrdiff_t problemsWith(const ShaderPack& folder, const CommentInFile& in,
 
 Diagnostic describeNested(const std::string& file, const OpenComment& comment) {
   if (comment.nestedColumn == 0) {
-    return {.severity = Severity::Note,
+    return {.severity = Severity::Warning,
             .id = kNested,
             .at = {file, comment.line, comment.column},
             .message = "this comment does not end in its file"};
   }
-  return {.severity = Severity::Note,
+  return {.severity = comment.likelyLost ? Severity::Warning : Severity::Note,
           .id = kNested,
           .at = {file, comment.line, comment.column},
           .message = fmt::format("this comment does not end before the \"/*\" in line {}",
@@ -256,10 +258,8 @@ void reportSwallowedCode(const ShaderPack& folder, const Verdicts& verdicts, int
 
 void checkNestedComments(std::span<const ShaderPack> folders, Diagnostics& diagnostics) {
   for (const auto& [file, lines] : folders.front().files) {
-    for (const OpenComment& comment : findOpenComments(lines)) {
+    for (const OpenComment& comment : findOpenComments(lines))
       diagnostics.push_back(describeNested(file, comment));
-      if (comment.ofOption) diagnostics.back().severity = Severity::Warning;
-    }
   }
 }
 

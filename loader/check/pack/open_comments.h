@@ -16,6 +16,7 @@ struct OpenComment {
   int nestedLine = 0, nestedColumn = 0;  ///< of the first "/*" in it; the end of the file and 0
   std::vector<int> ends;                 ///< lines before which its "*/" may be missing, rising
   bool ofOption = false;                 ///< behind a #define, whose line it does not end on
+  bool likelyLost = false;               ///< the first "/*" in it begins a line, as comments do
 };
 
 /// Of the lines of one file.
@@ -30,7 +31,7 @@ bool readsOpenEndedFile(const ShaderPack& folder, const ProgramUnit& unit);
 void reportSwallowedCode(const ShaderPack& folder, const Verdicts& verdicts, int jobs,
                          Diagnostics& diagnostics);
 
-/// All other comments within comments: a warning behind a #define, else a note.
+/// All other comments within comments: a note where "/*" stands behind other text, else a warning.
 void checkNestedComments(std::span<const ShaderPack> folders, Diagnostics& diagnostics);
 
 }  // namespace orris

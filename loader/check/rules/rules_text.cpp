@@ -8,7 +8,7 @@ namespace orris {
 std::span<const Rule> textRules() {
   static const std::vector<Rule> kRules = {
       {"byte-order-mark", Severity::Error, "a shader file begins with a byte-order mark"},
-      {"comment-nested", Severity::Note, "a block comment has another \"/*\" in it"},
+      {"comment-nested", Severity::Warning, "a block comment has another \"/*\" in it"},
       {"comment-unclosed", Severity::Error, "a block comment is not closed"},
       {"condition-decimal", Severity::Warning, "a condition compares with a decimal number"},
       {"condition-empty", Severity::Warning, "the condition of #if or #elif is empty"},
