@@ -97,20 +97,20 @@ std::string adviceFor(std::string_view subject, const VersionFeature& feature,
       subject, feature.since, version.number, feature.since, version.profile, either);
 }
 
-/// int to uint and their vectors, which GLSL converts since 4.00.
+bool saysSignedAndUnsigned(const Diagnostic& d) {
+  return (says(d, "'int'") || says(d, "'ivec")) && (says(d, "'uint'") || says(d, "'uvec"));
+}
+
+/// int to uint and their vectors, which GLSL converts since 4.00; none converts the other way round.
 bool isNewConversion(const Diagnostic& d, int version) {
-  if (version >= 400 || !says(d, "int")) return false;
-  const bool assigned = says(d, "cannot convert from") &&
-                        (says(d, " int' to") || says(d, "of int' to")) && says(d, "uint'");
-  const bool operands = says(d, "wrong operand types") && says(d, "uint'") &&
-                        (says(d, " int'") || says(d, "of int'"));
-  return assigned || operands;
+  if (version >= 400 || !saysSignedAndUnsigned(d)) return false;
+  return says(d, "wrong operand types") || says(d, "cannot convert from 'int'") ||
+         says(d, "cannot convert from 'ivec");
 }
 
 /// A uint where the author wrote int. Iris: SodiumTransformer.replaceMCEntity.
 bool isAboutEntity(const Diagnostic& d) {
-  return d.sourceLine.find("mc_Entity") != std::string::npos && says(d, "uint'") &&
-         (says(d, " int'") || says(d, "of int'"));
+  return d.sourceLine.find("mc_Entity") != std::string::npos && saysSignedAndUnsigned(d);
 }
 
 void explainSyntax(Diagnostic& d, const SentVersion& version) {

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "glsl/compile/compiler_log.h"
+#include "glsl/compile/plain_types.h"
 #include "glsl/rewrite/interface_repair.h"
 #include "glsl/syntax/brace_check.h"
 #include "glsl/tokens/text_tokens.h"
@@ -147,6 +148,7 @@ bool compile(glslang::TShader& shader, const StageText& stage, const SourceLines
   for (LogEntry& entry : entries) {
     if (isDeprecation(entry)) continue;
     if (isUnknownExtension(entry)) entry.severity = Severity::Warning;
+    entry.message = withPlainTypes(entry.message);
     // What is found on the line after an error follows from it.
     const bool error = entry.severity == Severity::Error && entry.line > 0;
     if (error && !linesInError.insert(entry.line).second) continue;
