@@ -28,7 +28,7 @@ install(FILES share/orris.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-complet
 install(FILES ${package_files}/changelog.gz DESTINATION ${doc_dir} COMPONENT orris)
 install(FILES LICENSE DESTINATION ${doc_dir} RENAME copyright COMPONENT orris)
 install(DIRECTORY docs/ DESTINATION ${doc_dir} COMPONENT orris
-        FILES_MATCHING PATTERN "*.md" PATTERN "*.json" PATTERN "*.yml" PATTERN "*.png")
+        FILES_MATCHING PATTERN "*.md" PATTERN "*.json" PATTERN "*.yml" PATTERN "*.png" PATTERN "*.csv")
 install(DIRECTORY shaderpack worlds DESTINATION ${CMAKE_INSTALL_DATADIR}/orris COMPONENT orris)
 
 set(CPACK_GENERATOR DEB)

@@ -1,4 +1,4 @@
-// How much the settled face cache changes over frames, of worlds of ours; for docs/accuracy.md.
+// How much the settled face cache changes over frames, of worlds of ours; for docs/results/global-illumination.md.
 //   bench_face_boiling WORLD FRAMES_BEFORE FRAMES STEP [OPTION=VALUE...]
 #include <fmt/format.h>
 #include <gtest/gtest.h>

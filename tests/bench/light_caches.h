@@ -1,4 +1,4 @@
-// Caches of light that were tried beside the face cache of the pack (docs/accuracy.md, "What was tried").
+// Caches of light to compare with the face cache of the pack (docs/results/caches.md).
 #pragma once
 
 #include <memory>

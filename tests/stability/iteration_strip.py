@@ -2,7 +2,7 @@
 """The floodfill of a world after 1, 2, 4 ... steps as a strip of pictures: a horizontal slice of the grid through
 the layer of the camera above, the brightest of all layers below it.
 
-    tests/stability/iteration_strip.py build/release/orris shaderpack worlds/cornell docs/floodfill-steps.png
+    tests/stability/iteration_strip.py build/release/orris shaderpack worlds/cornell docs/results/floodfill-steps.png
 
 Every picture is a dump of the atlas of FLOODFILL_STORAGE=ATLAS_2D after so many frames with a step in each."""
 

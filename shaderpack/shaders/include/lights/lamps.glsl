@@ -21,7 +21,7 @@ const int lamp_volume = 2 * LIGHT_DISTANCE;
 const uint table_capacity = uint(LIGHT_CAPACITY);
 const int table_width = 512;  // lamps in a row
 
-// AUTO: up to so many lamps it costs no more to ask all than to look up which; docs/accuracy.md.
+// AUTO: up to so many lamps it costs no more to ask all than to look up which; docs/results/many-lights.md.
 const uint auto_lamps = 8u;
 
 /// Do so many lamps of the table get lists by cluster?
