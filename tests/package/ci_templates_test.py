@@ -96,6 +96,28 @@ class PreCommit(unittest.TestCase):
         self.assertNotRegex("README.md", hook["files"])
 
 
+class Placeholder(unittest.TestCase):
+    """No address of Orris is known here: a template says OWNER, and beside it that the reader must replace it."""
+
+    def test_is_explained_where_it_stands(self):
+        files = [GITHUB / "action.yml", GITHUB / "workflow.yml", GITLAB / "orris.gitlab-ci.yml", SOURCE / "docs/ci.md",
+                 SOURCE / ".pre-commit-hooks.yaml", SOURCE / "CMakeLists.txt"]
+        for path in files:
+            lines = path.read_text().splitlines()
+            self.assertNotIn("ORG/", path.read_text(), path.name)
+            for number, line in enumerate(lines):
+                if "OWNER/" in line:
+                    near = " ".join(lines[max(number - 2, 0):number + 2]).lower()
+                    self.assertRegex(near, r"replace|publishes|as owner/orris", f"{path.name}:{number + 1}")
+
+    def test_gitlab_refuses_it(self):
+        template = load(GITLAB / "orris.gitlab-ci.yml")
+        for package, status in [(template["variables"]["ORRIS_HOMEPAGE"] + "/a.deb", 2), ("https://e.org/a.deb", 0)]:
+            check = template["orris-validate"]["before_script"][0]
+            done = subprocess.run(["sh", "-c", check], env={"ORRIS_PACKAGE": package}, capture_output=True)
+            self.assertEqual(done.returncode, status, package)
+
+
 class Flags(unittest.TestCase):
     def test_exist(self):
         known = subprocess.run([PROGRAM, "validate", "--help"], capture_output=True, text=True,
