@@ -93,7 +93,7 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 #define LIGHT_DISTANCE 64 // [32 48 64]
 #define LIGHT_SHADOWS 0 // [0 1 2 4 8] Lamps that a point sees or not: the strongest; others shine through walls
 #define LIGHT_VOLUMES 0 // [0 1 2 4 8] Lamps near the eye whose shadows are volumes, exact to the pixel
-//#define LIGHT_GLOSS // Lamps are reflected as the sun is (DIRECT_LIGHT), with highlights; else as by a matt surface
+//#define LIGHT_GLOSS // Lamps are reflected as the sun is (DIRECT_LIGHT), with highlights; else as by a diffuse surface
 #define LIGHT_CAPACITY 16384 // [256 1024 4096 16384]
 #define LIGHT_LIST 512 // [64 128 256 512 1024 2048]
 #define LIGHT_COLUMNS 16 // [8 16 20 32]

@@ -727,7 +727,7 @@ MODES = pack({"final.fsh": WITH_MODE,
 MEASURE = "--size 16x9 --warm-up 1 --frames 2 --rounds 2 --visit 1"
 CHART = f"chart pack {CORNELL} -o out {MEASURE} --reference MODE=2 --reference-frames 2"
 TUNE = CHART.replace("chart", "tune")
-# A mistake is told before anything is drawn or made.
+# A mistake is reported before anything is drawn or made.
 CHARTS = [
     Case("chart_unknown_axis", [f"{CHART} --axis MODES", f"{CHART} --axis MODE --axis MODES=1"], 2,
          MODES, ['"MODES" is no option of the pack, nor profile or size'],
@@ -749,9 +749,9 @@ CHARTS = [
     Case("chart_reference_unreadable", [f"chart pack {CORNELL} -o out --reference none.exr"], 2,
          MODES, [r"none\.exr"]),
     Case("chart_reference_of_another_size",
-         [f"chart pack {CORNELL} -o out --size 16x9 --reference truth.png"], 2,
-         {**MODES, "truth.png": png(8, 8, (1, 2, 3))}, ["no --reference is 16x9 pixels large"],
-         ["orris trace WORLD -o truth.exr --size 16x9"]),
+         [f"chart pack {CORNELL} -o out --size 16x9 --reference reference.png"], 2,
+         {**MODES, "reference.png": png(8, 8, (1, 2, 3))}, ["no --reference is 16x9 pixels large"],
+         ["orris trace WORLD -o reference.exr --size 16x9"]),
     Case("chart_reference_unknown", [f"chart pack {CORNELL} -o out --reference MODEL=1"], 2, MODES,
          ['"MODEL" is no option'], ["did you mean MODE"]),
     Case("chart_wrong_mark", [f"{CHART} --axis MODE --mark MODE=1:fast",
@@ -773,12 +773,12 @@ CHARTS = [
     Case("chart_unknown_camera", [f"{CHART} --axis MODE --cameras front,bakc"], 2, MODES,
          ['--cameras: "bakc" is no camera of this world']),
     Case("chart_reference_of_which_camera",
-         [f"chart pack {CORNELL} -o out --size 8x8 --cameras front,red --reference truth.png"], 2,
-         {**MODES, "truth.png": png(8, 8, (1, 2, 3))}, ["which of the cameras is this of"],
+         [f"chart pack {CORNELL} -o out --size 8x8 --cameras front,red --reference reference.png"], 2,
+         {**MODES, "reference.png": png(8, 8, (1, 2, 3))}, ["which of the cameras is this of"],
          ["CAMERA=FILE for each"]),
     Case("chart_reference_of_one_camera_only",
-         [f"chart pack {CORNELL} -o out --size 8x8 --cameras front,red --reference red=truth.png"],
-         2, {**MODES, "truth.png": png(8, 8, (1, 2, 3))},
+         [f"chart pack {CORNELL} -o out --size 8x8 --cameras front,red --reference red=reference.png"],
+         2, {**MODES, "reference.png": png(8, 8, (1, 2, 3))},
          ["no --reference is 8x8 pixels large, from camera front"]),
     Case("tune_wants_one_goal", [f"{TUNE} {flags}" for flags in (
         "", "--error 0.1 --ms 3", "--error 0", "--ms soon", "--error 0.1 --shard 1/2")], 2, MODES,

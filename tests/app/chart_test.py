@@ -15,7 +15,7 @@ VERSION = "#version 330 compatibility\n"
 VERTEX = VERSION + """out vec2 uv;
 void main() { gl_Position = ftransform(); uv = gl_MultiTexCoord0.st; }
 """
-# colortex0 is SHARE of the truth, the dearer the larger; WORK costs time and changes nothing.
+# colortex0 is SHARE of the reference, and costs more the larger it is; WORK costs time and changes nothing.
 COMPOSITE = VERSION + """/*
 const int colortex0Format = RGBA32F;
 */

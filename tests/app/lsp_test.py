@@ -53,7 +53,7 @@ class Client:
         self.first_news = None
         self.capabilities = self.ask("initialize", {"capabilities": {"general": {
             "positionEncodings": list(encodings)}}})["capabilities"]
-        self.tell("initialized", {})
+        self.notify("initialized", {})
 
     def send(self, message):
         body = json.dumps({"jsonrpc": "2.0", **message}).encode()
@@ -83,7 +83,7 @@ class Client:
             self.checks += message["params"]["part"] != "programs"
             self.lost += message["params"]["part"] == "lost"
 
-    def tell(self, method, params):
+    def notify(self, method, params):
         self.send({"method": method, "params": params})
 
     def request(self, method, params):
@@ -112,13 +112,13 @@ class Client:
 
     def open(self, path, text=None):
         text = path.read_text() if text is None else text
-        self.tell("textDocument/didOpen", {"textDocument": {"uri": uri_of(path), "languageId": "glsl",
+        self.notify("textDocument/didOpen", {"textDocument": {"uri": uri_of(path), "languageId": "glsl",
                                                             "version": 1, "text": text}})
 
     def change(self, path, text):
         self.first_news = None
         self.versions[path] = self.versions.get(path, 1) + 1
-        self.tell("textDocument/didChange", {"textDocument": {"uri": uri_of(path), "version": self.versions[path]},
+        self.notify("textDocument/didChange", {"textDocument": {"uri": uri_of(path), "version": self.versions[path]},
                                              "contentChanges": [{"text": text}]})
 
     def at(self, method, path, line, character, **more):
@@ -137,7 +137,7 @@ class Client:
 
     def end(self):
         self.ask("shutdown", None)
-        self.tell("exit", None)
+        self.notify("exit", None)
         assert self.process.wait(timeout=TIMEOUT) == 0
         self.process.stdin.close()
         self.process.stdout.close()
@@ -187,7 +187,7 @@ def findings_come_while_typing(orris, root):
     client.change(file, "broken")
     client.settle()
     assert client.findings(root) != before
-    client.tell("textDocument/didClose", {"textDocument": {"uri": uri_of(file)}})
+    client.notify("textDocument/didClose", {"textDocument": {"uri": uri_of(file)}})
     client.settle()
     assert client.findings(root) == before and client.lost == 0
     client.end()

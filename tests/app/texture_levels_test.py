@@ -18,13 +18,13 @@ def main():
     with tempfile.TemporaryDirectory() as temporary:
         folder = Path(temporary)
         (folder / "world.json").write_text(json.dumps(WORLD), encoding="utf-8")
-        frame, truth = folder / "frame.exr", folder / "truth.exr"
+        frame, reference = folder / "frame.exr", folder / "reference.exr"
         subprocess.run([program, "render", source / "shaderpack", folder, "-o", folder / "out.png", "--size", "96x54",
                         "--frames", "2", "--dump", f"colortex0={frame}", "--set", *OPTIONS], check=True)
-        subprocess.run([program, "trace", folder, "-o", truth, "--size", "96x54", "--samples", "2", "--bounces", "0",
+        subprocess.run([program, "trace", folder, "-o", reference, "--size", "96x54", "--samples", "2", "--bounces", "0",
                         "--set", *OPTIONS], check=True)
         # Of a radiance up to 10. Two pixels on the edge of a block, and a star, may differ.
-        return subprocess.run([program, "compare", frame, truth, "--threshold", "0.2", "--max-fraction",
+        return subprocess.run([program, "compare", frame, reference, "--threshold", "0.2", "--max-fraction",
                                "0.003"]).returncode
 
 

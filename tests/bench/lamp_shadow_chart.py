@@ -27,13 +27,13 @@ COMMON = ["GI_METHOD=NONE", "SHADOW_METHOD=NONE", "LIGHT_METHOD=CLUSTERED", *LAM
 def measure(args, world, camera):
     """Rows of scene, rays, ms, signed mean of the errors, rms."""
     scene = f"{world}-{camera}"
-    truth = args.folder / f"{scene}.exr"
-    subprocess.run([args.orris, "trace", SOURCE / "worlds" / world, "-o", truth, "--camera", camera, "--size", args.size,
+    picture = args.folder / f"{scene}.exr"
+    subprocess.run([args.orris, "trace", SOURCE / "worlds" / world, "-o", picture, "--camera", camera, "--size", args.size,
                     "--bounces", "1", "--noise", "0.01", "--seconds", str(args.seconds), "--quiet", "--set", *LAMPS_ALONE],
                    check=True)
     run_chart(args.orris, args.pack, SOURCE / "worlds" / world, args.folder / scene,
               ["LIGHT_SHADOWS=" + ",".join(map(str, RAYS))], size=args.size, camera=camera, settings=COMMON,
-              baseline="LIGHT_SHADOWS=0", reference=truth, rounds=args.rounds, more=["--buffer", "colortex0", "--metric", "bias"])
+              baseline="LIGHT_SHADOWS=0", reference=picture, rounds=args.rounds, more=["--buffer", "colortex0", "--metric", "bias"])
     for row in rows_of(args.folder / scene, "settings.csv"):
         yield [scene, int(row["setting"].split("=")[1]), float(row["ms"]), float(row["signed_bias"]), float(row["bias"])]
 

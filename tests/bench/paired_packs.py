@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Is a frame of one pack dearer than that of another, say of itself at an earlier commit (`git archive COMMIT shaderpack`)?
+"""Does a frame of one pack cost more than that of another, say of itself at an earlier commit (`git archive COMMIT shaderpack`)?
 
 Each run (`bench_packs`) is a process that draws A, B and A again in turns and counts processor time. Where in memory its
 pictures lie stays for a run, so several runs with other places are what counts: prints the median over the runs of B / A
@@ -20,7 +20,7 @@ def interval(values, seed=1):
     return medians[100], medians[3899]
 
 
-def told(name, ratios):
+def summary(name, ratios):
     low, high = interval(ratios)
     return f"{name}: {statistics.median(ratios):.4f} [{low:.4f}, {high:.4f}]"
 
@@ -50,8 +50,8 @@ def main():
     args = parser.parse_args()
     runs = [run(args, number) for number in range(args.runs)]
     print(f"A: {statistics.median(r[0] for r in runs):.2f} ms of processor time a frame")
-    print(told("B / A", [r[1] for r in runs]))
-    print(told("A / A", [r[2] for r in runs]))
+    print(summary("B / A", [r[1] for r in runs]))
+    print(summary("A / A", [r[2] for r in runs]))
 
 
 if __name__ == "__main__":

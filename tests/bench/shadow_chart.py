@@ -55,7 +55,7 @@ def measure(args):
         return frame_times(args.orris, args.pack, args.world, args.folder / name, axes, size=args.size, camera=args.camera,
                            rounds=args.rounds, settings=["GI_METHOD=NONE", *settings], baseline=baseline)
 
-    # Without shadows in each run: it is what costs are told over.
+    # Without shadows in each run: costs are given over it.
     for bias, bias_setting in BIASES.items():
         for compare in ("TEXEL", "HARDWARE"):
             times = chart(f"{bias.split()[0]}-{compare}", ["SHADOW_METHOD=NONE,MAP,MAP_PCF", "SHADOW_RESOLUTION"],

@@ -4,7 +4,7 @@
 Prints one line of JSON, nanoseconds of processor time and what they are over the published form: a step of the floodfill for each cell of a volume of
 VOLUME^3 (atlas, texelFetch and pow; image with all bricks; with 5 % of them; at rest), and a ray (cell by cell;
 in leaps). Settings take turns; a time is that of a long run less that of a short one, and less that of the same
-frames without the step or ray. The least of the rounds is told: other work on the machine only adds."""
+frames without the step or ray. Prints the least of the rounds: other work on the machine only adds."""
 
 import argparse
 import json

@@ -165,16 +165,16 @@ def counts(result):
 
 def reason(default, profiles):
     """The first cause of each kind that a reader should know."""
-    told = []
+    causes = []
     for name, result in [("", default), *profiles.items()]:
         where = f"{name}: " if name else ""
         for text in [result.crashed, *result.errors[:1], *result.limits[:1]]:
-            if text and not any(text in other for other in told):
-                told.append(where + text)
+            if text and not any(text in other for other in causes):
+                causes.append(where + text)
     if default.absent:
-        told.insert(0, f"this copy lacks {default.absent} of its textures")
-    more = len(told) - 3
-    return "; ".join(told[:3]) + (f"; and {more} more" if more > 0 else "")
+        causes.insert(0, f"this copy lacks {default.absent} of its textures")
+    more = len(causes) - 3
+    return "; ".join(causes[:3]) + (f"; and {more} more" if more > 0 else "")
 
 
 def row(name, rev, default, profiles, draw):

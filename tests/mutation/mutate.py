@@ -40,7 +40,7 @@ class Result:
     reason: str = ""  # why it is equivalent
     exact: bool = False  # a message at the changed line itself, give or take one
     located: bool = False  # the same, or at the other end of the changed pair
-    healed: bool = False  # elsewhere, and the #include told there leaves nothing to report
+    fixed: bool = False  # elsewhere, and the #include that the report asks for leaves nothing to report
     first: bool = False  # the first message is a located one
     rank: int = 0  # of the first located message among the new ones, from 1; 0: none
     unfolded: int = 0  # new messages that are not folded under another
@@ -146,15 +146,15 @@ def compare(view, fault, root, folder):
     return ("found" if fresh else "missed"), fresh
 
 
-def heals(view, fault, root, fresh):
+def fixed_by_includes(view, fault, root, fresh):
     """Does the pack report nothing new with the #include lines that the messages ask for?"""
-    told = {(m["file"], m["line"], m["hint"]) for m in fresh if m["id"] == "include-probably-missing" and m["severity"] == "error"}
-    changed = {file: read_lines(Path(root) / "shaders" / file.lstrip("/")) for file, _, _ in told}
-    for file, number, text in sorted(told, key=lambda place: -place[1]):
+    asked = {(m["file"], m["line"], m["hint"]) for m in fresh if m["id"] == "include-probably-missing" and m["severity"] == "error"}
+    changed = {file: read_lines(Path(root) / "shaders" / file.lstrip("/")) for file, _, _ in asked}
+    for file, number, text in sorted(asked, key=lambda place: -place[1]):
         changed[file].insert(number - 1, text)
     for file, lines in changed.items():
         (Path(root) / "shaders" / file.lstrip("/")).write_bytes("\n".join(lines).encode("latin-1"))
-    left = compare(view, fault, root, None)[1] if told else fresh
+    left = compare(view, fault, root, None)[1] if asked else fresh
     for file in changed:
         source = view.path(file)
         (Path(root) / "shaders" / file.lstrip("/")).write_bytes(source.read_bytes())
@@ -176,7 +176,7 @@ def judge(view, fault, root):
             result.reason = equivalence(view, fault, root)
             result.verdict = "equivalent" if result.reason else "missed"
         at_place = any(near(message, file, places) for message in fresh)
-        result.healed = bool(fresh) and not at_place and heals(view, fault, root, fresh)
+        result.fixed = bool(fresh) and not at_place and fixed_by_includes(view, fault, root, fresh)
     finally:
         restore(view, fault, root)
     if fresh:
@@ -241,7 +241,7 @@ class Copies:
             copy_pack(view.root, root)
         result = judge(view, fault, root)
         free.put(root)
-        elsewhere = result.verdict == "found" and not (result.located or result.healed)
+        elsewhere = result.verdict == "found" and not (result.located or result.fixed)
         print(f"{'found elsewhere' if elsewhere else result.verdict}: {fault.kind} "
               f"{view.name}{fault.file}:{fault.line}", file=sys.stderr)
         return result
@@ -251,7 +251,7 @@ def table(results, name, part):
     rows = {}
     for result in results:
         rows.setdefault(part(result), []).append(result)
-    lines = [f"{name:26} faults equiv  found missed  exact located healed first"]
+    lines = [f"{name:26} faults equiv  found missed  exact located fixed first"]
     for row, group in [*sorted(rows.items()), ("all", results)]:
         found = [result for result in group if result.verdict == "found"]
         equivalent = sum(result.verdict == "equivalent" for result in group)
@@ -259,7 +259,7 @@ def table(results, name, part):
                      f"{len(group) - len(found) - equivalent:6} "
                      f"{sum(result.exact for result in found):6} "
                      f"{sum(result.located for result in found):7} "
-                     f"{sum(result.healed for result in found):6} "
+                     f"{sum(result.fixed for result in found):5} "
                      f"{sum(result.first for result in found):5}")
     return "\n".join(lines)
 
@@ -281,8 +281,8 @@ def report(results):
     print("\n".join([
         *select(lambda r: r.verdict == "equivalent", "equivalent"),
         *select(lambda r: r.verdict in ("missed", "no answer"), "not found"),
-        *select(lambda r: r.healed, "elsewhere, where the #include that is told heals the pack"),
-        *select(lambda r: r.verdict == "found" and not (r.located or r.healed), "found elsewhere"),
+        *select(lambda r: r.fixed, "elsewhere, where the #include that the report asks for fixes the pack"),
+        *select(lambda r: r.verdict == "found" and not (r.located or r.fixed), "found elsewhere"),
         "", table(results, "kind", lambda r: r.fault.kind), "",
         table(results, "pack", lambda r: r.pack)]))
 
@@ -315,14 +315,14 @@ def run_once(results, skipped, least):
 
 
 def score(results):
-    """Shares in percent: of the faults found; of these located; located or healed."""
+    """Shares in percent: of the faults found; of these located; located or fixed."""
     real = [result for result in results if result.verdict != "equivalent"]
     found = [result for result in real if result.verdict == "found"]
     located = [result for result in found if result.located]
-    healed = [result for result in found if result.healed]
+    fixed = [result for result in found if result.fixed]
     some = max(len(found), 1)
     return (100 * len(found) / max(len(real), 1), 100 * len(located) / some,
-            100 * (len(located) + len(healed)) / some)
+            100 * (len(located) + len(fixed)) / some)
 
 
 def parse_arguments():
@@ -367,9 +367,9 @@ def main():
     if once:
         skipped = sorted(set(kinds) - {result.fault.kind for result in results})
         return run_once(results, skipped, arguments.once)
-    found, located, healed = score(results)
+    found, located, fixed = score(results)
     print(f"\n{len(results)} faults in {len(views)} packs, seed {arguments.seed}: "
-          f"{found:.1f} % found, {located:.1f} % of those located, {healed:.1f} % located or healed")
+          f"{found:.1f} % found, {located:.1f} % of those located, {fixed:.1f} % located or fixed")
     good = results and found >= arguments.min_found and located >= arguments.min_located
     return 0 if good else 1
 

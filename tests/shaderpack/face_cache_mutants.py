@@ -195,7 +195,7 @@ MUTANTS = [
        "if (false) return")]),
     ("block entities are no voxels", "shapes.chests*",
      [("program/shadow.glsl", "told ? blockEntityId : block_open", "block_open")]),
-    ("locks and legs tell of their block", "volume.chest*",
+    ("locks and legs stand for their block", "volume.chest*",
      [("program/shadow.glsl", "max(size.x, max(size.y, size.z)) > 0.3", "true")]),
     ("block entities in the cell behind their faces", "shapes.chests*",
      [("program/shadow.glsl", "- 0.01 * vertex_normal[0]", "- 0.9 * vertex_normal[0]")]),

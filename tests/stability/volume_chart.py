@@ -74,16 +74,16 @@ def costs(args, world, size, folder):
 
 def wrong(args, world, size, folder):
     """{method: (pixels wrong on edges, inside, of how many)}"""
-    truth = folder / "truth.png"
-    run(args.orris, "trace", world, "--size", size, "--shadow-mask", "-o", truth)
+    mask = folder / "mask.png"
+    run(args.orris, "trace", world, "--size", size, "--shadow-mask", "-o", mask)
     found = {}
     for method in METHODS:
         picture = folder / (method + ".png")
         run(args.orris, "render", args.pack, world, "--size", size, "--frames", 1, "-o", picture,
             "--set", "GI_METHOD=NONE", "SHADOW_METHOD=" + method, "SHADOW_VIEW=true")
-        told = json.loads(run(args.orris, "compare", "--mask", picture, truth, "--json",
+        counts = json.loads(run(args.orris, "compare", "--mask", picture, mask, "--json",
                               may_fail=True).stdout)
-        found[method] = [told["edge"], told["interior"], told["pixels"]]
+        found[method] = [counts["edge"], counts["interior"], counts["pixels"]]
     return found
 
 

@@ -271,7 +271,7 @@ def broken_edit_changes_nothing_and_is_told_once(test):
 def repaired_edit_is_taken_over(test):
     view = View(test)
     view.wait_for("ready")
-    for _ in range(2):  # the same mistake made again is told again
+    for _ in range(2):  # the same mistake made again is reported again
         test.edit("return color;", "return color")
         view.wait_for("not reloaded")
         test.edit("return color\n", "return color;\n")

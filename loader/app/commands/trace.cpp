@@ -198,7 +198,7 @@ void addTraceFlags(CLI::App& command, TraceOptions& options) {
 void addTraceCommand(CLI::App& app, int& status) {
   const auto options = std::make_shared<TraceOptions>();
   CLI::App* command =
-      app.add_subcommand("trace", "path-trace the true picture of a world, with its noise");
+      app.add_subcommand("trace", "path-trace the reference picture of a world, with its noise");
   addWorldArgument(*command, options->scene.path);
   addTraceFlags(*command, *options);
   addPackFlags(*command, options->pack);

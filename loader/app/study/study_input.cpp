@@ -74,7 +74,7 @@ void reportMissing(const StudyInput& input, Report& report, int& status) {
       report.error("reference-size",
                    fmt::format("no --reference is {}x{} pixels large, from camera {}", size.width,
                                size.height, input.cameras[camera].name),
-                   fmt::format("orris trace WORLD -o truth.exr --size {}x{} --camera {}",
+                   fmt::format("orris trace WORLD -o reference.exr --size {}x{} --camera {}",
                                size.width, size.height, input.cameras[camera].name));
       status = kUsage;
     }

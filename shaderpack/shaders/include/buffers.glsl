@@ -31,7 +31,7 @@
 //   with GI_GLOSSY: rgb what polished blocks and metals mirror, a number of frames in it; RGBA32F
 //   where colortex3 is
 //
-// The images of the lamps are told in include/lights, those of the face cache in
+// The images of the lamps are described in include/lights, those of the face cache in
 // include/faces/face_cache.glsl, those that are made of the voxels in include/voxel/: changes, distance,
 // flood_image, active_bricks.
 // colortex3..8 and the shadow targets exist only while an option uses them.

@@ -23,7 +23,7 @@ struct Surface {
     vec2 light;    // block, sky: 0..1
     float emission;  // level 0..15
     bool thin;
-    int gloss;       // class, 0: matt
+    int gloss;       // class, 0: diffuse
     bool sky;      // nothing was drawn: only player is valid, as a direction
 };
 

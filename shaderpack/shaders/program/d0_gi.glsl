@@ -247,7 +247,7 @@ void main() {
     out_radiance = accumulate(radiance, history(s));
 #endif
 #if GLOSSY
-    // Without turns for what is matt.
+    // No turn for what is diffuse.
     out_mirrored = vec4(0.0);
     for (int i = 0; i < min(s.gloss, 1); ++i) out_mirrored = vec4(mirrored(s, light), 1.0);
 #ifdef TEMPORAL_ACCUMULATION

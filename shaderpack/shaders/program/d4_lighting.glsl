@@ -72,7 +72,7 @@ vec3 indirect_radiance(Surface s, ivec2 pixel) {
 }
 
 #ifdef SHADOW_VIEW
-/// Visibility of sun or moon; 0 on what turns away from it or lies along it, as the truth has it.
+/// Visibility of sun or moon; 0 on what turns away from it or lies along it, as in the reference.
 float sun_arrives(Surface s, ivec2 pixel) {
     vec3 l = light_direction();
     float cosine = dot(s.normal, l);

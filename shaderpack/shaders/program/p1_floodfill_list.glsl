@@ -1,5 +1,5 @@
 // Lists for this frame the bricks whose cells p1_floodfill_cells has to make ready, and those that the step has
-// to reckon.
+// to compute.
 #include "/settings.glsl"
 
 layout(local_size_x = 64) in;

@@ -1,5 +1,5 @@
 // Gives the cells of glass and water that were stepped their colour. A program of its own, and a loop that only finds
-// the next brick: drivers reckon what stands under a condition for every cell, and this costs as much as the step.
+// the next brick: drivers compute what stands under a condition for every cell, and this costs as much as the step.
 #include "/settings.glsl"
 
 layout(local_size_x = 64) in;

@@ -93,7 +93,7 @@ bool is_new_quad() {
     return (gl_PrimitiveIDIn & 1) == 0 && renderStage != MC_RENDER_STAGE_ENTITIES;
 }
 
-/// What a quad tells of its block.
+/// What is known of a block by one of its quads.
 struct Block {
     vec3 middle;  // player space
     int id;
@@ -104,7 +104,7 @@ vec3 quad_low() { return min(vertex_player[0], min(vertex_player[1], vertex_play
 
 vec3 quad_high() { return max(vertex_player[0], max(vertex_player[1], vertex_player[2])); }
 
-/// Vertices of block entities (chests, beds) tell nothing: their id is the draw's. What is not listed counts
+/// Vertices of block entities (chests, beds) have no id: theirs is the draw's. What is not listed counts
 /// as open, as do small parts (locks, legs), which have neither the shape nor the colour of the block.
 Block block_of_quad() {
     if (renderStage != MC_RENDER_STAGE_BLOCK_ENTITIES)

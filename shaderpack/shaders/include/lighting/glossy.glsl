@@ -1,4 +1,4 @@
-// Reflection of polished blocks and metals: GGX on top of a matt ground.
+// Reflection of polished blocks and metals: GGX over a diffuse base.
 #if !defined INCLUDED_LIGHTING_GLOSSY
 #define INCLUDED_LIGHTING_GLOSSY
 
@@ -22,7 +22,7 @@ vec3 gloss_fresnel(int gloss, vec3 albedo, float cosine) {
     return straight + (1.0 - straight) * pow(clamp(1.0 - cosine, 1e-6, 1.0), 5.0);
 }
 
-/// Share of the light that the matt ground gets; metals have none.
+/// Share of the light that the diffuse base gets; metals have none.
 vec3 matt_share(int gloss, vec3 albedo, float cosine) {
     return gloss == gloss_metal ? vec3(0.0) : 1.0 - gloss_fresnel(gloss, albedo, cosine);
 }

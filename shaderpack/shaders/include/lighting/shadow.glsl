@@ -4,7 +4,7 @@
 
 #include "/include/lighting/shadow_space.glsl"
 
-/// Where no map tells: the sky's level, 0..1, keeps the sun out of caves.
+/// Where there is no map: the sky's level, 0..1, keeps the sun out of caves.
 float unmapped_visibility(float sky) { return smoothstep(0.3, 0.6, sky); }
 
 #if SHADOW_MAP

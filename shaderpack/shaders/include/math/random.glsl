@@ -29,7 +29,7 @@ vec3 next_random() {
 
 /// The n-th of points in [0,1)^2 that fill the square evenly, for each pixel from another place on: the R2
 /// sequence (Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences") with the rotation of
-/// Cranley & Patterson 1976. In 32 bits, as floats would lose what tells late points apart.
+/// Cranley & Patterson 1976. In 32 bits, as floats would lose the digits in which late points differ.
 vec2 spread_point(ivec2 pixel, int n) {
     uvec2 turn = hash(uvec3(uvec2(pixel), 0x5bd1e995u)).xy;
     uvec2 point = turn + uint(n) * uvec2(3242174889u, 2447445414u);

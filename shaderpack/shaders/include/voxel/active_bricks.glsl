@@ -1,10 +1,10 @@
-// Which bricks a step of the floodfill has to reckon, for FLOODFILL_STORAGE=IMAGE_3D: those whose blocks
+// Which bricks a step of the floodfill has to compute, for FLOODFILL_STORAGE=IMAGE_3D: those whose blocks
 // changed, those whose light the step before changed, and their neighbours. Of all others the step
 // would give what is there.
 //
 //   flood_list    r32ui, empty when a frame begins: row 0 the bricks, row 2 those whose cells are made ready
 //                 for it, row 1 their numbers; row 3, by brick: were cells stepped that have yet to be tinted?
-//   flood_state   r32ui, empty when a frame begins, to be told: how many of them, of how many
+//   flood_state   r32ui, empty when a frame begins, for the host: how many of them, of how many
 //   flood_memory  r32ui, kept: when a brick's light last changed (step_stamp)
 #if !defined INCLUDED_VOXEL_ACTIVE_BRICKS
 #define INCLUDED_VOXEL_ACTIVE_BRICKS

@@ -1,4 +1,4 @@
-// When the blocks of the volume changed, told by bricks of 8^3 cells that keep their place in the world,
+// When the blocks of the volume changed, by bricks of 8^3 cells that keep their place in the world,
 // so that what is made of the voxels is made anew only then.
 //
 //   voxel_sums    r32ui, empty when a frame begins: a checksum of each brick's quads, by the shadow pass

@@ -2,7 +2,7 @@
 // no powers; the lookup takes the root. Cells keep their place when the volume moves (store_cell).
 //
 //   flood_light  two sides along z: a step reads the one and writes the other, and of cells that no
-//                step reckons both are equal. Rows and layers are longer than the volume, as processors
+//                step computes both are equal. Rows and layers are longer than the volume, as processors
 //                keep few lines at addresses that lie powers of two apart.
 //                rg32ui: red and green; blue and, from bit 16 on, traits of the cell's block, so that a
 //                step loads nothing else. Each colour has 16 bits, 7 of them exponent: 0, or
@@ -17,7 +17,7 @@ const float light_max = 65504.0;  // as in half floats
 
 // Traits.
 const uint trait_fixed = 1u << 16;        // a lamp or a wall: no step changes its light
-const uint trait_closed_down = 1u << 17;  // a slab closes the way to the cell below, or above
+const uint trait_closed_down = 1u << 17;  // a slab closes the side to the cell below, or above
 const uint trait_closed_up = 1u << 18;
 const uint trait_filter = 1u << 19;
 

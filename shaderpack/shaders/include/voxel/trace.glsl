@@ -16,11 +16,11 @@ struct Hit {
     vec3 position;    // volume space
     vec3 normal;
     Voxel voxel;
-    vec3 transmittance;  // of the translucent cells on the way
+    vec3 transmittance;  // of the translucent cells that it passed
     bool inner;          // on a plane through the middle of its cell
 };
 
-/// Where a ray is on its way through the cells. Floats, as they are compared and rounded faster.
+/// Where a ray is as it walks through the cells. Floats, as they are compared and rounded faster.
 struct Walk {
     vec3 origin;
     vec3 direction;
@@ -42,7 +42,7 @@ Walk begin_walk(vec3 origin, vec3 direction) {
 
 ivec3 cell_of(Walk walk) { return ivec3(walk.cell); }
 
-/// Ways to the planes by which the ray leaves the cube of cells nearer than `reach`; by which it came
+/// Distances to the planes by which the ray leaves the cube of cells nearer than `reach`; by which it came
 /// into its cell for 0.
 vec3 ways_out(Walk walk, float reach) {
     return (walk.cell + (0.5 - walk.origin + walk.stride * (reach - 0.5))) * walk.inverse;
@@ -78,14 +78,14 @@ void walk_on(inout Walk walk) {
 
 vec4 texel_of(ivec3 cell) { return texelFetch(shadowcolor0, atlas_texel(cell), 0); }
 
-/// The ways to where the ray comes into its cell and to where it leaves it.
+/// The distances to where the ray enters its cell and to where it leaves it.
 vec2 ways_through(Walk walk) {
     vec3 leave = ways_out(walk, 1.0);
     vec3 came = ways_out(walk, 0.0);
     return vec2(max(came.x, max(came.y, came.z)), min(leave.x, min(leave.y, leave.z)));
 }
 
-/// Of the way from x to y of a ray, what lies below the height where water ends in its cell.
+/// The part of a ray's distances x to y that lies below the height where water ends in its cell.
 vec2 below_surface(vec2 ways, float height, float slope) {
     float crossing = height / (abs(slope) < 1e-6 ? 1e-6 : slope);
     return slope > 0.0 ? vec2(ways.x, min(ways.y, crossing)) : vec2(max(ways.x, crossing), ways.y);
@@ -99,7 +99,7 @@ struct Meeting {
 };
 
 /// The first of these octants that the ray comes into: where it enters the cell, or by one of the planes
-/// through its middle. `ways` of meet: to where it enters, negative if it begins here, and leaves.
+/// through its middle. `ways` of meet: distances to where it enters, negative if it begins here, and leaves.
 Meeting meet_octants(Walk walk, uint octants, vec2 ways) {
     vec4 at = vec4((walk.cell + 0.5 - walk.origin) * walk.inverse, ways.x);
     uvec4 x = uvec4(equal(lessThanEqual(at.xxxx, at), bvec4(walk.stride.x > 0.0)));
@@ -113,7 +113,7 @@ Meeting meet_octants(Walk walk, uint octants, vec2 ways) {
     bool x_first = way == at.x;
     bool y_first = !x_first && way == at.y;
     vec3 axis = vec3(x_first, y_first, !x_first && !y_first);
-    // A corner of the cell has no way through it, but stops as well.
+    // In a corner of the cell the ray has no length, but stops as well.
     return Meeting(way <= max(ways.x, ways.y), way, way < at.w ? axis : vec3(0.0));
 }
 
