@@ -50,6 +50,7 @@ struct ProgramSource {
   std::map<std::string, BlendMode> bufferBlend;
   std::array<float, 3> scale{1, 0, 0};
   bool incomplete = false;      ///< an #include of it is in error and counts as empty
+  bool misnames = false;        ///< an #include of it is in error, and its file is read all the same
   bool writesFragData = false;  ///< fixed-function alpha test applies (glsl/rewrite/rewrite.h)
   std::map<std::string, bool> flips;  ///< explicit flip.* of this program, canonical buffer names
   std::vector<AppliedRule> rules;

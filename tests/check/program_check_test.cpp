@@ -31,5 +31,24 @@ TEST(RuleNotes, one_place_is_one_note_however_many_programs_share_it) {
                   "programs"));
 }
 
+TEST(ProgramCheck, what_reads_a_file_by_other_capitals_is_checked_and_fails) {
+  const auto failed = [](const std::string& body) {
+    Files files;
+    files["/Lib.glsl"] = "float one() { return 1.0; }\n";
+    addProgram(files, "final", "#version 330 compatibility\n#include \"/lib.glsl\"\nvoid main() { " + body + " }\n");
+    Diagnostics diagnostics;
+    const auto pack = loadShaderPack(memorySource(files), {.environment = standardMacros({}), .keepGoing = true}, diagnostics);
+    Verdicts verdicts;
+    checkWithGlslang(*pack, 1, verdicts, diagnostics);
+    std::vector<std::string> ids;
+    for (const Diagnostic& d : diagnostics) ids.push_back(d.id);
+    for (const auto& [hash, passed] : verdicts) ids.push_back(passed ? "passed" : "failed");
+    return ids;
+  };
+  EXPECT_THAT(failed("gl_FragColor = vec4(one());"), ElementsAre("include-capitals", "failed"));
+  EXPECT_THAT(failed("gl_FragColor = vec4(two());"),
+              ElementsAre("include-capitals", "glsl-compile", "failed"));
+}
+
 }  // namespace
 }  // namespace orris

@@ -48,11 +48,13 @@ TEST(IncludeTable, lines) {
       {"#include \"../../lib/a.glsl\"", "/lib/a.glsl include-escape"},  // Iris stays at the root
       {"#include \"../../../etc/passwd\"", "include-escape"},
       {"#include \"lib\\a.glsl\"", "include-escape"},
-      {"#include \"/lib/A.glsl\"", "include-missing"},  // a zip tells cases apart
-      {"#include \"case.glsl\"", "include-missing"},
+      {"#include \"/lib/A.glsl\"", "/lib/a.glsl include-capitals"},  // a zip tells cases apart
+      {"#include \"case.glsl\"", "/world0/Case.glsl include-capitals"},
       {"#include \"lib/a.glsl\"", "include-missing"},
       {"#include </lib/a.glsl>", "include-missing"},
-      {"#include \"/lib/a.glsl\" // why", "include-syntax"},
+      {"#include \"/lib/a.glsl\" // why", "/lib/a.glsl include-syntax"},
+      {"#include \"/lib/none.glsl\" // why", "include-syntax"},
+      {"#include \"/../shaders/lib/a.glsl\"", "/lib/a.glsl include-escape"},
       {"#include \"/lib/a.glsl\" \"b.glsl\"", "include-syntax"},
       {"#include", "include-syntax"},
       {"// #include \"/none.glsl\"", ""},

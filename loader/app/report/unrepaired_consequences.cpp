@@ -80,14 +80,25 @@ void foldLacks(Folds& folds, std::span<const Lack> lacks) {
 }
 
 /// The names that lines of the pack's files define, of those that no program reads, too.
+/// Of `const float sunPathRotation = ...`, which is an option as a #define is; "" for another line.
+std::string_view constName(std::string_view line) {
+  if (!trim(line).starts_with("const")) return "";
+  std::string_view third;
+  int count = 0;
+  forEachWord(line, [&](std::string_view word) {
+    if (++count == 3) third = word;
+  });
+  return third;
+}
+
 std::set<std::string, std::less<>> definedNames(const FileSource& files) {
   std::set<std::string, std::less<>> names;
   for (const std::string& path : files.files()) {
     const std::string_view ending = std::string_view(path).substr(std::min(path.rfind('.'), path.size()));
     if (std::ranges::find(kEndingsOfNoCode, ending) != kEndingsOfNoCode.end()) continue;
     for (const std::string& line : splitLines(files.read(path).value_or(""))) {
-      const std::string_view name = definedName(line);
-      if (!name.empty() && names.size() < limits::kOptions) names.emplace(name);
+      for (const std::string_view name : {definedName(line), constName(line)})
+        if (!name.empty() && names.size() < limits::kOptions) names.emplace(name);
     }
   }
   return names;

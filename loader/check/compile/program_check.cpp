@@ -81,8 +81,9 @@ void warmUp(const std::vector<ProgramUnit>& units) {
 std::vector<ProgramUnit> programUnits(const ProgramSource& program) {
   std::vector<ProgramUnit> units;
   const ModFamily* family = modFamilyOf(program.group);
-  const bool refused = std::ranges::count(program.diagnostics, Effect::RefusesProgram,
-                                          &Diagnostic::effect) > 0;
+  const bool refused =
+      program.misnames ||
+      std::ranges::count(program.diagnostics, Effect::RefusesProgram, &Diagnostic::effect) > 0;
   using Stages = std::vector<const StageText*>;
   const auto add = [&](const std::string& name, Stages stages, Stages judged) {
     std::uint64_t hash = hashOf(stages);

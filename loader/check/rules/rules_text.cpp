@@ -20,6 +20,7 @@ std::span<const Rule> textRules() {
       {"directive-malformed", Severity::Warning, "a preprocessor directive is not complete"},
       {"directive-trailing-text", Severity::Warning, "there is text after the end of a directive"},
       {"directive-unknown", Severity::Warning, "a preprocessor directive does not exist"},
+      {"include-capitals", Severity::Error, "an include names a file with other capitals"},
       {"include-cycle", Severity::Error, "files include each other in a circle"},
       {"include-escape", Severity::Error, "an include leads out of the shaders folder"},
       {"include-missing", Severity::Error, "an include names a file that is not in the pack"},

@@ -96,11 +96,8 @@ class Reader {
     std::string_view written = trim(trim(text).substr(kInclude.size()));
     if (written.starts_with('"')) written.remove_prefix(1);
     const size_t quote = written.find('"');
-    if (written.empty() || (quote != std::string_view::npos && quote + 1 != written.size())) {
-      report("include-syntax", text, "expected one path in quotes and nothing after it",
-             "write #include \"/lib/name.glsl\", the comment on its own line");
-      return std::nullopt;
-    }
+    if (written.empty() || (quote != std::string_view::npos && quote + 1 != written.size()))
+      return malformed(from, text, written.substr(0, quote), trim(written.substr(std::min(quote, written.size()))));
     written = written.substr(0, quote);
     const auto target = resolvePackPath(from, written, AboveRoot::Stay);
     const bool leavesRoot = !resolvePackPath(from, written);
@@ -111,15 +108,11 @@ class Reader {
              works ? fmt::format("Iris takes it for {}, other hosts refuse it", *target)
                    : escapeHint(written),
              works ? Severity::Warning : Severity::Error);
-      if (const std::string inside = pathInside(written); !works && !inside.empty()) propose(inside);
-      return works ? target : std::nullopt;
+      if (works) return target;
+      const std::string inside = pathInside(written);
+      return inside.empty() ? std::nullopt : readAllTheSame(inside, inside);
     }
-    if (!source_.contains(*target)) {
-      reportMissing(*target, text);
-    } else {
-      return target;
-    }
-    return std::nullopt;
+    return source_.contains(*target) ? target : missing(*target, text);
   }
 
   /// "/../shaders/lib/a.glsl" is meant to be "/lib/a.glsl"; "" for a file that is not there.
@@ -151,16 +144,38 @@ class Reader {
     return editDistance(lowerCase(a), lowerCase(b)) <= a.size() / 3 + 1;
   }
 
-  void reportMissing(const std::string& target, const std::string& text) {
+  std::optional<std::string> missing(const std::string& target, const std::string& text) {
     std::string nearest =
         hints_++ < limits::kSuggestions ? nearestName(target, source_.files()) : "";
     if (!isLike(fileName(target), fileName(nearest))) nearest.clear();
     const bool capitals = lowerCase(nearest) == lowerCase(target);
-    report("include-missing", text, fmt::format("no such file: {}", target),
+    report(capitals ? "include-capitals" : "include-missing", text,
+           fmt::format("no such file: {}", target),
            nearest.empty() ? "a missing #include refuses the whole pack, even in an inactive branch"
                            : fmt::format("did you mean {}?{}", nearest,
                                          capitals ? " Capitals count in a zip and on Linux" : ""));
+    if (capitals) return readAllTheSame(nearest, nearest);
     if (!nearest.empty()) propose(nearest);
+    return std::nullopt;
+  }
+
+  /// `rest` begins with the closing quote. Of a path before a comment it is plain what is meant.
+  std::optional<std::string> malformed(const std::string& from, const std::string& text,
+                                       std::string_view path, std::string_view rest) {
+    report("include-syntax", text, "expected one path in quotes and nothing after it",
+           "write #include \"/lib/name.glsl\", the comment on its own line");
+    rest = trim(rest.substr(std::min<size_t>(1, rest.size())));
+    if (!rest.starts_with("//") && !rest.starts_with("/*")) return std::nullopt;
+    const auto target = resolvePackPath(from, path);
+    return target && source_.contains(*target) ? readAllTheSame(*target, std::string(path))
+                                               : std::nullopt;
+  }
+
+  /// The error stands; with the file in place what else is wrong is found, too.
+  std::optional<std::string> readAllTheSame(const std::string& target, const std::string& written) {
+    propose(written);
+    graph_.misnaming.insert(open_.back().file);
+    return target;
   }
 
   void reportCycle(const std::string& target, const std::string& text) {

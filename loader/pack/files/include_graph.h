@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,8 @@ struct IncludeGraph {
   std::map<std::string, FileLines> files;  ///< every reachable file
   /// File -> line (from 1) -> target; "" for an #include that is in error, which includes nothing.
   std::map<std::string, std::map<int, std::string>> includes;
+  /// With an #include in error whose file is known and read: other capitals, a comment behind it.
+  std::set<std::string> misnaming;
 };
 
 /// Reads `entries` and all that they include. Missing files, cycles, paths that leave the root and

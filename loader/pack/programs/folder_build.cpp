@@ -142,7 +142,8 @@ ProgramSource FolderBuild::finish(const ProgramEntry& entry,
   ProgramSource program = finishProgram(entry, context(lookup), std::move(parts));
   if (mod_) markAsOfMod(mod_->name, program.diagnostics);
   program.incomplete =
-      (!files_->broken.empty() && reachesBroken(entry)) || isCutOff(program.diagnostics);
+      reachesAny(entry, files_->broken) || isCutOff(program.diagnostics);
+  program.misnames = reachesAny(entry, files_->graph.misnaming);
   // The #version may be in the file that is missing.
   if (program.incomplete) {
     std::erase_if(program.diagnostics, [](const auto& d) { return d.id == "version-missing"; });
@@ -150,11 +151,12 @@ ProgramSource FolderBuild::finish(const ProgramEntry& entry,
   return program;
 }
 
-bool FolderBuild::reachesBroken(const ProgramEntry& entry) const {
+bool FolderBuild::reachesAny(const ProgramEntry& entry, const std::set<std::string>& wanted) const {
+  if (wanted.empty()) return false;
   const auto reaches = [&](const auto& named) {
     const auto files = reachableFiles(files_->graph, named.second);
     return std::any_of(files.begin(), files.end(),
-                       [&](const std::string& file) { return files_->broken.contains(file); });
+                       [&](const std::string& file) { return wanted.contains(file); });
   };
   return std::any_of(entry.stages.begin(), entry.stages.end(), reaches) ||
          std::any_of(entry.computes.begin(), entry.computes.end(), reaches);

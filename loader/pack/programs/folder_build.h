@@ -4,6 +4,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -59,7 +60,7 @@ class FolderBuild {
 
  private:
   void readProperties(const MacroDefinitions& environment, const FolderBuild* similar);
-  bool reachesBroken(const ProgramEntry& entry) const;
+  bool reachesAny(const ProgramEntry& entry, const std::set<std::string>& wanted) const;
   void listAll();
   void listVoxy(const std::map<std::string, std::string>& uniformTypes);
   BuildContext context(const FileLookup& lookup) const { return context(files_->graph, lookup); }
