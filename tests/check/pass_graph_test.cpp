@@ -114,7 +114,7 @@ TEST(PassGraph, markdown_tables_list_buffers_and_programs) {
   EXPECT_THAT(text, HasSubstr("| colortex5 | RG16F  | window | kept       | deferred "));
   EXPECT_THAT(text, HasSubstr("colortex0, colortex5 (last frame)"));
   EXPECT_THAT(text, HasSubstr("| colortex0 (mipmaps), depthtex1 "));
-  EXPECT_THAT(text, HasSubstr("not drawn by this host"));
+  EXPECT_THAT(text, HasSubstr("drawn where a world has it"));
 }
 
 TEST(PassGraph, dot_joins_alike_geometry_and_dashes_history) {

@@ -80,7 +80,7 @@ std::string readOf(const GraphRead& read) {
 
 std::string notesOf(const GraphPass& pass, const PassGraph& graph) {
   Row notes;
-  if (!pass.drawn) notes.push_back("not drawn by this host");
+  if (!pass.drawn) notes.push_back("drawn where a world has it");
   if (pass.file.empty() && pass.kind != "copy") notes.push_back("built in");
   for (const GraphCompute& compute : pass.computes)
     notes.push_back(compute.indirect ? fmt::format("{}: indirect", compute.name)
