@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "app/commands/commands.h"
-#include "app/input/exit_status.h"
+#include "core/exit_status.h"
 #include "app/input/folder_config.h"
 #include "core/printable.h"
 #include "core/work_stage.h"

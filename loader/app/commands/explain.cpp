@@ -5,67 +5,76 @@
 #include <iostream>
 #include <iterator>
 
-#include "app/input/inputs.h"
 #include "check/logs/log_explainer.h"
+#include "check/rules/rules.h"
+#include "core/named_file.h"
 
 namespace orris {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::optional<std::string> readLog(const std::string& path, Report& report, int& status) {
-  if (path != "-") return readWholeFile(path, report, status);
+std::optional<std::string> readLog(const std::string& path, Diagnostics& diagnostics) {
+  if (path != "-") return readNamedFile(path, diagnostics);
   return std::string(std::istreambuf_iterator<char>(std::cin), {});
 }
 
 /// The files of Iris's folder, by name.
-std::optional<std::vector<PatchedShader>> readPatched(const std::string& folder, Report& report,
-                                                      int& status) {
+std::optional<std::vector<PatchedShader>> readPatched(const std::string& folder,
+                                                      Diagnostics& diagnostics) {
   std::vector<PatchedShader> files;
   if (folder.empty()) return files;
   std::error_code error;
   for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
     if (!it->is_regular_file(error)) continue;
-    const auto text = readWholeFileBelow(folder, it->path().filename(), report, status);
+    const auto text = readNamedFileBelow(folder, it->path().filename(), diagnostics);
     if (text) files.push_back({it->path().filename(), *text});
   }
   if (error) {
-    report.error("file-unreadable", "cannot be read", "name Iris's folder patched_shaders", folder);
-    status = kUsage;
+    diagnostics.push_back({.id = "file-unreadable",
+                           .at = {.file = folder},
+                           .message = "cannot be read",
+                           .hint = "name Iris's folder patched_shaders"});
     return std::nullopt;
   }
   std::ranges::sort(files, {}, &PatchedShader::file);
   return files;
 }
 
-}  // namespace
-
-PackVerdict explainGameLog(const std::string& packPath, const ValidateOptions& options,
-                           Report& report) {
-  PackVerdict verdict{.path = packPath};
-  const auto log = readLog(options.explainLog, report, verdict.status);
-  auto patched = readPatched(options.patchedShaders, report, verdict.status);
-  if (!log || !patched) return verdict;
-  verdict.files = openPackFiles(packPath, report, verdict.status);
-  if (!verdict.files) return verdict;
+std::optional<ShaderPack> loadLogged(const std::shared_ptr<const FileSource>& files,
+                                     const ValidateOptions& options, Diagnostics& diagnostics) {
   const HostVersions versions = options.versions ? options.versions->newest : HostVersions();
   const MacroDefinitions environment = standardMacros({.versions = versions});
-  auto request = makeLoadRequest(verdict.files, options.pack, environment, report, verdict.status);
-  if (!request) return verdict;
+  auto request = makeLoadRequest(files, options.pack, environment, diagnostics);
+  if (!request) return std::nullopt;
   request->buildModPrograms = true;
+  return loadShaderPack(files, *request, diagnostics);
+}
+
+}  // namespace
+
+PackVerdict explainGameLog(const std::string& packPath, const ValidateFlags& flags,
+                           ProblemList& problems) {
+  PackVerdict verdict{.path = packPath};
   Diagnostics diagnostics;
-  const auto pack = loadShaderPack(verdict.files, *request, diagnostics);
+  const auto log = readLog(flags.explainLog, diagnostics);
+  auto patched = readPatched(flags.patchedShaders, diagnostics);
+  if (log && patched) verdict.files = openPack(packPath, diagnostics);
+  verdict.status = statusOf(diagnostics);
+  problems.add(diagnostics);
+  if (!verdict.files) return verdict;
+  const auto pack = loadLogged(verdict.files, flags.validate, diagnostics);
   if (!pack) {
-    verdict.status = loadFailureStatus(verdict.files, *request);
+    verdict.status = statusOf(diagnostics);
   } else {
     // What is wrong with the pack by itself is for a run without a log.
     diagnostics = explainLog({.pack = *pack,
-                              .logName = options.explainLog == "-" ? "log" : options.explainLog,
+                              .logName = flags.explainLog == "-" ? "log" : flags.explainLog,
                               .sections = parseGameLog(*log),
                               .patched = std::move(*patched),
-                              .stage = options.stage});
+                              .stage = flags.stage});
   }
-  report.add(diagnostics);
+  problems.add(diagnostics);
   return verdict;
 }
 

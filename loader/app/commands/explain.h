@@ -1,15 +1,15 @@
 // orris validate --explain-log: a log of the game, translated back to the pack's lines.
 #pragma once
 
-#include "app/report/report.h"
-#include "app/validate/validate_options.h"
-#include "app/validate/validate_run.h"
+#include "app/report/pack_verdict.h"
+#include "app/report/problem_list.h"
+#include "app/validate/validate_flags.h"
 
 namespace orris {
 
-/// Adds the explained messages to `report`, and what was opened to the verdict; its status says what
+/// Adds the explained messages to `problems`, and what was opened to the verdict; its status says what
 /// could not be read.
-PackVerdict explainGameLog(const std::string& packPath, const ValidateOptions& options,
-                           Report& report);
+PackVerdict explainGameLog(const std::string& packPath, const ValidateFlags& flags,
+                           ProblemList& problems);
 
 }  // namespace orris

@@ -63,8 +63,12 @@ bool showSources(const RenderOptions& options, const SessionRequest& request,
   if (!pack) return true;  // the session says why
   Diagnostics notes = ruleNotes(*pack);
   report.add(notes);
-  return options.outputs.patched.empty() ||
-         writePatched(options.outputs.patched, *pack, report, status);
+  Diagnostics unwritten;
+  if (options.outputs.patched.empty() || writePatched(options.outputs.patched, *pack, unwritten))
+    return true;
+  report.add(unwritten);
+  status = kUsage;
+  return false;
 }
 
 std::vector<FrameStepTime> drawFrames(RenderSession& session, int frames, FrameProbe& probe,
@@ -130,7 +134,10 @@ int runRender(const RenderOptions& options, Report& report, nlohmann::json& resu
   const auto request = makeRequest(options, *world, report, status);
   if (!request) return status;
 
-  if (!makePatchedFolder(options.outputs.patched, report, status)) return status;
+  if (!makePatchedFolder(options.outputs.patched, diagnostics)) {
+    report.add(diagnostics);
+    return kUsage;
+  }
   confineDrawing();
   const auto context = gl::createContext(
       {.backend = options.image.backend, .profile = options.image.context}, diagnostics);

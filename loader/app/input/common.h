@@ -7,9 +7,9 @@
 #include <string>
 #include <utility>
 
+#include "app/report/text_style.h"
 #include "gl/context.h"
-#include "pack/options/options.h"
-#include "pack/versions/iris_versions.h"
+#include "pack/options/pack_options.h"
 #include "world/world.h"
 
 namespace CLI {
@@ -18,16 +18,6 @@ class Option;
 }  // namespace CLI
 
 namespace orris {
-
-/// Which pack, and how it is set up.
-struct PackOptions {
-  std::string path;
-  std::string profile;
-  OptionValues values;  ///< --set, wins over --settings, which wins over --profile
-  std::string settingsFile;
-  std::string dimension;  ///< "" for the world's own
-  HostVersions versions;  ///< of Iris and the game
-};
 
 /// Which world, seen how.
 struct SceneOptions {
@@ -47,19 +37,13 @@ struct ImageOptions {
 };
 
 /// What to print.
-struct OutputOptions {
-  bool json = false;     ///< a JSON object on standard output instead of text
-  bool quiet = false;    ///< errors only
-  bool verbose = false;  ///< notes too
+struct OutputOptions : Verbosity {
+  bool json = false;  ///< a JSON object on standard output instead of text
 };
 
 void addPackFlags(CLI::App& command, PackOptions& options);  ///< all but path and versions
 /// --iris and --game, for commands that run a pack as one version.
 void addVersionFlags(CLI::App& command, HostVersions& versions);
-/// The oldest and the newest that a pack is checked for; equal when it is one.
-struct VersionRange {
-  HostVersions oldest, newest;
-};
 /// The same flags, which also take a range: 1.8..1.11. Nothing asked: nullopt.
 void addVersionRangeFlags(CLI::App& command, std::optional<VersionRange>& range);
 void addSceneFlags(CLI::App& command, SceneOptions& options);  ///< all but the path

@@ -12,8 +12,8 @@
 #include <sstream>
 
 #include "app/input/shipped_worlds.h"
-#include "core/read_file.h"
-#include "core/replace_file.h"
+#include "check/rules/rules.h"
+#include "core/named_file.h"
 #include "pack/files/text.h"
 
 namespace orris {
@@ -28,77 +28,10 @@ bool loadsWithoutChoices(const std::shared_ptr<const FileSource>& files, LoadReq
   return loadShaderPack(files, request, ignored).has_value();
 }
 
-std::optional<OptionValues> readSettings(const std::shared_ptr<const FileSource>& files,
-                                         const LoadRequest& request, const std::string& path,
-                                         Report& report, int& status) {
-  const std::optional<std::string> text = readWholeFile(path, report, status);
-  if (!text) return std::nullopt;
-  Diagnostics diagnostics;
-  LoadRequest optionsOnly{.dimension = request.dimension, .environment = request.environment};
-  optionsOnly.buildSources = false;
-  const std::optional<ShaderPack> pack = loadShaderPack(files, optionsOnly, diagnostics);
-  report.add(diagnostics);
-  if (!pack) {
-    status = kProblems;
-    return std::nullopt;
-  }
-  const OptionValues values = parseOptionFile(path, *text, pack->options, diagnostics);
-  report.add(diagnostics);
-  return values;
-}
-
-// The folder names that packs use for the game's own dimensions.
-std::string dimensionName(const std::string& request) {
-  static const std::map<std::string, std::string> kNames = {
-      {"world0", "minecraft:overworld"},     {"overworld", "minecraft:overworld"},
-      {"world-1", "minecraft:the_nether"},   {"the_nether", "minecraft:the_nether"},
-      {"world1", "minecraft:the_end"},       {"the_end", "minecraft:the_end"}};
-  const auto found = kNames.find(request);
-  return found == kNames.end() ? request : found->second;
-}
-
-void reportUnwritable(const std::string& path, Report& report, int& status) {
-  const std::string problem = outputProblem(path);
-  report.error("file-unwritable", problem.empty() ? "cannot be written" : problem,
-               "name a file in a folder that exists and may be written", path);
-  status = kUsage;
-}
-
-void reportUnreadable(const std::string& path, ReadFault fault, Report& report, int& status) {
-  report.error("file-unreadable", describe(fault), "", path);
-  status = kUsage;
-}
-
 /// Written as the streams they are: beside them is no place for a temporary file.
 std::ostream* streamOf(const std::string& path) {
   if (path == "/dev/stdout") return &std::cout;
   return path == "/dev/stderr" ? &std::cerr : nullptr;
-}
-
-/// A name without a namespace is one of the game's dimensions or a folder of the pack; other mods may add
-/// any other.
-bool knowsDimension(const FileSource& files, const std::string& request, Report& report,
-                    int& status) {
-  static const std::vector<std::string> kOfGame = {"overworld", "the_nether", "the_end"};
-  constexpr std::string_view kGame = "minecraft:";
-  const bool ofGame = request.starts_with(kGame);
-  const std::string name = ofGame ? request.substr(kGame.size()) : request;
-  const std::string folder = (name.starts_with('/') ? name : "/" + name) + "/";
-  const bool known =
-      name.empty() || name == "/" || std::ranges::find(kOfGame, name) != kOfGame.end() ||
-      name.find(':') != std::string::npos ||
-      (!ofGame && (dimensionName(name) != name ||
-                   std::ranges::any_of(files.files(), [&](const std::string& file) {
-                     return file.starts_with(folder);
-                   })));
-  if (known) return true;
-  const std::string meant = suggest(name, kOfGame);
-  report.error("dimension-unknown", fmt::format("--dimension: there is no dimension {}", request),
-               meant.empty() ? "name overworld, the_nether, the_end, a folder of the pack (world0), "
-                               "or a dimension of a mod with its namespace"
-                             : meant);
-  status = kUsage;
-  return false;
 }
 
 std::optional<Camera> parseCamera(const std::string& text) {
@@ -133,14 +66,10 @@ std::optional<LoadRequest> makeLoadRequest(const std::shared_ptr<const FileSourc
                                            const PackOptions& options,
                                            const MacroDefinitions& environment, Report& report,
                                            int& status) {
-  LoadRequest request{
-      .values = options.values, .profile = options.profile, .environment = environment};
-  if (!knowsDimension(*files, options.dimension, report, status)) return std::nullopt;
-  if (!options.dimension.empty()) request.dimension = options.dimension;
-  if (options.settingsFile.empty()) return request;
-  const auto values = readSettings(files, request, options.settingsFile, report, status);
-  if (!values) return std::nullopt;
-  request.fileValues = *values;
+  Diagnostics diagnostics;
+  auto request = makeLoadRequest(files, options, environment, diagnostics);
+  if (!request) status = statusOf(diagnostics);
+  report.add(diagnostics);
   return request;
 }
 
@@ -174,7 +103,7 @@ std::optional<World> loadScene(const SceneOptions& options, const std::string& d
   Diagnostics diagnostics;
   SavePart part = options.part;
   // Other folders of a pack belong to no dimension of a save.
-  if (dimensionName(dimension).find(':') != std::string::npos) part.dimension = dimensionName(dimension);
+  if (fullDimensionName(dimension).find(':') != std::string::npos) part.dimension = fullDimensionName(dimension);
   std::optional<World> world = loadWorld(path, options.seed, diagnostics, part);
   report.add(diagnostics);
   if (!world) {
@@ -182,7 +111,7 @@ std::optional<World> loadScene(const SceneOptions& options, const std::string& d
     return std::nullopt;
   }
   if (options.time) world->environment.time = *options.time;
-  if (!dimension.empty()) world->environment.dimension = dimensionName(dimension);
+  if (!dimension.empty()) world->environment.dimension = fullDimensionName(dimension);
   return world;
 }
 
@@ -201,23 +130,27 @@ std::optional<Camera> chooseCamera(const World& world, const std::string& reques
 }
 
 std::optional<std::string> readWholeFile(const std::string& path, Report& report, int& status) {
-  ReadFault fault{};
-  std::optional<std::string> text = readFile(path, kMaxTextBytes, fault);
-  if (!text) reportUnreadable(path, fault, report, status);
+  Diagnostics diagnostics;
+  std::optional<std::string> text = readNamedFile(path, diagnostics);
+  if (!text) status = kUsage;
+  report.add(diagnostics);
   return text;
 }
 
 std::optional<std::string> readWholeFileBelow(const std::string& folder, const std::string& name,
                                               Report& report, int& status) {
-  ReadFault fault{};
-  std::optional<std::string> text = readFileBelow(folder, name, kMaxTextBytes, fault);
-  if (!text) reportUnreadable((std::filesystem::path(folder) / name).string(), fault, report, status);
+  Diagnostics diagnostics;
+  std::optional<std::string> text = readNamedFileBelow(folder, name, diagnostics);
+  if (!text) status = kUsage;
+  report.add(diagnostics);
   return text;
 }
 
 bool checkWritable(const std::string& path, Report& report, int& status) {
-  if (streamOf(path) != nullptr || outputProblem(path).empty()) return true;
-  reportUnwritable(path, report, status);
+  Diagnostics diagnostics;
+  if (streamOf(path) != nullptr || canWriteNamedFile(path, diagnostics)) return true;
+  report.add(diagnostics);
+  status = kUsage;
   return false;
 }
 
@@ -234,8 +167,10 @@ bool checkPicturePath(const std::string& path, Report& report, int& status) {
 
 bool writeWholeFile(const std::string& path, const std::string& text, Report& report, int& status) {
   if (std::ostream* stream = streamOf(path)) return bool(*stream << text << std::flush);
-  if (!replaceFile(path, text)) return true;
-  reportUnwritable(path, report, status);
+  Diagnostics diagnostics;
+  if (writeNamedFile(path, text, diagnostics)) return true;
+  report.add(diagnostics);
+  status = kUsage;
   return false;
 }
 

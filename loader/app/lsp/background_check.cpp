@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "app/input/inputs.h"
+#include "app/report/diagnostic_json.h"
 #include "app/report/report_findings.h"
 #include "app/validate/validate_run.h"
 
@@ -35,10 +35,9 @@ json findingJson(const Finding& finding) {
   return value;
 }
 
-json findingsJson(PackVerdict verdict, const Report& report) {
+json findingsJson(PackVerdict verdict, const ProblemList& problems) {
   json list = json::array();
-  ReportOptions plain;
-  const PackResult result = judgePack(std::move(verdict), report, plain, nullptr);
+  const PackResult result = judgePack(std::move(verdict), problems, {}, nullptr);
   // Notes are what `validate` prints only with --verbose.
   for (const Finding& finding : result.findings)
     if (finding.silence == Silence::None && finding.diagnostic.severity != Severity::Note)
@@ -62,32 +61,33 @@ void checkProgramsFirst(const CheckJob& job, const std::shared_ptr<const FileSou
                         int out) {
   const std::set<std::string> stages = affectedStages(*files, job.changed);
   if (stages.empty() || stages.size() > kMostInHurry) return;
-  Report report(job.options.output, Report::Mode::Keep);
+  ProblemList problems;
   const auto fewer = onlyStages(files, stages);
-  compileFiles(fewer, job.options, checker, report);
+  compileFiles(fewer, job.options, checker, problems);
   sayLine(out, {{"part", "programs"},
                 {"entries", stages},
-                {"findings", findingsJson({.path = job.path, .files = fewer}, report)}});
+                {"findings", findingsJson({.path = job.path, .files = fewer}, problems)}});
 }
 
 void work(const CheckJob& job, int out) {
-  Report report(job.options.output, Report::Mode::Keep);
-  int status = kClean;
-  const auto opened = openPackFiles(job.path, report, status);
+  ProblemList problems;
+  Diagnostics diagnostics;
+  const std::shared_ptr<const FileSource> opened = openPack(job.path, diagnostics);
+  problems.add(diagnostics);
   if (!opened) {
-    sayLine(out, {{"part", "whole"}, {"findings", findingsJson({.path = job.path}, report)}, {"quiet", json::array()}});
+    sayLine(out, {{"part", "whole"}, {"findings", findingsJson({.path = job.path}, problems)}, {"quiet", json::array()}});
     return;
   }
   const auto files = overlaidSource(opened, job.overlay);
   std::set<std::uint64_t> quiet;
-  Checker checker{.jobs = job.options.jobs, .target = *findTarget(job.options.target),
+  Checker checker{.jobs = job.options.jobs, .target = *job.options.target,
                   .budget = MatrixBudget(std::nullopt, 1), .glslang = job.known, .quiet = &quiet};
   if (!job.changed.empty()) checkProgramsFirst(job, files, checker, out);
   // What was found of some programs is found again, with the rest; what was not is known by now.
   checker.glslang = job.known;
   for (const std::uint64_t hash : quiet) checker.glslang[hash] = true;
-  PackVerdict verdict = validateFiles(job.path, files, job.options, checker, report);
-  sayLine(out, {{"part", "whole"}, {"findings", findingsJson(std::move(verdict), report)}, {"quiet", quiet}});
+  PackVerdict verdict = validateFiles(job.path, files, job.options, checker, problems);
+  sayLine(out, {{"part", "whole"}, {"findings", findingsJson(std::move(verdict), problems)}, {"quiet", quiet}});
 }
 
 }  // namespace

@@ -103,20 +103,20 @@ FindingKey positionKey(const Diagnostic& d, const Edits& edits) {
 class ConsequenceSearch {
  public:
   ConsequenceSearch(const PackVerdict& verdict, const ValidateOptions& options,
-                    const Checker& checker, CheckAgain check, Report& report)
+                    const Checker& checker, CheckAgain check, ProblemList& problems)
       : verdict_(verdict),
         options_(options),
         checker_(checker),
         check_(check),
-        report_(report),
-        folds_(verdict, report) {}
+        problems_(problems),
+        folds_(verdict, problems) {}
 
   void run() {
     foldTwins(folds_);
     for (const RepairStage& stage : kStages) {
       const std::vector<std::size_t> causes = causesOf(stage);
       if (causes.empty()) continue;
-      for (const std::size_t cause : causes) edits_.add(*report_.all()[cause].repair);
+      for (const std::size_t cause : causes) edits_.add(*problems_.all()[cause].repair);
       repaired_.insert(causes.begin(), causes.end());
       settle(causes, stage.misread);
     }
@@ -127,8 +127,8 @@ class ConsequenceSearch {
   std::vector<std::size_t> causesOf(const RepairStage& stage) const {
     std::vector<std::size_t> causes;
     std::size_t asked = 0;
-    for (std::size_t i = 0; i < report_.all().size(); ++i) {
-      const Diagnostic& d = report_.all()[i];
+    for (std::size_t i = 0; i < problems_.all().size(); ++i) {
+      const Diagnostic& d = problems_.all()[i];
       const bool listed = std::ranges::find(stage.ids, d.id) != stage.ids.end();
       if (listed && d.repair && d.severity != Severity::Note && folds_.isOpen(i) &&
           (!stage.named || (++asked <= kMostNamed && isNamed(i))))
@@ -140,10 +140,10 @@ class ConsequenceSearch {
   /// Does another finding have the longest word of the hint, "did you mean screen.LIGHT?"
   bool isNamed(std::size_t cause) const {
     std::string_view meant;
-    forEachWord(report_.all()[cause].hint,
+    forEachWord(problems_.all()[cause].hint,
                 [&](std::string_view word) { meant = word.size() > meant.size() ? word : meant; });
-    for (std::size_t i = 0; i < report_.all().size(); ++i) {
-      const Diagnostic& d = report_.all()[i];
+    for (std::size_t i = 0; i < problems_.all().size(); ++i) {
+      const Diagnostic& d = problems_.all()[i];
       const auto names = [&](const std::string& text) { return text.find(meant) != text.npos; };
       if (i != cause && d.severity != Severity::Note && folds_.isOpen(i) &&
           (names(d.message) || names(d.hint) || std::ranges::any_of(d.notes, names)))
@@ -153,19 +153,19 @@ class ConsequenceSearch {
   }
 
   void settle(const std::vector<std::size_t>& causes, bool misread) {
-    Report after(options_.output, Report::Mode::Keep);
+    ProblemList after;
     check_(edits_.apply(verdict_.files), options_, checker_, after);
     std::map<FindingKey, int> left;
     for (const Diagnostic& d : after.all()) ++left[positionKey(d, edits_)];
     std::set<FindingKey> known;
-    for (const Diagnostic& d : report_.all()) known.insert(positionKey(d, {}));
+    for (const Diagnostic& d : problems_.all()) known.insert(positionKey(d, {}));
     const bool fits = !misread || std::ranges::none_of(after.all(), [&](const Diagnostic& d) {
       return d.severity == Severity::Error && !known.contains(positionKey(d, edits_));
     });
-    for (std::size_t i = 0; i < report_.all().size(); ++i) {
+    for (std::size_t i = 0; i < problems_.all().size(); ++i) {
       // The edits of earlier stages are made, too: what they repair follows from nothing.
       if (!folds_.isOpen(i) || repaired_.contains(i)) continue;
-      const bool gone = --left[positionKey(report_.all()[i], {})] < 0;
+      const bool gone = --left[positionKey(problems_.all()[i], {})] < 0;
       const auto cause = gone   ? nearestCause(causes, i)
                          : fits ? std::nullopt
                                 : causeRead(causes, i);
@@ -175,9 +175,9 @@ class ConsequenceSearch {
 
   /// Of a file that the finding was met through, else the first.
   std::optional<std::size_t> nearestCause(const std::vector<std::size_t>& causes, std::size_t i) {
-    const Diagnostic& d = report_.all()[i];
+    const Diagnostic& d = problems_.all()[i];
     for (const std::size_t cause : causes) {
-      const std::string& file = report_.all()[cause].at.file;
+      const std::string& file = problems_.all()[cause].at.file;
       const bool included =
           std::ranges::find(d.includedFrom, file, &SourceLocation::file) != d.includedFrom.end();
       if (d.at.file == file || included) return cause;
@@ -188,10 +188,10 @@ class ConsequenceSearch {
 
   /// Of an error: the cause whose file a program of it reads.
   std::optional<std::size_t> causeRead(const std::vector<std::size_t>& causes, std::size_t i) {
-    if (report_.all()[i].severity != Severity::Error) return std::nullopt;
+    if (problems_.all()[i].severity != Severity::Error) return std::nullopt;
     for (const std::size_t cause : causes) {
-      for (const std::string& entry : report_.entryFiles(i)) {
-        if (folds_.filesOf(entry).contains(report_.all()[cause].at.file)) return cause;
+      for (const std::string& entry : problems_.entryFiles(i)) {
+        if (folds_.filesOf(entry).contains(problems_.all()[cause].at.file)) return cause;
       }
     }
     return std::nullopt;
@@ -201,7 +201,7 @@ class ConsequenceSearch {
   const ValidateOptions& options_;
   const Checker& checker_;
   CheckAgain check_;
-  Report& report_;
+  ProblemList& problems_;
   Folds folds_;
   Edits edits_;
   std::set<std::size_t> repaired_;  ///< the causes whose repairs are among the edits
@@ -210,8 +210,8 @@ class ConsequenceSearch {
 }  // namespace
 
 void findConsequences(const PackVerdict& verdict, const ValidateOptions& options,
-                      const Checker& checker, CheckAgain check, Report& report) {
-  ConsequenceSearch(verdict, options, checker, check, report).run();
+                      const Checker& checker, CheckAgain check, ProblemList& problems) {
+  ConsequenceSearch(verdict, options, checker, check, problems).run();
 }
 
 }  // namespace orris

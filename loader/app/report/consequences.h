@@ -3,20 +3,20 @@
 
 #include <memory>
 
-#include "app/report/report.h"
+#include "app/report/problem_list.h"
 #include "app/validate/validate_run.h"
 
 namespace orris {
 
-/// Checks the files of a pack again into a report of its own: what validatePack() reports of them.
+/// Checks the files of a pack again into a list of their own: what validatePath() reports of them.
 using CheckAgain = void (*)(const std::shared_ptr<const FileSource>& files,
-                            const ValidateOptions& options, Checker checker, Report& report);
+                            const ValidateOptions& options, Checker checker, ProblemList& problems);
 
-/// Finds the mistakes of `report` that carry a repair (a comment, conditional or brace without its
+/// Finds the mistakes of `problems` that carry a repair (a comment, conditional or brace without its
 /// other end), checks the pack with these repaired, and makes all that is gone then consequences of
-/// them (Report::cause). Where the repair does not fit, the errors of all programs that read the file
+/// them (ProblemList::cause). Where the repair does not fit, the errors of all programs that read the file
 /// are. A mistake that errors follow from is an error.
 void findConsequences(const PackVerdict& verdict, const ValidateOptions& options,
-                      const Checker& checker, CheckAgain check, Report& report);
+                      const Checker& checker, CheckAgain check, ProblemList& problems);
 
 }  // namespace orris

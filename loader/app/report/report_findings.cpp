@@ -50,7 +50,7 @@ class SourceText {
 
 class Judge {
  public:
-  Judge(const PackResult& pack, const ReportOptions& options, Baseline* baseline)
+  Judge(const PackResult& pack, const JudgeOptions& options, Baseline* baseline)
       : files_(pack.verdict.files.get()),
         root_(pack.root),
         options_(options),
@@ -153,7 +153,7 @@ class Judge {
 
   const FileSource* files_;
   const std::string& root_;
-  const ReportOptions& options_;
+  const JudgeOptions& options_;
   Baseline* baseline_;
   SourceText text_;
   std::optional<IgnoreComments> comments_;
@@ -164,14 +164,14 @@ class Judge {
 
 }  // namespace
 
-PackResult judgePack(PackVerdict verdict, const Report& report, const ReportOptions& options,
+PackResult judgePack(PackVerdict verdict, const ProblemList& problems, const JudgeOptions& options,
                      Baseline* baseline) {
   PackResult result;
   result.root = options.sourceRoot.value_or(shadersFolderOf(verdict.path));
   result.verdict = std::move(verdict);
   Judge judge(result, options, baseline);
-  for (std::size_t i = 0; i < report.all().size(); ++i) {
-    judge.add(report.all()[i], report.entryFiles(i), report.cause(i));
+  for (std::size_t i = 0; i < problems.all().size(); ++i) {
+    judge.add(problems.all()[i], problems.entryFiles(i), problems.cause(i));
   }
   result.findings = judge.finish();
   const bool failed = std::ranges::any_of(result.findings, [&](const Finding& finding) {
@@ -181,11 +181,35 @@ PackResult judgePack(PackVerdict verdict, const Report& report, const ReportOpti
   return result;
 }
 
+void addPack(ValidateResult& result, PackVerdict verdict, const ProblemList& problems,
+             const JudgeOptions& options) {
+  Baseline* baseline = result.baseline ? &*result.baseline : nullptr;
+  result.packs.push_back(judgePack(std::move(verdict), problems, options, baseline));
+  result.status = std::max(result.status, result.packs.back().verdict.status);
+}
+
 bool countsAsFailure(const Finding& finding, bool strict) {
   const auto fails = [&](const Finding& other) { return countsAsFailure(other, strict); };
   if (std::ranges::any_of(finding.follows, fails)) return true;
   return finding.silence == Silence::None &&
          finding.diagnostic.severity >= (strict ? Severity::Warning : Severity::Error);
+}
+
+// Notes are not printed as a rule, so they need not be known either.
+std::string baselineOf(const ValidateResult& result) {
+  Diagnostics problems;
+  for (const PackResult& pack : result.packs) {
+    for (const Finding& finding : pack.findings) {
+      const bool known = finding.silence == Silence::None || finding.silence == Silence::Baseline;
+      if (known && finding.diagnostic.severity != Severity::Note) {
+        problems.push_back(finding.diagnostic);
+      }
+      for (const Finding& other : finding.follows) {
+        if (other.diagnostic.severity != Severity::Note) problems.push_back(other.diagnostic);
+      }
+    }
+  }
+  return formatBaseline(problems);
 }
 
 }  // namespace orris

@@ -1,16 +1,24 @@
 // From diagnostics to findings: what the user's severities, comments and baseline make of them.
 #pragma once
 
+#include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
-#include "app/report/report.h"
-#include "app/report/report_options.h"
-#include "app/validate/validate_run.h"
+#include "app/report/pack_verdict.h"
+#include "app/report/problem_list.h"
 #include "check/report/baseline.h"
 
 namespace orris {
+
+/// What a user makes of problems.
+struct JudgeOptions {
+  std::map<std::string, std::optional<Severity>> severities;  ///< by id; nullopt: off
+  bool strict = false;                                        ///< warnings make the exit status 1
+  std::optional<std::string> sourceRoot;  ///< where the pack's files are, seen from the repository
+};
 
 /// Why a problem is not reported.
 enum class Silence { None, Comment, Flag, Baseline };
@@ -38,15 +46,21 @@ struct ValidateResult {
   std::vector<PackResult> packs;
   std::optional<Baseline> baseline;
   bool strict = false;
-  bool verbose = false;
+  bool verbose = false;  ///< notes are written, too
   int status = kClean;
 };
 
-/// Judges what was reported of one pack; `baseline` may be null.
-PackResult judgePack(PackVerdict verdict, const Report& report, const ReportOptions& options,
+/// Judges the problems of one pack; `baseline` may be null.
+PackResult judgePack(PackVerdict verdict, const ProblemList& problems, const JudgeOptions& options,
                      Baseline* baseline);
+/// Adds one judged pack, to whose findings the baseline of `result` applies.
+void addPack(ValidateResult& result, PackVerdict verdict, const ProblemList& problems,
+             const JudgeOptions& options);
 
 /// Whether a finding makes the exit status 1.
 bool countsAsFailure(const Finding& finding, bool strict);
+
+/// The text of a baseline (Baseline::parse) of all that was found, known problems among it.
+std::string baselineOf(const ValidateResult& result);
 
 }  // namespace orris

@@ -28,9 +28,9 @@ std::string writeGithub(const ValidateResult& result);  ///< workflow commands: 
 
 /// The diagnostic of a finding with a note that says how many follow from it.
 Diagnostic withFollows(const Finding& finding);
-/// The messages of one pack that `output` asks for, as they go to standard error, and with `strict`
+/// The messages of one pack that `verbosity` asks for, as they go to standard error, and with `strict`
 /// all that make the exit status 1; with --verbose, below each what follows from it.
-std::string messagesOf(const PackResult& pack, const OutputOptions& output, bool strict,
+std::string messagesOf(const PackResult& pack, const Verbosity& verbosity, bool strict,
                        const TextStyle& style);
 /// The counts of one pack, as they go to standard output.
 std::string summaryOf(const PackResult& pack);

@@ -46,7 +46,7 @@ void parseSeverityFlag(const std::string& text, ReportOptions& options) {
                                fmt::format("expected ID=error|warning|note|off, got \"{}\"", text));
   }
   requireRule("--severity", id);
-  options.severities[id] = severity;
+  options.judge.severities[id] = severity;
 }
 
 void requireFormat(const std::string& flag, const std::string& format) {
@@ -83,12 +83,12 @@ void addJudgementFlags(CLI::App& command, ReportOptions& options) {
   addListFlag(command, "--ignore", "ID,...", "do not report these checks (docs/checks.md)",
               [&options](const std::string& id) {
                 requireRule("--ignore", id);
-                options.severities[id] = std::nullopt;
+                options.judge.severities[id] = std::nullopt;
               });
   addListFlag(command, "--severity", "ID=LEVEL,...",
               "report a check as error, warning or note, or turn it off",
               [&options](const std::string& word) { parseSeverityFlag(word, options); });
-  command.add_flag("--strict", options.strict, "warnings too make the exit status 1");
+  command.add_flag("--strict", options.judge.strict, "warnings too make the exit status 1");
   command.add_option("--baseline", options.baseline, "do not report the problems of this file")
       ->type_name("FILE");
   command
@@ -118,7 +118,7 @@ void addReportFlags(CLI::App& command, ReportOptions& options) {
               [&options](const std::string& word) { parseReportFlag(word, options); });
   command
       .add_option_function<std::string>(
-          "--source-root", [&options](const std::string& root) { options.sourceRoot = root; },
+          "--source-root", [&options](const std::string& root) { options.judge.sourceRoot = root; },
           "the pack's shaders folder as the repository names it (default: as seen from here)")
       ->type_name("DIR");
   addJudgementFlags(command, options);

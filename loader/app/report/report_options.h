@@ -1,13 +1,11 @@
 // What the command line asks of a report: which problems count, and where it goes in which format.
 #pragma once
 
-#include <map>
-#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
-#include "core/diagnostic.h"
+#include "app/report/report_findings.h"
 
 namespace CLI {
 class App;
@@ -23,10 +21,8 @@ struct ReportFile {
 struct ReportOptions {
   std::string format = "text";  ///< of standard output
   std::string output;  ///< --output: where --format goes, standard output then gets the counts
-  std::vector<ReportFile> files;                              ///< --report
-  std::map<std::string, std::optional<Severity>> severities;  ///< by id; nullopt: off
-  bool strict = false;                                        ///< warnings make the exit status 1
-  std::optional<std::string> sourceRoot;  ///< where the pack's files are, seen from the repository
+  std::vector<ReportFile> files;  ///< --report
+  JudgeOptions judge;
   std::string baseline, writeBaseline;    ///< files
   std::set<std::string> silencedUnasked;  ///< ids that the folder's own orris.toml judges
 };

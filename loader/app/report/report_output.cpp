@@ -24,7 +24,7 @@ bool ReportOutput::readBaseline(Report& report) {
 }
 
 bool ReportOutput::open() {
-  result_.strict = options_.strict;
+  result_.strict = options_.judge.strict;
   result_.verbose = output_.verbose;
   Report report(output_);
   int status = kClean;
@@ -33,13 +33,11 @@ bool ReportOutput::open() {
   return readBaseline(report) && status == kClean;
 }
 
-void ReportOutput::add(PackVerdict verdict, const Report& report) {
-  Baseline* baseline = result_.baseline ? &*result_.baseline : nullptr;
-  result_.packs.push_back(judgePack(std::move(verdict), report, options_, baseline));
+void ReportOutput::add(PackVerdict verdict, const ProblemList& problems) {
+  addPack(result_, std::move(verdict), problems, options_.judge);
   const PackResult& pack = result_.packs.back();
-  std::cerr << messagesOf(pack, output_, options_.strict, styleOf(STDERR_FILENO)) << std::flush;
+  std::cerr << messagesOf(pack, output_, options_.judge.strict, styleOf(STDERR_FILENO)) << std::flush;
   if (options_.format == "text") printText(summaryOf(pack));
-  result_.status = std::max(result_.status, pack.verdict.status);
 }
 
 // A stranger's file was read unasked: what it kept from the report is said whatever the flags.
@@ -72,26 +70,9 @@ int ReportOutput::finish() {
     writeWholeFile(file.path, findReportFormat(file.format)->write(result_), report, status);
   }
   if (!options_.writeBaseline.empty()) {
-    writeWholeFile(options_.writeBaseline, baselineText(), report, status);
+    writeWholeFile(options_.writeBaseline, baselineOf(result_), report, status);
   }
   return std::max(result_.status, status);
-}
-
-// Notes are not printed as a rule, so they need not be known either.
-std::string ReportOutput::baselineText() const {
-  Diagnostics problems;
-  for (const PackResult& pack : result_.packs) {
-    for (const Finding& finding : pack.findings) {
-      const bool known = finding.silence == Silence::None || finding.silence == Silence::Baseline;
-      if (known && finding.diagnostic.severity != Severity::Note) {
-        problems.push_back(finding.diagnostic);
-      }
-      for (const Finding& other : finding.follows) {
-        if (other.diagnostic.severity != Severity::Note) problems.push_back(other.diagnostic);
-      }
-    }
-  }
-  return formatBaseline(problems);
 }
 
 }  // namespace orris

@@ -1,7 +1,9 @@
 // Where the reports of `orris validate` go: standard output, standard error and files.
 #pragma once
 
+#include "app/report/report.h"
 #include "app/report/report_format.h"
+#include "app/report/report_options.h"
 
 namespace orris {
 
@@ -13,13 +15,12 @@ class ReportOutput {
   /// Reads the baseline and sees that each file can be written; else reports and returns false.
   bool open();
   /// Judges one pack and prints its messages. Call after each, so that long work shows them.
-  void add(PackVerdict verdict, const Report& report);
+  void add(PackVerdict verdict, const ProblemList& problems);
   /// Prints and writes what the flags ask for; the exit status of the run.
   int finish();
 
  private:
   bool readBaseline(Report& report);
-  std::string baselineText() const;
   void sayWhatFolderSilenced() const;
 
   const ReportOptions& options_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "app/report/diagnostic_json.h"
 #include "app/report/report_format.h"
 #include "check/rules/rules.h"
 

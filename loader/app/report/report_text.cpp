@@ -5,7 +5,6 @@
 #include <map>
 
 #include "app/report/report_format.h"
-#include "app/validate/validate_print.h"
 #include "core/limits.h"
 
 namespace orris {
@@ -27,7 +26,7 @@ Diagnostic withFollows(const Finding& finding) {
   return diagnostic;
 }
 
-std::string messagesOf(const PackResult& pack, const OutputOptions& output, bool strict,
+std::string messagesOf(const PackResult& pack, const Verbosity& verbosity, bool strict,
                        const TextStyle& style) {
   const std::string folder = shadersFolderOf(pack.verdict.path);
   std::string text;
@@ -35,18 +34,18 @@ std::string messagesOf(const PackResult& pack, const OutputOptions& output, bool
   const auto add = [&](const Finding& finding) {
     const bool shown =
         finding.silence == Silence::None &&
-        (isShown(finding.diagnostic.severity, output) || countsAsFailure(finding, strict));
+        (isShown(finding.diagnostic.severity, verbosity) || countsAsFailure(finding, strict));
     if (!shown) return;
     const std::size_t count = ++printed[finding.diagnostic.id];
-    if (count <= limits::kPrintedOfAKind || output.verbose)
+    if (count <= limits::kPrintedOfAKind || verbosity.verbose)
       text += styledText(withFollows(finding), style, folder) + '\n';
   };
   for (const Finding& finding : pack.findings) {
     add(finding);
-    if (output.verbose) std::ranges::for_each(finding.follows, add);
+    if (verbosity.verbose) std::ranges::for_each(finding.follows, add);
   }
   for (const auto& [id, count] : printed) {
-    if (count <= limits::kPrintedOfAKind || output.verbose) continue;
+    if (count <= limits::kPrintedOfAKind || verbosity.verbose) continue;
     text += fmt::format("{} more messages of the kind {}; --verbose prints all\n",
                         count - limits::kPrintedOfAKind, id);
   }

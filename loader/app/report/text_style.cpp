@@ -105,6 +105,13 @@ std::string paint(const std::string& text, const Diagnostic& diagnostic) {
 
 }  // namespace
 
+bool isShown(Severity severity, const Verbosity& verbosity) {
+  const Severity least = verbosity.quiet     ? Severity::Error
+                         : verbosity.verbose ? Severity::Note
+                                             : Severity::Warning;
+  return severity >= least;
+}
+
 TextStyle styleOf(int descriptor) {
   TextStyle style;
   const bool terminal = isatty(descriptor) != 0;

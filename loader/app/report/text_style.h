@@ -8,6 +8,13 @@
 
 namespace orris {
 
+/// Which messages are shown.
+struct Verbosity {
+  bool quiet = false;    ///< errors only
+  bool verbose = false;  ///< notes too
+};
+bool isShown(Severity severity, const Verbosity& verbosity);
+
 struct TextStyle {
   bool colour = false;
   int width = 162;        ///< cells of a line; source lines are cut around the caret

@@ -211,13 +211,13 @@ void foldNames(Folds& folds) {
 }  // namespace
 
 bool Folds::isOpen(std::size_t i) const {
-  return !report_.cause(i) && !verdict_.ofMatrix.contains(i) &&
-         std::ranges::find(kOfDrawing, report_.all()[i].id) == kOfDrawing.end();
+  return !problems_.cause(i) && !verdict_.ofMatrix.contains(i) &&
+         std::ranges::find(kOfDrawing, problems_.all()[i].id) == kOfDrawing.end();
 }
 
 void Folds::fold(std::size_t i, std::size_t cause) {
-  report_.setCause(i, cause);
-  if (report_.all()[i].severity == Severity::Error) report_.setSeverity(cause, Severity::Error);
+  problems_.setCause(i, cause);
+  if (problems_.all()[i].severity == Severity::Error) problems_.setSeverity(cause, Severity::Error);
 }
 
 const std::set<std::string>& Folds::filesOf(const std::string& entry) {
@@ -241,7 +241,7 @@ std::string Folds::firstIncludeOf(const std::string& entry) const {
 }
 
 bool Folds::isOfProgramsWith(const std::string& file, std::size_t i) {
-  const std::set<std::string>& entries = report_.entryFiles(i);
+  const std::set<std::string>& entries = problems_.entryFiles(i);
   return !entries.empty() && std::ranges::all_of(entries, [&](const std::string& entry) {
     if (entry.ends_with(kComputeEnding)) return filesOf(entry).contains(file);
     const std::string program = entry.substr(0, entry.rfind('.'));

@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "app/report/report.h"
+#include "app/report/problem_list.h"
 #include "app/validate/validate_run.h"
 
 namespace orris {
@@ -14,15 +14,15 @@ namespace orris {
 /// The findings of a pack while they are folded under each other.
 class Folds {
  public:
-  Folds(const PackVerdict& verdict, Report& report) : verdict_(verdict), report_(report) {}
+  Folds(const PackVerdict& verdict, ProblemList& problems) : verdict_(verdict), problems_(problems) {}
 
-  const Diagnostics& all() const { return report_.all(); }
+  const Diagnostics& all() const { return problems_.all(); }
   /// Follows from nothing yet, and is one that a second check would meet.
   bool isOpen(std::size_t i) const;
   /// A mistake that errors follow from is an error.
   void fold(std::size_t i, std::size_t cause);
   /// Names another place of a problem.
-  void relate(std::size_t i, RelatedPlace place) { report_.relate(i, std::move(place)); }
+  void relate(std::size_t i, RelatedPlace place) { problems_.relate(i, std::move(place)); }
   /// All files that a program file reads, itself among them.
   const std::set<std::string>& filesOf(const std::string& entry);
   /// What its first #include names, "" for none.
@@ -32,7 +32,7 @@ class Folds {
 
  private:
   const PackVerdict& verdict_;
-  Report& report_;
+  ProblemList& problems_;
   std::map<std::string, std::set<std::string>> files_;
 };
 

@@ -33,11 +33,10 @@ void addMatrixFlags(CLI::App& command, MatrixOptions& options) {
   addBudgetFlag(command, options.budget, "end after this time: 60s, 5m");
 }
 
-MatrixRequest matrixRequest(const MatrixOptions& options, int jobs) {
+MatrixRequest matrixRequest(const MatrixOptions& options) {
   MatrixRequest request{.kind = *parseMatrixKind(options.kind), .options = options.options};
   const auto shard = options.shard.empty() ? shardOfEnvironment() : parseShard(options.shard);
   if (shard) std::tie(request.shard, request.shards) = *shard;
-  request.jobs = jobs;
   return request;
 }
 

@@ -1,4 +1,4 @@
-// The flags of `orris validate` that ask for an option matrix, and what of it is reported at the end.
+// The flags of `orris validate` that ask for an option matrix.
 #pragma once
 
 #include <chrono>
@@ -25,16 +25,7 @@ struct MatrixOptions {
 void addMatrixFlags(CLI::App& command, MatrixOptions& options);
 
 /// A bad shard or budget was refused by the flags' own checks.
-MatrixRequest matrixRequest(const MatrixOptions& options, int jobs);
+MatrixRequest matrixRequest(const MatrixOptions& options);
 std::optional<std::chrono::seconds> matrixTime(const MatrixOptions& options);
-
-/// What ran, for one profile ("" for the values as they are).
-struct MatrixSummary {
-  std::string kind, profile;
-  int shard = 1, shards = 1;
-  std::size_t configurations = 0, tried = 0, variants = 0, compiled = 0;
-  bool all = true;  ///< false: of the configurations not all were counted
-  double seconds = 0;
-};
 
 }  // namespace orris

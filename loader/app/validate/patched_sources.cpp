@@ -6,7 +6,7 @@
 #include <functional>
 #include <set>
 
-#include "app/input/inputs.h"
+#include "core/named_file.h"
 #include "core/read_file.h"
 
 namespace orris {
@@ -25,15 +25,15 @@ bool forEachStage(const ShaderPack& pack, const WriteStage& write) {
 }
 
 /// `inside` is `folder` or a folder of it; what is there may be no link to elsewhere.
-bool createFolder(const std::string& folder, const std::string& inside, Report& report,
-                  int& status) {
+bool createFolder(const std::string& folder, const std::string& inside, Diagnostics& diagnostics) {
   // A folder that cannot be made shows when its first file is written.
   std::error_code error;
   std::filesystem::create_directories(inside, error);
   if (error || liesBelow(folder, inside)) return true;
-  report.error("file-unwritable", "leads out of the folder that --patched names",
-               "remove this link, or name another folder", inside);
-  status = kUsage;
+  diagnostics.push_back({.id = "file-unwritable",
+                         .at = {.file = inside},
+                         .message = "leads out of the folder that --patched names",
+                         .hint = "remove this link, or name another folder"});
   return false;
 }
 
@@ -61,25 +61,24 @@ std::string mapOf(const MappedText& text) {
 
 }  // namespace
 
-bool makePatchedFolder(const std::string& folder, Report& report, int& status) {
-  return folder.empty() || createFolder(folder, folder, report, status);
+bool makePatchedFolder(const std::string& folder, Diagnostics& diagnostics) {
+  return folder.empty() || createFolder(folder, folder, diagnostics);
 }
 
-bool writePatched(const std::string& folder, const ShaderPack& pack, Report& report, int& status) {
-  return createFolder(folder, folder, report, status) &&
+bool writePatched(const std::string& folder, const ShaderPack& pack, Diagnostics& diagnostics) {
+  return createFolder(folder, folder, diagnostics) &&
          forEachStage(pack, [&](const std::string& name, const StageText& stage) {
-    return writeWholeFile(pathOf(folder, name, stage), stage.text.text, report, status);
+    return writeNamedFile(pathOf(folder, name, stage), stage.text.text, diagnostics);
   });
 }
 
-bool writePatchedWithMap(const std::string& folder, const ShaderPack& pack, Report& report,
-                         int& status) {
+bool writePatchedWithMap(const std::string& folder, const ShaderPack& pack, Diagnostics& diagnostics) {
   const std::string inside = pack.folder == "/" ? folder : folder + pack.folder;
-  return createFolder(folder, inside, report, status) &&
+  return createFolder(folder, inside, diagnostics) &&
          forEachStage(pack, [&](const std::string& name, const StageText& stage) {
     const std::string path = pathOf(inside, name, stage);
-    return writeWholeFile(path, stage.text.text, report, status) &&
-           writeWholeFile(path + ".map", mapOf(stage.text), report, status);
+    return writeNamedFile(path, stage.text.text, diagnostics) &&
+           writeNamedFile(path + ".map", mapOf(stage.text), diagnostics);
   });
 }
 

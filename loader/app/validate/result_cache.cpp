@@ -64,15 +64,13 @@ json flagsOf(const ValidateOptions& options) {
     return versionText(versions.iris) + ' ' + versionText(versions.game);
   };
   const auto& versions = options.versions;
-  const MatrixRequest matrix =
-      matrixRequest(options.matrix, options.jobs);  // knows the job of a CI
-  return {options.target,
+  return {options.target->name,
           options.profiles,
           options.dimensions,
-          options.matrix.kind,
+          matrixKindName(options.matrix.kind),
           options.matrix.options,
-          matrix.shard,
-          matrix.shards,
+          options.matrix.shard,
+          options.matrix.shards,
           options.pack.profile,
           options.pack.values,
           options.pack.settingsFile,
@@ -83,11 +81,11 @@ json flagsOf(const ValidateOptions& options) {
 }
 
 /// What ran out of time may end another time.
-bool isLasting(const PackVerdict& verdict, const Report& report) {
+bool isLasting(const PackVerdict& verdict, const ProblemList& problems) {
   if (verdict.status != kClean && verdict.status != kProblems) return false;
   return std::all_of(verdict.matrices.begin(), verdict.matrices.end(),
                      [](const MatrixSummary& m) { return m.tried == m.configurations; }) &&
-         std::none_of(report.all().begin(), report.all().end(),
+         std::none_of(problems.all().begin(), problems.all().end(),
                       [](const Diagnostic& d) { return d.id.starts_with("compiler-"); });
 }
 
@@ -123,23 +121,23 @@ void fromCache(const json& value, PackVerdict& verdict) {
   value.at(6).get_to(verdict.status);
 }
 
-json toCache(const Report& report) {
-  const Diagnostics& all = report.all();
+json toCache(const ProblemList& problems) {
+  const Diagnostics& all = problems.all();
   json entryFiles = json::array(), causes = json::array();
   for (std::size_t i = 0; i < all.size(); ++i) {
-    entryFiles.push_back(report.entryFiles(i));
-    causes.push_back(report.cause(i) ? json(*report.cause(i)) : json());
+    entryFiles.push_back(problems.entryFiles(i));
+    causes.push_back(problems.cause(i) ? json(*problems.cause(i)) : json());
   }
   const std::string bytes = encodeDiagnostics(all);
   return {json::binary({bytes.begin(), bytes.end()}), entryFiles, causes};
 }
 
-void fromCache(const json& value, Report& report) {
+void fromCache(const json& value, ProblemList& problems) {
   const auto& bytes = value.at(0).get_binary();
   std::vector<std::optional<std::size_t>> causes;
   for (const json& cause : value.at(2))
     causes.push_back(cause.is_null() ? std::nullopt : std::optional(cause.get<std::size_t>()));
-  report.restore(decodeDiagnostics({reinterpret_cast<const char*>(bytes.data()), bytes.size()}),
+  problems.restore(decodeDiagnostics({reinterpret_cast<const char*>(bytes.data()), bytes.size()}),
                  value.at(1), std::move(causes));
 }
 
@@ -174,7 +172,7 @@ std::optional<std::string> ResultCache::keyOf(const FileSource& files,
   return hash.hex();
 }
 
-bool ResultCache::restore(const std::string& key, PackVerdict& verdict, Report& report) const {
+bool ResultCache::restore(const std::string& key, PackVerdict& verdict, ProblemList& problems) const {
   const std::string bytes = readWhole(folder_ + '/' + key, 2 * kEntryBytes);
   constexpr std::size_t kSum = 2 * crypto_generichash_BYTES;
   if (bytes.size() < kSum) return false;
@@ -182,16 +180,16 @@ bool ResultCache::restore(const std::string& key, PackVerdict& verdict, Report& 
   if (bytes.substr(0, kSum) != checksumOf(content)) return false;
   const json value = json::from_cbor(content.begin(), content.end());
   fromCache(value.at(0), verdict);
-  fromCache(value.at(1), report);
+  fromCache(value.at(1), problems);
   verdict.cached = true;
   return true;
 }
 
 void ResultCache::keep(const std::string& key, const PackVerdict& verdict,
-                       const Report& report) const {
-  if (!isLasting(verdict, report)) return;
+                       const ProblemList& problems) const {
+  if (!isLasting(verdict, problems)) return;
   std::string content;
-  json::to_cbor(json::array({toCache(verdict), toCache(report)}), content);
+  json::to_cbor(json::array({toCache(verdict), toCache(problems)}), content);
   if (content.size() > kEntryBytes) return;
   std::error_code error;
   fs::create_directories(folder_, error);

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "app/report/report.h"
+#include "app/report/problems.h"
 #include "app/validate/validate_options.h"
 #include "app/validate/validate_run.h"
 
@@ -22,11 +22,11 @@ class ResultCache {
   /// The name of the entry for `files`; nullopt where a run has more than a report to give, or depends on more
   /// than what is hashed: on the driver, or on files beside `shaders/`.
   std::optional<std::string> keyOf(const FileSource& files, const ValidateOptions& options) const;
-  /// Fills `verdict` and the empty `report` from the entry; false: there is none.
-  bool restore(const std::string& key, PackVerdict& verdict, Report& report) const;
+  /// Fills `verdict` and the empty `problems` from the entry; false: there is none.
+  bool restore(const std::string& key, PackVerdict& verdict, ProblemList& problems) const;
   /// Leaves out what ran out of time. Failures to write are no problem of the pack, and are not reported. The oldest entries go where
   /// there are too many.
-  void keep(const std::string& key, const PackVerdict& verdict, const Report& report) const;
+  void keep(const std::string& key, const PackVerdict& verdict, const ProblemList& problems) const;
 
  private:
   std::string folder_;

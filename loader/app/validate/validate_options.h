@@ -1,39 +1,41 @@
-// What the command line asks of `orris validate`.
+// What of a pack is checked, and how.
 #pragma once
 
 #include <algorithm>
+#include <chrono>
+#include <functional>
 #include <optional>
 #include <string>
 #include <thread>
 #include <vector>
 
-#include "app/input/common.h"
-#include "app/report/report_options.h"
-#include "app/validate/matrix_options.h"
+#include "app/report/report_findings.h"
+#include "check/compile/target_limits.h"
+#include "check/matrix/matrix_run.h"
+#include "gl/context.h"
+#include "pack/options/pack_options.h"
+#include "validate/driver_check.h"
 
 namespace orris {
 
 struct ValidateOptions {
-  std::vector<std::string> paths;
-  PackOptions pack;
+  PackOptions pack;                   ///< its versions are not used
   std::vector<std::string> profiles;  ///< {"all"}, names, or none: the values as they are
   std::vector<std::string> dimensions{"all"};
-  int jobs = std::max(1, int(std::thread::hardware_concurrency()));
-  std::string target = "iris";           ///< row of targetTable()
+  int jobs = std::max(1, int(std::thread::hardware_concurrency()));  ///< processes
+  const TargetLimits* target = findTarget("iris");
   std::optional<VersionRange> versions;  ///< nullopt: from what the pack states to the newest
-  std::string patched;                   ///< folder
-  std::string cache;                     ///< folder of earlier results; "": none
-  bool noCache = false;                  ///< leave `cache` alone
-  bool draw = false;
-  std::string frameTime = "300s";  ///< of processor time, for --draw
-  bool recursive = false;  ///< the packs below each path
+  std::string patched;  ///< folder for the sources as the driver gets them; "": they are not written
+  std::string cache;    ///< folder of earlier results; "": none
+  bool draw = false;    ///< compile and link with the GL driver, too, and draw one frame
   gl::Backend backend = gl::Backend::Auto;
-  std::string explainLog;      ///< file, or "-"
-  std::string patchedShaders;  ///< folder that Iris wrote
-  std::string stage;           ///< "composite.fsh": what a bare driver log is about
-  OutputOptions output;
-  ReportOptions report;
-  MatrixOptions matrix;
+  std::chrono::seconds drawTime = kDrawTime;  ///< of the processor, for that frame
+  MatrixRequest matrix;                       ///< its end and its jobs are set by the run
+  std::optional<std::chrono::seconds> matrixTime;  ///< for the matrices of a run; nullopt: no end
+  /// Of a matrix; may be empty.
+  std::function<void(std::size_t done, std::size_t total)> progress;
+  JudgeOptions judge;
+  std::optional<Baseline> baseline;  ///< known problems
 };
 
 }  // namespace orris

@@ -4,15 +4,14 @@
 
 #include <algorithm>
 
-#include "app/input/inputs.h"
 #include "app/report/consequences.h"
-#include "app/report/progress.h"
 #include "app/validate/patched_sources.h"
 #include "app/validate/result_cache.h"
 #include "check/compile/link_errors.h"
 #include "check/hints/conditional_place.h"
 #include "check/pack/open_comments.h"
 #include "check/pack/pack_checks.h"
+#include "check/rules/rules.h"
 #include "core/work_stage.h"
 #include "pack/files/text.h"
 #include "plan/auto_choices.h"
@@ -61,7 +60,7 @@ void checkFrame(const ShaderPack& pack, const TargetLimits& target, Diagnostics&
 std::vector<ShaderPack> makeFolders(const ShaderPack& outline,
                                     const std::vector<std::string>& dimensions,
                                     LoadRequest& request, const Checker& checker,
-                                    PackVerdict& verdict, Report& report) {
+                                    PackVerdict& verdict, ProblemList& problems) {
   std::vector<ShaderPack> folders;
   std::vector<Diagnostics> found;
   for (const std::string& dimension : dimensions) {
@@ -73,11 +72,11 @@ std::vector<ShaderPack> makeFolders(const ShaderPack& outline,
     if (pack) {
       folders.push_back(std::move(*pack));
     } else {
-      verdict.status = loadFailureStatus(outline.source, request);
+      verdict.status = statusOf(found.back());
     }
   }
   settleConditionals(folders, checker.jobs, found);
-  for (Diagnostics& diagnostics : found) report.add(diagnostics);
+  for (Diagnostics& diagnostics : found) problems.add(diagnostics);
   return folders;
 }
 
@@ -98,7 +97,7 @@ void checkCandidates(const ShaderPack& pack, const LoadRequest& request, Checker
 }
 
 void checkOne(const ShaderPack& pack, const LoadRequest& request, Checker& checker,
-              PackVerdict& verdict, Report& report) {
+              PackVerdict& verdict, ProblemList& problems) {
   Diagnostics diagnostics = ruleNotes(pack);
   checkPrograms(pack, checker, diagnostics);
   checkFrame(pack, checker.target, diagnostics);
@@ -116,31 +115,27 @@ void checkOne(const ShaderPack& pack, const LoadRequest& request, Checker& check
     checkDrawing(checker.backend, pack.source, request, checker.drawTime, diagnostics);
   }
   dropRepeatedLinkErrors(diagnostics);
-  report.add(diagnostics);
+  problems.add(diagnostics);
 }
 
 void checkMatrix(const std::vector<ShaderPack>& folders, const LoadRequest& request,
                  const ValidateOptions& options, Checker& checker, PackVerdict& verdict,
-                 Report& report) {
-  MatrixRequest matrix = matrixRequest(options.matrix, options.jobs);
+                 ProblemList& problems) {
+  MatrixRequest matrix = options.matrix;
+  matrix.jobs = options.jobs;
   if (matrix.kind == MatrixKind::None || folders.empty()) return;
   matrix.until = checker.budget.beginMatrix();
-  std::optional<Progress> progress;
   MatrixResult result = runMatrix({.folders = folders,
                                    .environment = request.environment,
                                    .verdicts = checker.glslang,
-                                   .told = report.all()},
-                                  matrix, [&](size_t, size_t total) {
-                                    if (!progress) {
-                                      progress.emplace("option matrix", int(total), options.output);
-                                    }
-                                    progress->advance();
+                                   .told = problems.all()},
+                                  matrix, [&](std::size_t done, std::size_t total) {
+                                    if (options.progress) options.progress(done, total);
                                   });
-  progress.reset();
-  const std::size_t before = report.all().size();
-  report.add(result.diagnostics);
-  for (std::size_t i = before; i < report.all().size(); ++i) verdict.ofMatrix.insert(i);
-  verdict.matrices.push_back({.kind = options.matrix.kind,
+  const std::size_t before = problems.all().size();
+  problems.add(result.diagnostics);
+  for (std::size_t i = before; i < problems.all().size(); ++i) verdict.ofMatrix.insert(i);
+  verdict.matrices.push_back({.kind = std::string(matrixKindName(matrix.kind)),
                               .profile = request.profile,
                               .shard = matrix.shard,
                               .shards = matrix.shards,
@@ -153,13 +148,13 @@ void checkMatrix(const std::vector<ShaderPack>& folders, const LoadRequest& requ
 }
 
 /// The options that --options names must be the pack's.
-bool knowsOptions(const ShaderPack& pack, const std::vector<std::string>& names, Report& report) {
+bool knowsOptions(const ShaderPack& pack, const std::vector<std::string>& names, ProblemList& problems) {
   bool all = true;
   for (const std::string& name : names) {
     if (pack.options.find(name)) continue;
     std::vector<std::string> known;
     for (const auto& [option, definition] : pack.options.all()) known.push_back(option);
-    report.error("option-unknown", fmt::format("--options: the pack has no option {}", name),
+    problems.error("option-unknown", fmt::format("--options: the pack has no option {}", name),
                  suggest(name, known));
     all = false;
   }
@@ -178,16 +173,20 @@ std::string nameOf(const HostVersions& versions) {
 }
 
 std::optional<Outline> loadOutline(const HostVersions& versions, const ValidateOptions& options,
-                                   const Checker& checker, PackVerdict& verdict, Report& report) {
+                                   const Checker& checker, PackVerdict& verdict, ProblemList& problems) {
   const auto& files = verdict.files;
-  auto request =
-      makeLoadRequest(files, options.pack, checker.environment(versions), report, verdict.status);
-  if (!request) return std::nullopt;
-  request->buildSources = false;
-  request->keepGoing = true;
-  Outline outline{loadPack(files, *request, report, verdict.status), *request};
+  Diagnostics diagnostics;
+  auto request = makeLoadRequest(files, options.pack, checker.environment(versions), diagnostics);
+  Outline outline;
+  if (request) {
+    request->buildSources = false;
+    request->keepGoing = true;
+    outline = {loadShaderPack(files, *request, diagnostics), *request};
+  }
+  if (!outline.pack) verdict.status = statusOf(diagnostics);
+  problems.add(diagnostics);
   if (!outline.pack) return std::nullopt;
-  if (!knowsOptions(*outline.pack, options.matrix.options, report)) {
+  if (!knowsOptions(*outline.pack, options.matrix.options, problems)) {
     verdict.status = kUsage;
     return std::nullopt;
   }
@@ -210,38 +209,45 @@ std::vector<HostVersions> versionsToCheck(const ShaderPack& pack, const Validate
   return {range.newest, range.oldest};
 }
 
+void writeSources(const std::string& to, const ShaderPack& folder, PackVerdict& verdict,
+                  ProblemList& problems) {
+  Diagnostics diagnostics;
+  if (!writePatchedWithMap(to, folder, diagnostics)) verdict.status = statusOf(diagnostics);
+  problems.add(diagnostics);
+}
+
 void checkVersion(Outline& outline, const std::vector<std::string>& profiles,
                   const std::string& versions, const ValidateOptions& options, Checker& checker,
-                  PackVerdict& verdict, Report& report) {
+                  PackVerdict& verdict, ProblemList& problems) {
   LoadRequest& request = outline.request;
   for (const std::string& profile : profiles) {
     checker.budget.beginChecks();
     if (!profile.empty()) request.profile = profile;
     const std::string context = profiles.size() > 1 ? "profile " + profile : "";
     const bool both = !context.empty() && !versions.empty();
-    report.setContext(context + (both ? ", " : "") + versions);
+    problems.setContext(context + (both ? ", " : "") + versions);
     const std::vector<ShaderPack> folders =
         makeFolders(*outline.pack, chosen(options.dimensions, outline.pack->dimensions), request,
-                    checker, verdict, report);
+                    checker, verdict, problems);
     for (const ShaderPack& folder : folders) {
       request.dimension = folder.folder;
-      checkOne(folder, request, checker, verdict, report);
+      checkOne(folder, request, checker, verdict, problems);
       if (!options.patched.empty() && versions.empty())
-        writePatchedWithMap(options.patched, folder, report, verdict.status);
+        writeSources(options.patched, folder, verdict, problems);
     }
     if (folders.size() == outline.pack->dimensions.size()) {
       Diagnostics diagnostics = checkWholePack(folders);
-      report.add(diagnostics);
+      problems.add(diagnostics);
     }
-    checkMatrix(folders, request, options, checker, verdict, report);
+    checkMatrix(folders, request, options, checker, verdict, problems);
   }
 }
 
 /// All that is checked of the files that `verdict` has.
 void checkPack(PackVerdict& verdict, const ValidateOptions& options, Checker& checker,
-               Report& report) {
+               ProblemList& problems) {
   const HostVersions newest = options.versions ? options.versions->newest : HostVersions();
-  auto outline = loadOutline(newest, options, checker, verdict, report);
+  auto outline = loadOutline(newest, options, checker, verdict, problems);
   if (!outline) return;
   const std::vector<HostVersions> all = versionsToCheck(*outline->pack, options);
   const std::vector<std::string> profiles =
@@ -249,25 +255,25 @@ void checkPack(PackVerdict& verdict, const ValidateOptions& options, Checker& ch
   checker.budget.beginPack(profiles.size() * all.size());
   for (const HostVersions& versions : all) {
     const std::string name = versions == newest ? "" : nameOf(versions);
-    report.setContext(name);
-    if (!name.empty()) outline = loadOutline(versions, options, checker, verdict, report);
-    if (outline) checkVersion(*outline, profiles, name, options, checker, verdict, report);
+    problems.setContext(name);
+    if (!name.empty()) outline = loadOutline(versions, options, checker, verdict, problems);
+    if (outline) checkVersion(*outline, profiles, name, options, checker, verdict, problems);
   }
-  report.setContext("");
-  report.noteContexts(profiles.size() * all.size());
+  problems.setContext("");
+  problems.noteContexts(profiles.size() * all.size());
 }
 
 void checkAgain(const std::shared_ptr<const FileSource>& files, const ValidateOptions& options,
-                Checker checker, Report& report) {
+                Checker checker, ProblemList& problems) {
   PackVerdict verdict{.files = files};
   ValidateOptions same = options;
-  same.matrix.kind = "none";
+  same.matrix.kind = MatrixKind::None;
   same.patched.clear();
   checker.glslang.clear();
   checker.driver.clear();
   checker.quiet = nullptr;
   checker.draw = false;
-  checkPack(verdict, same, checker, report);
+  checkPack(verdict, same, checker, problems);
 }
 
 }  // namespace
@@ -280,51 +286,76 @@ bool Checker::passed(std::uint64_t hash) const {
   return glslang.at(hash) && (!gpu || driver.at(hash));
 }
 
-bool findDriver(const ValidateOptions& options, Checker& checker) {
-  Report report(options.output);
+std::optional<Checker> makeChecker(const ValidateOptions& options, std::size_t packs,
+                                   Diagnostics& diagnostics) {
+  Checker checker{.jobs = options.jobs,
+                  .target = *options.target,
+                  .backend = options.backend,
+                  .budget = MatrixBudget(options.matrixTime, packs),
+                  .drawTime = options.drawTime};
+  if (options.draw) {
+    checker.gpu = askDriver(options.backend, diagnostics);
+    if (!checker.gpu) return std::nullopt;
+  }
+  return checker;
+}
+
+ValidateResult validatePack(const ValidateOptions& options) {
+  ValidateResult result{.baseline = options.baseline, .strict = options.judge.strict};
+  ProblemList problems;
+  PackVerdict verdict{.path = options.pack.path};
   Diagnostics diagnostics;
-  checker.gpu = askDriver(options.backend, diagnostics);
-  report.add(diagnostics);
-  return checker.gpu.has_value();
+  if (auto checker = makeChecker(options, 1, diagnostics)) {
+    problems.add(diagnostics);
+    verdict = validatePath(options.pack.path, options, ResultCache(options.cache), *checker, problems);
+  } else {
+    problems.add(diagnostics);
+    verdict.status = kHostFailed;
+  }
+  addPack(result, std::move(verdict), problems, options.judge);
+  return result;
 }
 
 PackVerdict validateFiles(const std::string& path, std::shared_ptr<const FileSource> files,
-                          const ValidateOptions& options, Checker& checker, Report& report) {
+                          const ValidateOptions& options, Checker& checker, ProblemList& problems) {
   const WorkStage stage("checking", path);
   PackVerdict verdict{.path = path, .files = std::move(files)};
-  checkPack(verdict, options, checker, report);
-  findConsequences(verdict, options, checker, checkAgain, report);
+  checkPack(verdict, options, checker, problems);
+  findConsequences(verdict, options, checker, checkAgain, problems);
   return verdict;
 }
 
 void compileFiles(std::shared_ptr<const FileSource> files, const ValidateOptions& options,
-                  Checker& checker, Report& report) {
+                  Checker& checker, ProblemList& problems) {
   PackVerdict verdict{.files = std::move(files)};
   const HostVersions newest = options.versions ? options.versions->newest : HostVersions();
-  auto outline = loadOutline(newest, options, checker, verdict, report);
+  auto outline = loadOutline(newest, options, checker, verdict, problems);
   if (!outline) return;
   const std::vector<ShaderPack> folders = makeFolders(*outline->pack, outline->pack->dimensions,
-                                                      outline->request, checker, verdict, report);
+                                                      outline->request, checker, verdict, problems);
   for (const ShaderPack& folder : folders) {
     Diagnostics diagnostics;
     checkPrograms(folder, checker, diagnostics);
-    report.add(diagnostics);
+    problems.add(diagnostics);
   }
 }
 
-PackVerdict validatePack(const std::string& path, const ValidateOptions& options,
-                         const ResultCache& cache, Checker& checker, Report& report) {
+PackVerdict validatePath(const std::string& path, const ValidateOptions& options,
+                         const ResultCache& cache, Checker& checker, ProblemList& problems) {
   const WorkStage stage("checking", path);
   PackVerdict verdict{.path = path};
-  verdict.files = openPackFiles(path, report, verdict.status);
+  Diagnostics diagnostics;
+  verdict.files = openPack(path, diagnostics);
+  if (!verdict.files) verdict.status = statusOf(diagnostics);
+  problems.add(diagnostics);
   if (!verdict.files) return verdict;
   // What opening reported is of the file system, and no entry's business.
   std::optional<std::string> key;
-  if (report.all().empty()) key = cache.keyOf(*verdict.files, options);
-  if (key && cache.restore(*key, verdict, report)) return verdict;
-  checkPack(verdict, options, checker, report);
-  findConsequences(verdict, options, checker, checkAgain, report);
-  if (key) cache.keep(*key, verdict, report);
+  if (problems.all().empty()) key = cache.keyOf(*verdict.files, options);
+  if (key && cache.restore(*key, verdict, problems)) return verdict;
+  checkPack(verdict, options, checker, problems);
+  findConsequences(verdict, options, checker, checkAgain, problems);
+  if (key) cache.keep(*key, verdict, problems);
   return verdict;
 }
 

@@ -1,13 +1,17 @@
-// The stages of `orris validate` for one pack.
+// Checking packs without a world: what `orris validate` finds.
+//   ValidateOptions options;
+//   options.pack.path = "MyPack.zip";
+//   const ValidateResult result = validatePack(options);
+//   std::cout << writeSarif(result);  // report_format.h
 #pragma once
 
-#include <map>
 #include <memory>
 #include <optional>
 #include <set>
 #include <string>
 
-#include "app/report/report.h"
+#include "app/report/report_findings.h"
+#include "app/report/problem_list.h"
 #include "app/validate/matrix_budget.h"
 #include "app/validate/validate_options.h"
 #include "check/compile/program_check.h"
@@ -16,24 +20,6 @@
 #include "validate/driver_check.h"
 
 namespace orris {
-
-/// Programs by name, counted once whatever the number of profiles.
-struct ProgramVerdicts {
-  std::set<std::string> all, failed;
-};
-
-/// What was checked of one pack.
-struct PackVerdict {
-  std::string path;
-  std::shared_ptr<const FileSource> files;  ///< nullptr: the pack could not be opened
-  ProgramVerdicts programs;
-  std::map<std::string, ProgramVerdicts> modPrograms;  ///< by name of the mod, "Distant Horizons"
-  std::set<std::string> dimensions, profiles;
-  std::vector<MatrixSummary> matrices;  ///< one for each profile, with --matrix
-  std::set<std::size_t> ofMatrix;       ///< problems of the report that only other options have
-  int status = kClean;
-  bool cached = false;  ///< of an earlier run (result_cache.h)
-};
 
 /// Checks shared by all packs of a run: the driver (with --draw), and what was checked. This process
 /// never holds a context: work with the driver is done in others.
@@ -52,20 +38,26 @@ struct Checker {
   bool passed(std::uint64_t hash) const;
 };
 
+/// Checks the pack that `options` name, and opens no context in this process. A driver that
+/// `options.draw` asks for and that is not there is a problem, too.
+ValidateResult validatePack(const ValidateOptions& options);
+
+/// The checks of `options` for a run of so many packs. nullopt: the driver that they ask for is missing.
+std::optional<Checker> makeChecker(const ValidateOptions& options, std::size_t packs,
+                                   Diagnostics& diagnostics);
+
 class ResultCache;
 
-/// All of validatePack() for files that are open, as with edits that nobody has saved; `path` names them.
+/// Checks one of several packs: what is known of a text needs no second check.
+PackVerdict validatePath(const std::string& path, const ValidateOptions& options,
+                         const ResultCache& cache, Checker& checker, ProblemList& problems);
+
+/// All of it for files that are open, as with edits that nobody has saved; `path` names them.
 PackVerdict validateFiles(const std::string& path, std::shared_ptr<const FileSource> files,
-                          const ValidateOptions& options, Checker& checker, Report& report);
+                          const ValidateOptions& options, Checker& checker, ProblemList& problems);
 
 /// Only what loading the programs of all folders and compiling them reports.
 void compileFiles(std::shared_ptr<const FileSource> files, const ValidateOptions& options,
-                  Checker& checker, Report& report);
-
-/// Asks the driver that --draw needs; false: reported.
-bool findDriver(const ValidateOptions& options, Checker& checker);
-
-PackVerdict validatePack(const std::string& path, const ValidateOptions& options,
-                         const ResultCache& cache, Checker& checker, Report& report);
+                  Checker& checker, ProblemList& problems);
 
 }  // namespace orris

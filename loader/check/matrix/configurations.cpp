@@ -1,6 +1,7 @@
 #include "check/matrix/configurations.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 
@@ -123,14 +124,17 @@ bool isSetByProfile(const ShaderPack& pack, const std::string& name) {
                      [&](const Profile& profile) { return profile.values.contains(name); });
 }
 
+constexpr std::array<std::string_view, 3> kKindNames = {"none", "each", "pairwise"};
+
 }  // namespace
 
 std::optional<MatrixKind> parseMatrixKind(std::string_view name) {
-  if (name == "none") return MatrixKind::None;
-  if (name == "each") return MatrixKind::Each;
-  if (name == "pairwise") return MatrixKind::Pairwise;
-  return std::nullopt;
+  const auto found = std::ranges::find(kKindNames, name);
+  if (found == kKindNames.end()) return std::nullopt;
+  return static_cast<MatrixKind>(found - kKindNames.begin());
 }
+
+std::string_view matrixKindName(MatrixKind kind) { return kKindNames.at(std::size_t(kind)); }
 
 std::vector<MatrixAxis> matrixAxes(std::span<const ShaderPack> folders,
                                    const std::vector<std::string>& only) {

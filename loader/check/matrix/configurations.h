@@ -14,6 +14,7 @@ namespace orris {
 
 enum class MatrixKind { None, Each, Pairwise };
 std::optional<MatrixKind> parseMatrixKind(std::string_view name);  ///< "none", "each", "pairwise"
+std::string_view matrixKindName(MatrixKind kind);
 
 /// One option and the values it takes in a matrix, the one in force first.
 struct MatrixAxis {

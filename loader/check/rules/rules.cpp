@@ -32,4 +32,14 @@ const Rule* findRule(std::string_view id) {
   return found == rules.end() || found->id != id ? nullptr : &*found;
 }
 
+ExitStatus statusOf(const Diagnostics& diagnostics) {
+  ExitStatus status = kClean;
+  for (const Diagnostic& diagnostic : diagnostics) {
+    if (diagnostic.severity != Severity::Error) continue;
+    const Rule* rule = findRule(diagnostic.id);
+    status = std::max(status, rule == nullptr ? kProblems : rule->status);
+  }
+  return status;
+}
+
 }  // namespace orris

@@ -1,4 +1,4 @@
-#include "app/validate/validate_print.h"
+#include "app/report/pack_verdict.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-// What the exit status of every command means.
+// How a run ends, the worst last: what the exit status of every command means.
 #pragma once
 
 namespace orris {

@@ -1,0 +1,56 @@
+#include "core/named_file.h"
+
+#include <filesystem>
+
+#include "core/read_file.h"
+#include "core/replace_file.h"
+
+namespace orris {
+namespace {
+
+void reportNamedFile(const char* id, const std::string& path, const std::string& message,
+                     const char* hint, Diagnostics& diagnostics) {
+  diagnostics.push_back({.id = id, .at = {.file = path}, .message = message, .hint = hint});
+}
+
+void reportUnreadable(const std::string& path, ReadFault fault, Diagnostics& diagnostics) {
+  reportNamedFile("file-unreadable", path, describe(fault), "", diagnostics);
+}
+
+void reportUnwritable(const std::string& path, Diagnostics& diagnostics) {
+  const std::string problem = outputProblem(path);
+  reportNamedFile("file-unwritable", path, problem.empty() ? "cannot be written" : problem,
+                  "name a file in a folder that exists and may be written", diagnostics);
+}
+
+}  // namespace
+
+std::optional<std::string> readNamedFile(const std::string& path, Diagnostics& diagnostics) {
+  ReadFault fault{};
+  std::optional<std::string> text = readFile(path, kMaxTextBytes, fault);
+  if (!text) reportUnreadable(path, fault, diagnostics);
+  return text;
+}
+
+std::optional<std::string> readNamedFileBelow(const std::string& folder, const std::string& name,
+                                              Diagnostics& diagnostics) {
+  ReadFault fault{};
+  std::optional<std::string> text = readFileBelow(folder, name, kMaxTextBytes, fault);
+  if (!text)
+    reportUnreadable((std::filesystem::path(folder) / name).string(), fault, diagnostics);
+  return text;
+}
+
+bool canWriteNamedFile(const std::string& path, Diagnostics& diagnostics) {
+  if (outputProblem(path).empty()) return true;
+  reportUnwritable(path, diagnostics);
+  return false;
+}
+
+bool writeNamedFile(const std::string& path, const std::string& text, Diagnostics& diagnostics) {
+  if (!replaceFile(path, text)) return true;
+  reportUnwritable(path, diagnostics);
+  return false;
+}
+
+}  // namespace orris
