@@ -6,8 +6,8 @@
 #include "check/logs/game_log.h"
 #include "check/logs/log_place.h"
 #include "check/logs/token_alignment.h"
-#include "check/report/baseline.h"
-#include "check/report/ignore_comments.h"
+#include "report/baseline.h"
+#include "report/ignore_comments.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace orris;

@@ -1,9 +1,9 @@
 // orris validate --explain-log: a log of the game, translated back to the pack's lines.
 #pragma once
 
-#include "app/report/pack_verdict.h"
-#include "app/report/problem_list.h"
 #include "app/validate/validate_flags.h"
+#include "report/pack_verdict.h"
+#include "report/problem_list.h"
 
 namespace orris {
 

@@ -9,14 +9,14 @@
 
 #include "app/commands/commands.h"
 #include "app/commands/frame_probe.h"
-#include "app/input/inputs.h"
-#include "app/validate/patched_sources.h"
-#include "app/report/progress.h"
 #include "app/commands/render_output.h"
 #include "app/drawing/supervised_run.h"
+#include "app/input/inputs.h"
+#include "app/report/progress.h"
 #include "check/compile/program_check.h"
 #include "render/counters.h"
 #include "render/render_session.h"
+#include "validate/patched_sources.h"
 
 namespace orris {
 namespace {

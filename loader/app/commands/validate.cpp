@@ -8,10 +8,10 @@
 #include "app/input/folder_config.h"
 #include "app/report/progress.h"
 #include "app/report/report_output.h"
-#include "app/validate/result_cache.h"
 #include "app/validate/validate_flags.h"
-#include "app/validate/validate_run.h"
 #include "core/pack_search.h"
+#include "validate/result_cache.h"
+#include "validate/validate_pack.h"
 
 namespace orris {
 namespace {

@@ -7,9 +7,9 @@
 #include <string>
 #include <utility>
 
-#include "app/report/text_style.h"
 #include "gl/context.h"
 #include "pack/options/pack_options.h"
+#include "report/text_style.h"
 #include "world/world.h"
 
 namespace CLI {

@@ -9,9 +9,9 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "app/report/diagnostic_json.h"
-#include "app/report/report_findings.h"
-#include "app/validate/validate_run.h"
+#include "report/diagnostic_json.h"
+#include "report/findings.h"
+#include "validate/validate_pack.h"
 
 namespace orris {
 namespace {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "app/lsp/overlay_source.h"
-#include "app/validate/validate_options.h"
 #include "check/compile/program_check.h"
+#include "validate/validate_options.h"
 
 namespace orris {
 

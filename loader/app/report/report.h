@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "app/input/common.h"
-#include "app/report/diagnostic_json.h"
-#include "app/report/problem_list.h"
-#include "app/report/text_style.h"
 #include "core/exit_status.h"
+#include "report/diagnostic_json.h"
+#include "report/problem_list.h"
+#include "report/text_style.h"
 
 namespace orris {
 

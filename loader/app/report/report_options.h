@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/report/report_findings.h"
+#include "report/findings.h"
 
 namespace CLI {
 class App;

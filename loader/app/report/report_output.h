@@ -2,8 +2,8 @@
 #pragma once
 
 #include "app/report/report.h"
-#include "app/report/report_format.h"
 #include "app/report/report_options.h"
+#include "report/report_format.h"
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "app/report/unrepaired_consequences.h"
+#include "validate/unrepaired_consequences.h"
 
 #include <algorithm>
 #include <array>

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "app/report/report_findings.h"
-#include "app/report/text_style.h"
+#include "report/findings.h"
+#include "report/text_style.h"
 
 namespace orris {
 

@@ -9,11 +9,11 @@
 #include <thread>
 #include <vector>
 
-#include "app/report/report_findings.h"
 #include "check/compile/target_limits.h"
 #include "check/matrix/matrix_run.h"
 #include "gl/context.h"
 #include "pack/options/pack_options.h"
+#include "report/findings.h"
 #include "validate/driver_check.h"
 
 namespace orris {

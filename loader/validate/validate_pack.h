@@ -10,14 +10,14 @@
 #include <set>
 #include <string>
 
-#include "app/report/report_findings.h"
-#include "app/report/problem_list.h"
-#include "app/validate/matrix_budget.h"
-#include "app/validate/validate_options.h"
 #include "check/compile/program_check.h"
 #include "check/compile/target_limits.h"
 #include "pack/shader_pack.h"
+#include "report/findings.h"
+#include "report/problem_list.h"
 #include "validate/driver_check.h"
+#include "validate/matrix_budget.h"
+#include "validate/validate_options.h"
 
 namespace orris {
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "app/report/diagnostic_json.h"
-#include "app/report/report_format.h"
 #include "check/rules/rules.h"
+#include "report/diagnostic_json.h"
+#include "report/report_format.h"
 
 namespace orris {
 namespace {

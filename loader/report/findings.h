@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "app/report/pack_verdict.h"
-#include "app/report/problem_list.h"
-#include "check/report/baseline.h"
+#include "report/baseline.h"
+#include "report/pack_verdict.h"
+#include "report/problem_list.h"
 
 namespace orris {
 

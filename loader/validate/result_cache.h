@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "app/report/problems.h"
-#include "app/validate/validate_options.h"
-#include "app/validate/validate_run.h"
+#include "report/problem_list.h"
+#include "validate/validate_options.h"
+#include "validate/validate_pack.h"
 
 namespace orris {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <map>
 
-#include "app/report/report_format.h"
 #include "core/limits.h"
+#include "report/report_format.h"
 
 namespace orris {
 namespace {

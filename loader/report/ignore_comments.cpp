@@ -1,4 +1,4 @@
-#include "check/report/ignore_comments.h"
+#include "report/ignore_comments.h"
 
 #include <fmt/format.h>
 

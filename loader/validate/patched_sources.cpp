@@ -1,4 +1,4 @@
-#include "app/validate/patched_sources.h"
+#include "validate/patched_sources.h"
 
 #include <fmt/format.h>
 

@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "app/report/problem_list.h"
-#include "app/validate/validate_run.h"
+#include "report/problem_list.h"
+#include "validate/validate_pack.h"
 
 namespace orris {
 

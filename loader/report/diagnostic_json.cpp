@@ -1,4 +1,4 @@
-#include "app/report/diagnostic_json.h"
+#include "report/diagnostic_json.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,4 +1,4 @@
-#include "app/report/text_style.h"
+#include "report/text_style.h"
 
 #include <fmt/format.h>
 #include <sys/ioctl.h>

@@ -1,4 +1,4 @@
-#include "app/report/problem_list.h"
+#include "report/problem_list.h"
 
 #include <fmt/format.h>
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <map>
 
-#include "app/report/report_format.h"
 #include "core/pack_path.h"
 #include "core/printable.h"
+#include "report/report_format.h"
 
 namespace orris {
 namespace {

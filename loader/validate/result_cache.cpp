@@ -1,4 +1,4 @@
-#include "app/validate/result_cache.h"
+#include "validate/result_cache.h"
 
 #include <sodium.h>
 

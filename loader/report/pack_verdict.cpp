@@ -1,4 +1,4 @@
-#include "app/report/pack_verdict.h"
+#include "report/pack_verdict.h"
 
 #include <fmt/format.h>
 

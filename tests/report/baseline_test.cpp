@@ -1,4 +1,4 @@
-#include "check/report/baseline.h"
+#include "report/baseline.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "check/report/ignore_comments.h"
+#include "report/ignore_comments.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "app/report/report_findings.h"
+#include "report/findings.h"
 
 #include <fmt/format.h>
 
@@ -7,12 +7,12 @@
 #include <map>
 #include <tuple>
 
-#include "app/report/text_style.h"
-#include "check/report/ignore_comments.h"
 #include "core/limits.h"
 #include "core/message_limits.h"
 #include "core/text_file.h"
 #include "pack/files/text.h"
+#include "report/ignore_comments.h"
+#include "report/text_style.h"
 
 namespace orris {
 namespace {

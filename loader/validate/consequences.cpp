@@ -1,4 +1,4 @@
-#include "app/report/consequences.h"
+#include "validate/consequences.h"
 
 #include <algorithm>
 #include <array>
@@ -6,10 +6,10 @@
 #include <set>
 #include <tuple>
 
-#include "app/report/unrepaired_consequences.h"
 #include "check/pack/pack_texts.h"
 #include "core/characters.h"
 #include "pack/files/text.h"
+#include "validate/unrepaired_consequences.h"
 
 namespace orris {
 namespace {

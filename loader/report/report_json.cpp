@@ -1,8 +1,8 @@
 // JSON for scripts; its schema is docs/schema/validate.schema.json.
 #include <nlohmann/json.hpp>
 
-#include "app/report/diagnostic_json.h"
-#include "app/report/report_format.h"
+#include "report/diagnostic_json.h"
+#include "report/report_format.h"
 
 namespace orris {
 namespace {

@@ -1,12 +1,9 @@
-#include "app/validate/validate_run.h"
+#include "validate/validate_pack.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "app/report/consequences.h"
-#include "app/validate/patched_sources.h"
-#include "app/validate/result_cache.h"
 #include "check/compile/link_errors.h"
 #include "check/hints/conditional_place.h"
 #include "check/pack/open_comments.h"
@@ -17,7 +14,10 @@
 #include "plan/auto_choices.h"
 #include "plan/uniforms.h"
 #include "render/render_session.h"
+#include "validate/consequences.h"
 #include "validate/draw_check.h"
+#include "validate/patched_sources.h"
+#include "validate/result_cache.h"
 
 namespace orris {
 namespace {

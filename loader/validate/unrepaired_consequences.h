@@ -6,8 +6,8 @@
 #include <set>
 #include <string>
 
-#include "app/report/problem_list.h"
-#include "app/validate/validate_run.h"
+#include "report/problem_list.h"
+#include "validate/validate_pack.h"
 
 namespace orris {
 
