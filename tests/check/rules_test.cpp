@@ -101,5 +101,14 @@ TEST(Rules, findRuleFindsEachAndNothingElse) {
   EXPECT_EQ(findRule(""), nullptr);
 }
 
+TEST(Rules, theWorstCauseIsTheStatus) {
+  Diagnostics diagnostics{{.severity = Severity::Warning, .id = "option-unknown"}};
+  EXPECT_EQ(statusOf(diagnostics), kClean);
+  diagnostics.push_back({.id = "glsl-compile"});
+  EXPECT_EQ(statusOf(diagnostics), kProblems);
+  diagnostics.push_back({.id = "file-unreadable"});
+  EXPECT_EQ(statusOf(diagnostics), kUsage);
+}
+
 }  // namespace
 }  // namespace orris

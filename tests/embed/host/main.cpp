@@ -1,11 +1,13 @@
-// A host of its own around the library: its context, its world, its pixels. It shows the least that
-// a program needs to draw blocks with a shader pack.
+// A host of its own around the library: its context, its world, its pixels, its report. It shows the
+// least that a program needs to check a shader pack and to draw blocks with it.
 #include <iostream>
 #include <memory>
 
 #include "core/file_source.h"
 #include "gl/context.h"
 #include "render/render_session.h"
+#include "report/report_format.h"
+#include "validate/validate_pack.h"
 #include "world/world.h"
 
 namespace {
@@ -37,6 +39,17 @@ bool showsSomething(const orris::Image8& picture) {
   return false;
 }
 
+// What `orris validate --format sarif` reports of the pack.
+bool isClean(const std::string& pack) {
+  orris::ValidateOptions options;
+  options.pack.path = pack;
+  const orris::ValidateResult result = orris::validatePack(options);
+  const std::string sarif = orris::writeSarif(result);
+  std::cout << "host: " << result.packs[0].findings.size() << " findings, " << sarif.size()
+            << " bytes of SARIF\n";
+  return result.status == 0 && sarif.find("\"version\": \"2.1.0\"") != std::string::npos;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -44,6 +57,7 @@ int main(int argc, char** argv) {
     std::cerr << "usage: host PACK WORLD\n";
     return 2;
   }
+  if (!isClean(argv[1])) return 1;
   orris::Diagnostics diagnostics;
   const auto context = orris::gl::createContext({}, diagnostics);
   const auto world = orris::loadWorld(argv[2], 0, diagnostics);

@@ -1,0 +1,99 @@
+#include "validate/validate_pack.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "report/report_format.h"
+
+namespace orris {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class ValidatePack : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = (fs::temp_directory_path() / "orris-validate-XXXXXX").string();
+    folder_ = mkdtemp(pattern.data());
+    fs::create_directory(folder_ + "/shaders");
+    write("final.vsh", "#version 330 compatibility\nvoid main() { gl_Position = ftransform(); }\n");
+    options_.pack.path = folder_;
+    options_.jobs = 1;
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ + "/shaders/" + name) << text;
+  }
+  void writeFinal(const std::string& value) const {
+    write("final.fsh",
+          "#version 330 compatibility\n#define A 1.0 //[1.0 2.0]\nvoid main() { gl_FragColor = " +
+              value + "; }\n");
+  }
+
+  std::string folder_;
+  ValidateOptions options_;
+};
+
+std::vector<std::string> idsOf(const ValidateResult& result) {
+  std::vector<std::string> ids;
+  for (const Finding& finding : result.packs.at(0).findings)
+    if (finding.diagnostic.severity == Severity::Error) ids.push_back(finding.diagnostic.id);
+  return ids;
+}
+
+TEST_F(ValidatePack, aGoodPackIsClean) {
+  writeFinal("vec4(A)");
+  const ValidateResult result = validatePack(options_);
+  EXPECT_EQ(result.status, kClean);
+  EXPECT_THAT(idsOf(result), ElementsAre());
+  EXPECT_THAT(result.packs[0].verdict.programs.all, ElementsAre("/final"));
+}
+
+TEST_F(ValidatePack, aMistakeIsAFindingInEveryFormat) {
+  writeFinal("vec4(nothing)");
+  const ValidateResult result = validatePack(options_);
+  EXPECT_EQ(result.status, kProblems);
+  ASSERT_THAT(idsOf(result), ElementsAre("glsl-compile"));
+  EXPECT_EQ(result.packs[0].findings[0].diagnostic.at, (SourceLocation{"/final.fsh", 3, 35}));
+  EXPECT_THAT(writeSarif(result), HasSubstr("'nothing'"));
+}
+
+TEST_F(ValidatePack, theCauseOfAFailedLoadIsTheStatus) {
+  writeFinal("vec4(A)");
+  options_.pack.values["B"] = "1";
+  ValidateResult result = validatePack(options_);
+  EXPECT_EQ(result.status, kUsage);
+  EXPECT_THAT(idsOf(result), ElementsAre("option-unknown"));
+  options_.pack = {.path = folder_, .profile = "NONE"};
+  EXPECT_EQ(validatePack(options_).status, kUsage);
+  options_.pack = {.path = folder_ + "/nowhere"};
+  result = validatePack(options_);
+  EXPECT_EQ(result.status, kUsage);
+  EXPECT_THAT(idsOf(result), ElementsAre("pack-unreadable"));
+}
+
+TEST_F(ValidatePack, aProfileOfThePackThatIsMissingIsAProblemOfThePack) {
+  writeFinal("vec4(A)");
+  write("shaders.properties", "profile.LOW = profile.NONE A=2.0\n");
+  const ValidateResult result = validatePack(options_);
+  EXPECT_EQ(result.status, kProblems);
+  EXPECT_THAT(idsOf(result), ElementsAre("profile-unknown"));
+}
+
+TEST_F(ValidatePack, aCacheRemembersTheFindings) {
+  writeFinal("vec4(nothing)");
+  options_.cache = folder_ + "/cache";
+  const ValidateResult first = validatePack(options_), second = validatePack(options_);
+  EXPECT_FALSE(first.packs[0].verdict.cached);
+  EXPECT_TRUE(second.packs[0].verdict.cached);
+  EXPECT_EQ(writeSarif(first), writeSarif(second));
+}
+
+}  // namespace
+}  // namespace orris
