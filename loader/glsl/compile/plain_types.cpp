@@ -12,7 +12,7 @@ namespace orris {
 namespace {
 
 // glslang: TType::getCompleteString puts these before the type.
-constexpr std::array<std::string_view, 26> kQualifiers = {
+constexpr std::array<std::string_view, 26> kPlainQualifiers = {
     "temp",     "global",   "const",     "in",       "out",      "inout",         "uniform",
     "buffer",   "shared",   "highp",     "mediump",  "lowp",     "smooth",        "flat",
     "centroid", "sample",   "patch",     "invariant", "precise", "noperspective", "coherent",
@@ -63,7 +63,7 @@ std::optional<std::string> plainType(std::string_view quoted) {
   std::vector<std::string_view> words = wordsOf(quoted);
   const bool speltOut = quoted.starts_with(' ') || words.size() > 1;
   std::erase_if(words, [](std::string_view word) {
-    return word.starts_with("layout(") || std::ranges::find(kQualifiers, word) != kQualifiers.end();
+    return word.starts_with("layout(") || std::ranges::find(kPlainQualifiers, word) != kPlainQualifiers.end();
   });
   return speltOut ? typeOf(words) : std::nullopt;
 }
