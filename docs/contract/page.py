@@ -14,7 +14,7 @@ FOLDER = Path(__file__).resolve().parent
 PAGE = FOLDER.parent / "contract.md"
 HEAD = """# The contract
 
-What of the shader-pack contract this host does, row by row. **works**: as the game does it.
+Which parts of the shader-pack contract this host supports, row by row. **works**: as the game does it.
 **constant**: accepted, with an honest constant where the game feature does not exist here. **not**: not
 offered, and the note says why. The tier says how common a row is: 1 nearly every pack, 2 common, 3 rare
 or tied to the game. "test" names a GoogleTest case, or a row of `tests/app/cases.py`.
