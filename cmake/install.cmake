@@ -1,5 +1,5 @@
 # Installs the command, the libraries with their headers, and what find_package(Orris) reads:
-# Orris::orris is everything, Orris::core, Orris::pack, ... are the single folders.
+# Orris::orris is everything, Orris::core, Orris::pack, ... are the single folders, Orris::api is liborris.so.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/Orris)
@@ -15,7 +15,7 @@ foreach(folder IN LISTS folders)
   add_library(Orris::${folder} ALIAS orris_${folder})
   install(TARGETS orris_${folder} EXPORT OrrisTargets)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/loader/${folder}
-          DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/orris FILES_MATCHING PATTERN "*.h")
+          DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/orris FILES_MATCHING PATTERN "*.h" PATTERN "include" EXCLUDE)
 endforeach()
 install(TARGETS orris_all EXPORT OrrisTargets)
 install(TARGETS orris COMPONENT orris)

@@ -32,15 +32,43 @@ constexpr ContextProfileName kContextProfiles[] = {
     {"compatibility", ContextProfile::Compatibility},
     {"core", ContextProfile::Core}};
 
+/// Whose functions those of functions.h are.
+const Context* functionsOwner = nullptr;
+
 class ForeignContext final : public Context {
  public:
   ~ForeignContext() override {
-    if (DebugMessageCallback != nullptr) DebugMessageCallback(nullptr, nullptr);
+    if (!makeCurrent()) return;
+    DebugMessageCallback(reinterpret_cast<GLDEBUGPROC>(callback_), user_);
+    if (debugWasOff_) Disable(GL_DEBUG_OUTPUT);
   }
   Backend backend() const override { return Backend::Auto; }
   bool take(const GetProcAddress& getProcAddress, Diagnostics& diagnostics) {
+    getString_ = reinterpret_cast<decltype(getString_)>(getProcAddress("glGetString"));
+    if (!bind()) {
+      addContextError(diagnostics, "gl-no-current-context", "no GL context is current on this thread",
+                      "make the engine's context current before Orris is to use it");
+      return false;
+    }
+    using GetPointer = decltype(&::glGetPointerv);
+    if (const auto get = reinterpret_cast<GetPointer>(getProcAddress("glGetPointerv"))) {
+      get(GL_DEBUG_CALLBACK_FUNCTION, &callback_);
+      get(GL_DEBUG_CALLBACK_USER_PARAM, &user_);
+    }
+    using IsEnabledFunction = decltype(&::glIsEnabled);
+    if (const auto asks = reinterpret_cast<IsEnabledFunction>(getProcAddress("glIsEnabled")))
+      debugWasOff_ = asks(GL_DEBUG_OUTPUT) == GL_FALSE;
     return initialise(getProcAddress, diagnostics);
   }
+
+ protected:
+  bool bind() override { return getString_ != nullptr && getString_(GL_VERSION) != nullptr; }
+
+ private:
+  decltype(&::glGetString) getString_ = nullptr;
+  void* callback_ = nullptr;  ///< the engine's, for debug messages
+  void* user_ = nullptr;
+  bool debugWasOff_ = false;
 };
 
 // What the loader calls beyond OpenGL 4.3; all are part of 4.5.
@@ -193,7 +221,20 @@ bool isSoftware(Backend backend) {
   return backend == Backend::Auto && loadLibrary(ContextRequest().osmesaLibraries) != nullptr;
 }
 
+Context::~Context() {
+  if (functionsOwner == this) functionsOwner = nullptr;
+}
+
+bool Context::makeCurrent() {
+  if (!bind()) return false;
+  if (functionsOwner == this) return true;
+  functionsOwner = this;
+  return loadFunctions(getProcAddress_).empty();
+}
+
 bool Context::initialise(const GetProcAddress& getProcAddress, Diagnostics& diagnostics) {
+  getProcAddress_ = getProcAddress;
+  functionsOwner = this;
   const std::vector<std::string> missing = loadFunctions(getProcAddress);
   if (GetString != nullptr && GetStringi != nullptr && GetIntegerv != nullptr) {
     driver_ = readDriver();

@@ -56,22 +56,28 @@ class Context {
   Context() = default;
   Context(const Context&) = delete;
   Context& operator=(const Context&) = delete;
-  virtual ~Context() = default;
+  virtual ~Context();
   virtual Backend backend() const = 0;
   /// The window, nullptr for headless backends.
   virtual GLFWwindow* window() const { return nullptr; }
   const DriverInfo& driver() const { return driver_; }
+  /// Makes it current on this thread, if createContext() made it, and the functions of functions.h its
+  /// own, which another context may have replaced. false: it cannot be, or the engine has none current.
+  bool makeCurrent();
   /// Messages of high severity (KHR_debug) and glGetError since the last call, oldest first, each
   /// different text once. Compiler messages are not among them: Program keeps those.
   std::vector<std::string> takeErrors();
 
  protected:
+  /// Binds the context to this thread; false where that fails.
+  virtual bool bind() = 0;
   /// To be called by backends once current: loads functions, reads driver facts, installs the
   /// debug callback. false and a diagnostic when something is missing.
   bool initialise(const GetProcAddress& getProcAddress, Diagnostics& diagnostics);
 
  private:
   DriverInfo driver_;
+  GetProcAddress getProcAddress_;
   std::vector<std::string> errors_;  // written by the driver's debug callback
 };
 
@@ -83,8 +89,9 @@ bool isSoftware(Backend backend);
 std::unique_ptr<Context> createContext(const ContextRequest& request, Diagnostics& diagnostics);
 
 /// The context that an engine of its own made current, of either profile; it stays the engine's.
-/// GL state that drawing needs is set by each frame and left as it is then; debug messages are
-/// taken over. nullptr and a diagnostic when it lacks something. Its backend() is Auto.
+/// GL state that drawing needs is set by each frame and left as it is then (gl/state_guard.h restores it);
+/// debug messages are taken over until the value dies. nullptr and a diagnostic when no context is
+/// current or it lacks something. Its backend() is Auto.
 std::unique_ptr<Context> useCurrentContext(const GetProcAddress& getProcAddress,
                                            Diagnostics& diagnostics);
 

@@ -108,7 +108,7 @@ class EglContext final : public Context {
   Backend backend() const override { return Backend::Egl; }
 
   /// false: lastFailure() says what the last display tried refused.
-  bool makeCurrent() {
+  bool create() {
     for (EglDisplay display : candidateDisplays(api_)) {
       if (display == nullptr) continue;
       if (api_.initialize(display, nullptr, nullptr) == 0) {
@@ -127,6 +127,13 @@ class EglContext final : public Context {
     return initialise(resolve, diagnostics);
   }
   const std::string& lastFailure() const { return failure_; }
+
+ protected:
+  bool bind() override {
+    // The API is bound by thread.
+    return api_.bindApi(kOpenglApi) != 0 &&
+           api_.makeCurrent(display_, nullptr, nullptr, handle_) != 0;
+  }
 
  private:
   bool createOn(EglDisplay display) {
@@ -190,7 +197,7 @@ std::unique_ptr<Context> createEglContext(const ContextRequest& request, Diagnos
     return nullptr;
   }
   auto context = std::make_unique<EglContext>(api, request.profile);
-  if (!context->makeCurrent()) {
+  if (!context->create()) {
     addContextError(diagnostics, "gl-context-refused",
                     "EGL gives no context: " + context->lastFailure(),
                     "install libegl-mesa0 and libgl1-mesa-dri, or run with --backend osmesa");

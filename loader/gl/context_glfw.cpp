@@ -47,6 +47,12 @@ class GlfwContext final : public Context {
     return initialise(resolve, diagnostics);
   }
 
+ protected:
+  bool bind() override {
+    glfwMakeContextCurrent(window_);
+    return glfwGetCurrentContext() == window_;
+  }
+
  private:
   static GLFWwindow* openWindow(const ContextRequest& request, ContextProfile profile,
                                 const GlVersion& version) {

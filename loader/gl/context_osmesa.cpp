@@ -56,8 +56,7 @@ class OsmesaContext final : public Context {
       }
     }
     // The library wants a buffer; frames are drawn into framebuffer objects.
-    if (handle_ == nullptr ||
-        api_.makeCurrent(handle_, pixel_.data(), GL_UNSIGNED_BYTE, 1, 1) == GL_FALSE) {
+    if (handle_ == nullptr || !bind()) {
       addContextError(diagnostics, "gl-context-refused",
                       "OSMesa gives no " + describeWanted(asked),
                       "install Mesa 21 or newer, or run with --backend egl");
@@ -67,6 +66,11 @@ class OsmesaContext final : public Context {
       return reinterpret_cast<void*>(api_.getProcAddress(name));
     };
     return initialise(resolve, diagnostics);
+  }
+
+ protected:
+  bool bind() override {
+    return api_.makeCurrent(handle_, pixel_.data(), GL_UNSIGNED_BYTE, 1, 1) != GL_FALSE;
   }
 
  private:

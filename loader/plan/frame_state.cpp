@@ -16,15 +16,20 @@ glm::mat4 viewMatrix(const Camera& camera) {
   return glm::rotate(pitch, glm::radians(camera.yaw + 180), glm::vec3(0, 1, 0));
 }
 
-void setMatrices(FrameState& state, const PackDirectives& directives) {
-  state.gbufferModelView = viewMatrix(state.camera);
+void setView(FrameState& state, const std::optional<ViewMatrices>& matrices) {
+  state.gbufferModelView = matrices ? matrices->view : viewMatrix(state.camera);
   state.gbufferModelViewInverse = glm::inverse(state.gbufferModelView);
   // Iris: the far plane lies at four times the render distance; uniform `far` is the latter.
   const float far = static_cast<float>(state.environment.renderDistance) * 4;
-  state.gbufferProjection = glm::perspective(
-      glm::radians(state.camera.fov),
-      static_cast<float>(state.width) / static_cast<float>(state.height), kNearPlane, far);
+  state.gbufferProjection =
+      matrices ? matrices->projection
+               : glm::perspective(
+                     glm::radians(state.camera.fov),
+                     static_cast<float>(state.width) / static_cast<float>(state.height), kNearPlane, far);
   state.gbufferProjectionInverse = glm::inverse(state.gbufferProjection);
+}
+
+void setShadow(FrameState& state, const PackDirectives& directives) {
   state.shadowModelView =
       shadowModelViewMatrix(state.sunAngle, directives.sunPathRotation,
                             directives.shadowIntervalSize, state.cameraPosition);
@@ -38,7 +43,7 @@ void setSky(FrameState& state, const PackDirectives& directives) {
   state.skyAngle = skyAngleOf(state.environment.time);
   state.sunAngle = sunAngleOf(state.skyAngle);
   state.shadowAngle = state.sunAngle > 0.5f ? state.sunAngle - 0.5f : state.sunAngle;
-  const glm::mat3 view(viewMatrix(state.camera));
+  const glm::mat3 view(state.gbufferModelView);
   state.sunPosition = view * (100.0f * sunDirection(state.skyAngle, directives.sunPathRotation));
   state.moonPosition = -state.sunPosition;
   state.shadowLightPosition = state.sunAngle <= 0.5f ? state.sunPosition : state.moonPosition;
@@ -48,7 +53,7 @@ void setSky(FrameState& state, const PackDirectives& directives) {
 void setEndFlash(FrameState& state, const FrameState* previous) {
   if (state.environment.dimension != "minecraft:the_end") return;
   const EndFlash flash = endFlashAt(state.environment.day * 24000LL + state.environment.time);
-  state.endFlashPosition = glm::mat3(viewMatrix(state.camera)) * (100.0f * flash.direction);
+  state.endFlashPosition = glm::mat3(state.gbufferModelView) * (100.0f * flash.direction);
   state.endFlashIntensity = flash.intensity;
   state.previousEndFlashIntensity =
       previous != nullptr ? previous->endFlashIntensity : flash.intensity;
@@ -104,10 +109,11 @@ FrameState nextFrameState(const FrameInput& input, const PackDirectives& directi
   state.environment = input.environment;
   state.frameTime = input.frameTime;
   state.cameraPosition = input.camera.position;
+  setView(state, input.matrices);
   setSky(state, directives);
   setEndFlash(state, previous);
   dimColors(state);
-  setMatrices(state, directives);
+  setShadow(state, directives);
   setSmoothed(state, input, directives, previous);
   const FrameState& last = previous != nullptr ? *previous : state;
   state.previousCameraPosition = last.cameraPosition;

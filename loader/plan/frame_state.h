@@ -4,6 +4,7 @@
 
 #include <array>
 #include <glm/glm.hpp>
+#include <optional>
 
 #include "pack/programs/directives.h"
 #include "pack/properties/volume_lights.h"
@@ -57,11 +58,17 @@ struct EyeSurroundings {
   bool feetInWater = false;
 };
 
+/// An engine's own camera, in OpenGL's conventions; `view` turns player space into view space.
+struct ViewMatrices {
+  glm::mat4 view{1}, projection{1};
+};
+
 /// The state of the next frame; `previous` is null for the first one.
 struct FrameInput {
   int width = 0, height = 0;
   unsigned seed = 0;
   Camera camera;
+  std::optional<ViewMatrices> matrices{};  ///< in place of those that the camera's angles give
   Environment environment;
   EyeSurroundings eye;
   float centerDepth = 1;  ///< depth under the screen centre, last frame

@@ -62,6 +62,12 @@ bool isHand(Geometry geometry) {
 
 std::span<const ContentKind> contentKinds() { return kKinds; }
 
+GeometrySet contentSet() {
+  GeometrySet set = 0;
+  for (const ContentKind& kind : kKinds) set |= bitOf(kind.geometry);
+  return set;
+}
+
 const ContentKind* findContentKind(Geometry geometry) {
   const auto* found = std::ranges::find(kKinds, geometry, &ContentKind::geometry);
   return found == std::end(kKinds) ? nullptr : found;

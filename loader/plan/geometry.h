@@ -45,6 +45,7 @@ bool isHand(Geometry geometry);
 
 /// Kinds as bits.
 using GeometrySet = std::uint32_t;
+GeometrySet contentSet();  ///< all but blocks, sky and clouds
 constexpr GeometrySet bitOf(Geometry geometry) { return 1u << static_cast<unsigned>(geometry); }
 
 /// The texture of unit 0. Those after White repeat.

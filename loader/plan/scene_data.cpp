@@ -14,18 +14,20 @@ RenderLayer layerNamed(std::string_view name) {
 }  // namespace
 
 SceneContents SceneData::contents() const {
-  const auto has = [&](RenderLayer layer) {
+  const auto has = [&](RenderLayer layer, Geometry kind) {
+    if (submitted) return (*submitted & bitOf(kind)) != 0;
     return std::any_of(mesh.sections.begin(), mesh.sections.end(),
                        [&](const MeshSection& s) { return s.layer == layer && s.count > 0; });
   };
   SceneContents contents;
-  contents.solid = has(RenderLayer::Solid);
-  contents.cutout = has(RenderLayer::Cutout);
-  contents.blockEntities = has(RenderLayer::BlockEntity);
-  contents.translucent = has(RenderLayer::Translucent);
+  contents.solid = has(RenderLayer::Solid, Geometry::Solid);
+  contents.cutout = has(RenderLayer::Cutout, Geometry::Cutout);
+  contents.blockEntities = has(RenderLayer::BlockEntity, Geometry::BlockEntity);
+  contents.translucent = has(RenderLayer::Translucent, Geometry::Translucent);
   contents.cloudPlane = world.environment.dimension == "minecraft:overworld";
   contents.clouds = world.environment.clouds;
-  contents.content = content.kinds | weatherOf(world.environment);
+  contents.content =
+      submitted ? *submitted & contentSet() : content.kinds | weatherOf(world.environment);
   contents.sky = world.environment.dimension != "minecraft:the_nether";
   return contents;
 }

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,8 @@ struct SceneData {
   std::unique_ptr<LightLevels> light;
   BlockMesh mesh;
   ContentScene content;
+  /// Kinds of geometry that an engine submits (render/engine_geometry.h) in place of blocks and content.
+  std::optional<GeometrySet> submitted{};
 
   SceneContents contents() const;
   /// What the eye at `position` stands in.

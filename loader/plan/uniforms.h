@@ -12,6 +12,9 @@
 
 namespace orris {
 
+/// entityId of an entity that the pack's entity.properties does not list. Contract: uniforms.csv.
+inline constexpr int kUnlistedEntity = 65535;
+
 /// What changes from draw to draw.
 struct DrawState {
   glm::mat4 modelView{1}, projection{1}, textureMatrix{1};

@@ -10,9 +10,6 @@
 namespace orris {
 namespace {
 
-// As a pack's entityId sees an entity that its entity.properties does not list. Contract: uniforms.csv.
-constexpr int kUnlistedEntity = 65535;
-
 // Iris: HandRenderer. The hand has its own field of view, and depth in front of all else.
 glm::mat4 handProjection(const FrameState& state) {
   constexpr float kHandDepth = 0.125f, kHandFov = 70;
@@ -50,19 +47,24 @@ void FrameRenderer::setDrawIds(const ContentDraw& content, DrawState& draw) cons
   draw.entityColor = content.entityColor;
 }
 
-void FrameRenderer::drawContent(const Step& step, const GpuProgram& program,
-                                const FrameState& state, DrawState& draw) {
+void FrameRenderer::setContentMatrices(const Step& step, const FrameState& state,
+                                       DrawState& draw) const {
   const bool shadow = step.kind == Step::Kind::DrawShadow, hand = isHand(step.geometry);
   draw.modelView = shadow ? state.shadowModelView : hand ? glm::mat4(1) : state.gbufferModelView;
   draw.projection = shadow ? shadowProjectionOf(state)
                     : hand ? handProjection(state)
                            : state.gbufferProjection;
+  if (step.geometry == Geometry::Glint) draw.textureMatrix = glintMatrix(state);
+}
+
+void FrameRenderer::drawContent(const Step& step, const GpuProgram& program,
+                                const FrameState& state, DrawState& draw) {
+  setContentMatrices(step, state, draw);
   const gl::Texture& texture = loaded_->scene->sheet(findContentKind(step.geometry)->sheet);
   draw.gtextureSize = {texture.width, texture.height};
   draw.gtextureId = static_cast<int>(texture.id());
   draw.atlasSize =
-      hand || texture.id() == loaded_->scene->white().id() ? glm::ivec2(0) : draw.gtextureSize;
-  if (step.geometry == Geometry::Glint) draw.textureMatrix = glintMatrix(state);
+      isHand(step.geometry) || texture.id() == loaded_->scene->white().id() ? glm::ivec2(0) : draw.gtextureSize;
   loadMatrices(draw, true);
   useProgram(program, step, state, draw);
   loaded_->scene->bindLists();

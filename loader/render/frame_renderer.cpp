@@ -246,6 +246,8 @@ void FrameRenderer::drawGeometry(const Step& step, const FrameState& state) {
     drawSky(step, program, state, draw);
   } else if (isClouds(step.geometry)) {
     drawClouds(step, program, state, draw);
+  } else if (engine_ != nullptr) {
+    drawEngine(step, program, state, draw);
   } else if (findContentKind(step.geometry) != nullptr) {
     drawContent(step, program, state, draw);
   } else {

@@ -19,6 +19,8 @@
 
 namespace orris {
 
+class EngineGeometry;
+
 /// Linked programs of one GL context, by the text of their stages and the names of the pack's own
 /// uniforms: renderers with the same pool build each program once.
 using ProgramPool = std::map<std::string, std::shared_ptr<GpuProgram>>;
@@ -62,6 +64,8 @@ class FrameRenderer {
                Diagnostics& diagnostics);
   /// Blocks changed: new vertices.
   void updateScene(const SceneData& scene);
+  /// Draws what an engine submits in place of the scene's blocks and content; it outlives the renderer.
+  void setEngine(EngineGeometry* engine) { engine_ = engine; }
   /// The next setPack() is for another world: its textures are uploaded, too.
   void forgetScene();
   bool resize(int width, int height, Diagnostics& diagnostics);
@@ -117,6 +121,7 @@ class FrameRenderer {
   /// What dump() takes, separated by blanks.
   std::string bufferNames() const;
   unsigned screenFramebuffer();
+  glm::ivec2 size() const { return {options_.width, options_.height}; }
 
  private:
   struct Loaded;
@@ -132,6 +137,9 @@ class FrameRenderer {
                DrawState& draw);
   void drawContent(const Step& step, const GpuProgram& program, const FrameState& state,
                    DrawState& draw);
+  void drawEngine(const Step& step, const GpuProgram& program, const FrameState& state,
+                  DrawState& draw);
+  void setContentMatrices(const Step& step, const FrameState& state, DrawState& draw) const;
   void setDrawIds(const ContentDraw& content, DrawState& draw) const;
   void drawClouds(const Step& step, const GpuProgram& program, const FrameState& state,
                   DrawState& draw);
@@ -152,6 +160,7 @@ class FrameRenderer {
   std::vector<const GpuProgram*> programsOf(const Step& step) const;
 
   gl::Context& context_;
+  EngineGeometry* engine_ = nullptr;
   RendererOptions options_;
   gl::Handle<gl::deleteVertexArray> vertexArray_;  ///< of a core context, which draws with none
   std::shared_ptr<const ShaderPack> pack_;

@@ -222,6 +222,8 @@ void GpuScene::bindLists() const {
   gl::BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
 }
 
+void GpuScene::bindIndices() const { gl::BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id()); }
+
 void GpuScene::bindClouds() const {
   gl::BindBuffer(GL_ARRAY_BUFFER, clouds_->buffer.id());
   gl::BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());

@@ -48,6 +48,9 @@ class GpuScene {
   /// The vertices of a frame's draw lists, for bindLists().
   void uploadLists(const DrawLists& lists);
   void bindLists() const;
+  /// For drawQuads() of vertices that are not the scene's.
+  void reserveQuads(unsigned quads) { needIndices(quads); }
+  void bindIndices() const;
   glm::ivec2 atlasSize() const { return {atlas_.width, atlas_.height}; }
   const std::vector<MeshSection>& sections() const { return sections_; }
   /// The id that block.properties gives a palette index, -1 for none.

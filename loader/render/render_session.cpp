@@ -51,11 +51,14 @@ std::unique_ptr<RenderSession> RenderSession::create(gl::Context& context, Sessi
   const auto asked = session->loadPack(diagnostics);
   if (asked == nullptr) return nullptr;
   session->scene_ = buildScene(std::move(world), meshStyleOf(*asked), diagnostics);
+  EngineGeometry* engine = session->request_.engine;
+  if (engine != nullptr) session->scene_.submitted = engine->kinds();
   const auto pack = session->settle(asked, diagnostics);
   if (pack == nullptr) return nullptr;
   if (meshStyleOf(*pack) != meshStyleOf(*asked)) rebuildMesh(session->scene_, meshStyleOf(*pack));
   session->weather_ = weatherOf(session->scene_.world.environment);
   session->renderer_ = std::make_unique<FrameRenderer>(context, session->request_.renderer);
+  session->renderer_->setEngine(engine);
   SessionReload start{0, "start", false, {}};
   start.succeeded = session->renderer_->setPack(pack, session->scene_, start.report, diagnostics);
   session->reloads_.push_back(start);
@@ -240,7 +243,8 @@ FrameInput RenderSession::frameInput() const {
   input.seed = request_.seed;
   input.camera = request_.camera;
   input.environment = scene_.world.environment;
-  input.eye = scene_.surroundings(request_.camera.position);
+  input.matrices = matrices_;
+  input.eye = surroundings_ ? *surroundings_ : scene_.surroundings(request_.camera.position);
   input.frameTime = request_.frameTime;
   return input;
 }
@@ -272,14 +276,23 @@ void RenderSession::setContentIds(FrameState& state) const {
         glm::vec4(glm::vec3(content.bolts.back().at - state.cameraPosition), 1);
 }
 
-void RenderSession::renderFrame(Diagnostics& diagnostics) {
-  noteFrame(frame_);
-  applyEvents(diagnostics);
-  if (const GeometrySet weather = weatherOf(scene_.world.environment); weather != weather_) {
+void RenderSession::followWorld(Diagnostics& diagnostics) {
+  if (request_.engine != nullptr) {
+    const GeometrySet kinds = request_.engine->kinds();
+    if (kinds == scene_.submitted) return;
+    scene_.submitted = kinds;
+    followContents("other geometry submitted", diagnostics);
+  } else if (const GeometrySet weather = weatherOf(scene_.world.environment); weather != weather_) {
     weather_ = weather;
     renderer_->forgetScene();  // its textures are others
     followContents("weather changed", diagnostics);
   }
+}
+
+void RenderSession::renderFrame(Diagnostics& diagnostics) {
+  noteFrame(frame_);
+  applyEvents(diagnostics);
+  followWorld(diagnostics);
   if (sceneChanged()) chooseAgain(diagnostics);
   FrameInput input = frameInput();
   input.centerDepth = renderer_->centerDepth();
@@ -290,7 +303,8 @@ void RenderSession::renderFrame(Diagnostics& diagnostics) {
   if (renderer_->pack().properties.flag("oldHandLight", true))
     player.heldLight = std::max(player.heldLight, player.heldLight2);
   noteFrame(frame_);  // events and choices may have compiled programs
-  renderer_->render(*state_, buildDrawLists(scene_, *state_));
+  renderer_->render(*state_,
+                    request_.engine != nullptr ? DrawLists() : buildDrawLists(scene_, *state_));
   ++frame_;
 }
 

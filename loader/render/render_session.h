@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "plan/auto_choices.h"
+#include "render/engine_geometry.h"
 #include "render/frame_renderer.h"
 
 namespace orris {
@@ -21,6 +22,8 @@ struct SessionRequest {
   HostVersions versions;  ///< that the environment states
   RendererOptions renderer;
   Camera camera;
+  /// Draws in place of the world's blocks and content, of which there are none then; outlives the session.
+  EngineGeometry* engine = nullptr;
   std::optional<int> time;  ///< overrides the world's
   unsigned seed = 0;
   /// frameCounter of the first frame. Packs take their random numbers from it: two sessions whose frames
@@ -56,6 +59,9 @@ class RenderSession {
   /// The same pack in another world; false: the old one stays.
   bool setWorld(World world, const Camera& camera, Diagnostics& diagnostics);
   void setCamera(const Camera& camera) { request_.camera = camera; }
+  /// An engine's own, in place of what the camera's angles and the world's blocks give; nullopt: those.
+  void setMatrices(const std::optional<ViewMatrices>& matrices) { matrices_ = matrices; }
+  void setSurroundings(const std::optional<EyeSurroundings>& eye) { surroundings_ = eye; }
   Environment& environment() { return scene_.world.environment; }
   void setTime(int time) { scene_.world.environment.time = time; }
   void setFrameTime(float seconds) { request_.frameTime = seconds; }
@@ -93,11 +99,14 @@ class RenderSession {
   void followContents(const std::string& cause, Diagnostics& diagnostics);
   /// What of the frame depends on both the pack and the content.
   void setContentIds(FrameState& state) const;
+  void followWorld(Diagnostics& diagnostics);
 
   SessionRequest request_;
   SceneData scene_;
   std::unique_ptr<FrameRenderer> renderer_;
   std::optional<FrameState> state_;
+  std::optional<ViewMatrices> matrices_;
+  std::optional<EyeSurroundings> surroundings_;
   std::vector<SessionReload> reloads_;
   AutoChoices auto_;
   /// What was asked for, and the scene for which `auto_` was chosen.

@@ -9,6 +9,11 @@ bool isGeometry(const Step& step) {
   return step.kind == Step::Kind::Draw || step.kind == Step::Kind::DrawShadow;
 }
 
+constexpr SamplerState kAtlas{false, false, true, false, false};
+
+/// Does an engine that draws in place of the scene draw this, too?
+bool isEngines(Geometry geometry) { return !isSky(geometry) && !isClouds(geometry); }
+
 bool altSide(const Step& step, bool shadow, int index) {
   return ((shadow ? step.shadowFlipped : step.flipped) >> index & 1u) != 0;
 }
@@ -84,7 +89,6 @@ SamplerBinder::Choice SamplerBinder::chooseBuffer(const SamplerBinding& sampler,
 
 SamplerBinder::Choice SamplerBinder::chooseNamed(const SamplerBinding& sampler, const Step& step,
                                                  bool& found) const {
-  static constexpr SamplerState kAtlas{false, false, true, false, false};
   found = true;
   if (sampler.name == "noisetex") {
     if (const BoundTexture* own = resources_.find("", "noisetex", 2); own != nullptr)
@@ -95,11 +99,11 @@ SamplerBinder::Choice SamplerBinder::chooseNamed(const SamplerBinding& sampler, 
   if (sampler.name.starts_with("dhDepthTex")) return {&scene_.white(), {}};
   if (isGeometry(step)) {
     if (sampler.name == "lightmap") return {&scene_.lightmap(), {true, false, false, false, false}};
-    const bool content = findContentKind(step.geometry) != nullptr;
+    const bool content = findContentKind(step.geometry) != nullptr && !engine_;
     if (sampler.name == "normals")
-      return {content ? &scene_.contentNormals() : &scene_.normals(), kAtlas};
+      return content ? Choice{&scene_.contentNormals(), kAtlas} : normals(step);
     if (sampler.name == "specular")
-      return {content ? &scene_.contentSpecular() : &scene_.specular(), kAtlas};
+      return content ? Choice{&scene_.contentSpecular(), kAtlas} : specular(step);
   }
   found = false;
   return {};
@@ -107,6 +111,7 @@ SamplerBinder::Choice SamplerBinder::chooseNamed(const SamplerBinding& sampler, 
 
 SamplerBinder::Choice SamplerBinder::chooseFallback(const Step& step) {
   if (!isGeometry(step)) return colorChoice(false, 0, altSide(step, false, 0));
+  if (isEngines(step.geometry) && engine_) return atlas(step);
   if (const ContentKind* kind = findContentKind(step.geometry)) {
     const bool repeats = kind->sheet > Sheet::White;
     // Iris keeps the game's filters: the glint is smooth.
@@ -123,8 +128,30 @@ SamplerBinder::Choice SamplerBinder::chooseFallback(const Step& step) {
     case Geometry::CloudsFancy:
       return {&scene_.white(), {}};
     default:
-      return {&scene_.atlas(), {false, false, true, false, false}};
+      return atlas(step);
   }
+}
+
+SamplerBinder::Choice SamplerBinder::atlas(const Step& step) const {
+  if (!engine_ || !isGeometry(step)) return {&scene_.atlas(), kAtlas};
+  if (engine_->albedo == 0) return {&scene_.white(), {}};
+  return {nullptr, {}, engine_->albedo};
+}
+
+SamplerBinder::Choice SamplerBinder::normals(const Step& step) const {
+  if (!engine_ || !isGeometry(step) || engine_->normals == 0) return {&scene_.normals(), kAtlas};
+  return {nullptr, {}, engine_->normals};
+}
+
+SamplerBinder::Choice SamplerBinder::specular(const Step& step) const {
+  if (!engine_ || !isGeometry(step) || engine_->specular == 0) return {&scene_.specular(), kAtlas};
+  return {nullptr, {}, engine_->specular};
+}
+
+bool SamplerBinder::setEngineTextures(const std::optional<EngineTextures>& textures) {
+  if (engine_ == textures) return false;
+  engine_ = textures;
+  return true;
 }
 
 SamplerBinder::Choice SamplerBinder::choose(const SamplerBinding& sampler, const Step& step) {
@@ -134,11 +161,9 @@ SamplerBinder::Choice SamplerBinder::choose(const SamplerBinding& sampler, const
   if (!replacementEnded)
     if (const BoundTexture* own =
             resources_.find(stage, sampler.name, gl::dimensionsOf(sampler.type))) {
-      if (own->resource == "atlas") return {&scene_.atlas(), {false, false, true, false, false}};
-      if (own->resource == "normals")
-        return {&scene_.normals(), {false, false, true, false, false}};
-      if (own->resource == "specular")
-        return {&scene_.specular(), {false, false, true, false, false}};
+      if (own->resource == "atlas") return atlas(step);
+      if (own->resource == "normals") return normals(step);
+      if (own->resource == "specular") return specular(step);
       if (own->resource == "lightmap")
         return {&scene_.lightmap(), {true, false, false, false, false}};
       if (own->resource == "white") return {&scene_.white(), {}};
@@ -174,6 +199,12 @@ void SamplerBinder::bind(const GpuProgram& program, const Step& step) {
   for (const SamplerBinding& sampler : program.samplers) {
     const Choice choice = choose(sampler, step);
     gl::Uniform1i(sampler.location, sampler.unit);
+    if (choice.engine != 0) {
+      gl::ActiveTexture(GL_TEXTURE0 + static_cast<unsigned>(sampler.unit));
+      gl::BindTexture(GL_TEXTURE_2D, choice.engine);
+      gl::BindSampler(static_cast<unsigned>(sampler.unit), 0);
+      continue;
+    }
     if (choice.texture == nullptr || choice.texture->id() == 0) continue;
     gl::ActiveTexture(GL_TEXTURE0 + static_cast<unsigned>(sampler.unit));
     gl::BindTexture(choice.texture->target, choice.texture->id());

@@ -47,38 +47,40 @@ void setConstant(const gl::ActiveVariable& attribute) {
     gl::VertexAttrib4f(attribute.location, value[0], value[1], value[2], value[3]);
 }
 
-void bindGeneric(const gl::ActiveVariable& attribute) {
+void bindGeneric(const gl::ActiveVariable& attribute, const VertexPlace& place) {
   const VertexAttribute* row = findAttribute(vertexAttributes(), attribute.name);
   if (row == nullptr) row = findAttribute(kCoreAttributes, attribute.name);
   if (row == nullptr) return setConstant(attribute);
   gl::EnableVertexAttribArray(attribute.location);
   if (isIntegerAttribute(attribute.type))
-    gl::VertexAttribIPointer(attribute.location, row->components, row->type, sizeof(GpuVertex),
-                             pointer(row->offset));
+    gl::VertexAttribIPointer(attribute.location, row->components, row->type, place.stride,
+                             pointer(place.offset + row->offset));
   else
     gl::VertexAttribPointer(attribute.location, row->components, row->type,
-                            row->normalized ? GL_TRUE : GL_FALSE, sizeof(GpuVertex),
-                            pointer(row->offset));
+                            row->normalized ? GL_TRUE : GL_FALSE, place.stride,
+                            pointer(place.offset + row->offset));
 }
 
-void bindTexCoord(int unit, int components, unsigned type, size_t offset) {
+void bindTexCoord(int unit, int components, unsigned type, int stride, size_t offset) {
   gl::ClientActiveTexture(GL_TEXTURE0 + unit);
   gl::EnableClientState(GL_TEXTURE_COORD_ARRAY);
-  gl::TexCoordPointer(components, type, sizeof(GpuVertex), pointer(offset));
+  gl::TexCoordPointer(components, type, stride, pointer(offset));
 }
 
 // Cheap when unused, so all are set.
-void bindOldArrays() {
+void bindOldArrays(const VertexPlace& place) {
+  const int stride = place.stride;
+  const auto at = [&place](size_t offset) { return pointer(place.offset + offset); };
   gl::EnableClientState(GL_VERTEX_ARRAY);
-  gl::VertexPointer(3, GL_FLOAT, sizeof(GpuVertex), pointer(offsetof(GpuVertex, position)));
+  gl::VertexPointer(3, GL_FLOAT, stride, at(offsetof(GpuVertex, position)));
   gl::EnableClientState(GL_NORMAL_ARRAY);
-  gl::NormalPointer(GL_BYTE, sizeof(GpuVertex), pointer(offsetof(GpuVertex, normal)));
+  gl::NormalPointer(GL_BYTE, stride, at(offsetof(GpuVertex, normal)));
   gl::EnableClientState(GL_COLOR_ARRAY);
-  gl::ColorPointer(4, GL_UNSIGNED_BYTE, sizeof(GpuVertex), pointer(offsetof(GpuVertex, color)));
-  bindTexCoord(0, 2, GL_FLOAT, offsetof(GpuVertex, uv));
-  bindTexCoord(1, 2, GL_SHORT, offsetof(GpuVertex, light));
-  bindTexCoord(2, 2, GL_SHORT, offsetof(GpuVertex, light));
-  bindTexCoord(3, 2, GL_FLOAT, offsetof(GpuVertex, midUv));
+  gl::ColorPointer(4, GL_UNSIGNED_BYTE, stride, at(offsetof(GpuVertex, color)));
+  bindTexCoord(0, 2, GL_FLOAT, stride, place.offset + offsetof(GpuVertex, uv));
+  bindTexCoord(1, 2, GL_SHORT, stride, place.offset + offsetof(GpuVertex, light));
+  bindTexCoord(2, 2, GL_SHORT, stride, place.offset + offsetof(GpuVertex, light));
+  bindTexCoord(3, 2, GL_FLOAT, stride, place.offset + offsetof(GpuVertex, midUv));
 }
 
 void unbindOldArrays() {
@@ -93,10 +95,10 @@ void unbindOldArrays() {
 
 }  // namespace
 
-void bindVertices(const gl::Program& program) {
-  if (!gl::isCoreProfile()) bindOldArrays();
+void bindVertices(const gl::Program& program, const VertexPlace& place) {
+  if (!gl::isCoreProfile()) bindOldArrays(place);
   for (const gl::ActiveVariable& attribute : program.attributes)
-    if (attribute.location >= 0) bindGeneric(attribute);
+    if (attribute.location >= 0) bindGeneric(attribute, place);
 }
 
 void unbindVertices(const gl::Program& program) {

@@ -1,0 +1,23 @@
+#version 330 compatibility
+
+#define BRIGHTNESS 1.0 // [0.5 1.0]
+//#define SHOW_SHADOW // the shadow map in place of the picture
+
+uniform sampler2D colortex0;
+uniform sampler2D shadowtex0;
+uniform int heldItemId;
+uniform int isEyeInWater;
+
+in vec2 uv;
+
+/* RENDERTARGETS: 0 */
+layout(location = 0) out vec4 color;
+
+void main() {
+  color = texture(colortex0, uv) * BRIGHTNESS;
+#ifdef SHOW_SHADOW
+  color = vec4(texture(shadowtex0, uv).r);
+#endif
+  if (heldItemId == 3) color.g = 1.0;
+  if (isEyeInWater == 1) color.b = 1.0;
+}
