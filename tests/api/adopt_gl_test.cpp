@@ -1,5 +1,6 @@
 // An engine's own context: what Orris does in it and what it leaves behind.
 #include <map>
+#include <thread>
 
 #include "api/api_fixture.h"
 #include "api/own_context.h"
@@ -189,6 +190,10 @@ TEST_P(AdoptedContext, is_missed_when_the_engine_has_another_or_none_current) {
   EXPECT_THAT(orris_last_error(), HasSubstr("is not current on this thread"));
   EXPECT_EQ(orris_renderer_destroy(renderer_), ORRIS_ERROR_CONTEXT);
   own_.makeCurrent();
+  picture();
+  OrrisStatus elsewhere = ORRIS_OK;
+  std::thread([&] { elsewhere = orris_renderer_draw_frame(renderer_, nullptr); }).join();
+  EXPECT_EQ(elsewhere, ORRIS_ERROR_CONTEXT);
   picture();
 }
 

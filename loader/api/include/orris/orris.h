@@ -8,8 +8,8 @@
  *             handle destroys it.
  *   Threads   One thread at a time may be inside the library, whatever the handles: GL functions are those
  *             of one context at a time. Calls with a context or a renderer come on the thread on which the
- *             engine's context is current; a context made by orris_context_create() is made current by
- *             each call on the calling thread, and stays so.
+ *             engine's context is current; those of a context of orris_context_create() on the thread that
+ *             made it, where each call leaves it current.
  *   Strings   UTF-8, ended by 0. Strings that are handed in are copied. Strings that come out belong to
  *             Orris and live until the next call with the same handle, if nothing else is said.
  *   Structs   Fill `struct_size` through the function that initialises the struct, or set it to its sizeof.
@@ -346,7 +346,7 @@ typedef struct OrrisBatch {
   uint32_t first;         /**< vertex; with indices added to each */
   uint32_t count;         /**< vertices, or indices */
   uint32_t index_buffer;  /**< GL name; 0: none. Of triangles only */
-  uint32_t index_bytes;   /**< 2 or 4 */
+  uint32_t index_bytes;   /**< 2 or 4. Indices are not read back: they must lie within vertex_buffer */
   uint64_t index_offset;  /**< bytes */
   int32_t entity;         /**< uniform entityId. Default: 0 */
   int32_t item;           /**< currentRenderedItemId. Default: -1 */
