@@ -3,8 +3,10 @@
 #include "image/codecs/image_codecs.h"
 
 namespace orris {
+namespace {
 
-std::optional<std::string> encodePng(const Image16& image, const std::string& file,
+template <class Image>
+std::optional<std::string> encodeAny(const Image& image, const std::string& file,
                                      Diagnostics& diagnostics) {
   const ImageCodecs* codecs = imageCodecs(file, diagnostics);
   if (!codecs) return std::nullopt;
@@ -14,9 +16,21 @@ std::optional<std::string> encodePng(const Image16& image, const std::string& fi
   Diagnostic diagnostic;
   diagnostic.id = "image-write";
   diagnostic.at.file = file;
-  diagnostic.message = "cannot make the PNG of the textures: " + *reason;
+  diagnostic.message = "cannot make a PNG of its picture: " + *reason;
   diagnostics.push_back(std::move(diagnostic));
   return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string> encodePng(const Image16& image, const std::string& file,
+                                     Diagnostics& diagnostics) {
+  return encodeAny(image, file, diagnostics);
+}
+
+std::optional<std::string> encodePng(const Image8& image, const std::string& file,
+                                     Diagnostics& diagnostics) {
+  return encodeAny(image, file, diagnostics);
 }
 
 }  // namespace orris

@@ -10,8 +10,10 @@ namespace orris {
 
 using Image16 = BasicImage<std::uint16_t>;
 
-/// The bytes of a PNG of 16 bits a channel; same pixels, same bytes. nullopt and a diagnostic that names `file` on failure.
+/// The bytes of a PNG of 16 or 8 bits a channel; same pixels, same bytes. nullopt and a diagnostic that names `file` on failure.
 std::optional<std::string> encodePng(const Image16& image, const std::string& file,
+                                     Diagnostics& diagnostics);
+std::optional<std::string> encodePng(const Image8& image, const std::string& file,
                                      Diagnostics& diagnostics);
 
 }  // namespace orris

@@ -57,8 +57,10 @@ class ImageCodecs {
   /// Writes `path` as the format of `extension`. Returns the reason on failure.
   virtual std::optional<std::string> write(const std::string& path, const std::string& extension,
                                            const PictureToWrite& picture) const = 0;
-  /// Puts a picture of 16 bits a channel into `bytes`, a file of the format of `extension`. Returns the reason on failure.
+  /// Puts a picture of 16 or 8 bits a channel into `bytes`, a file of the format of `extension`. Returns the reason on failure.
   virtual std::optional<std::string> encode(const std::string& extension, const Image16& picture,
+                                            std::string& bytes) const = 0;
+  virtual std::optional<std::string> encode(const std::string& extension, const Image8& picture,
                                             std::string& bytes) const = 0;
   /// Both pictures have the same size and channels.
   virtual PictureComparison compare(const ImageF& a, const ImageF& b, float threshold) const = 0;
