@@ -11,12 +11,6 @@
 namespace orris {
 namespace {
 
-double millisecondsOf(FrameClock clock) {
-  timespec time{};
-  clock_gettime(clock == FrameClock::Wall ? CLOCK_MONOTONIC : CLOCK_PROCESS_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
-}
-
 void addPass(Visit& visit, const StepTime& step, FrameClock clock, int frames) {
   const double seconds = clock == FrameClock::Wall ? step.seconds : step.processorSeconds;
   const double milliseconds = seconds * 1e3 / frames;
@@ -29,6 +23,12 @@ void addPass(Visit& visit, const StepTime& step, FrameClock clock, int frames) {
 }
 
 }  // namespace
+
+double millisecondsOf(FrameClock clock) {
+  timespec time{};
+  clock_gettime(clock == FrameClock::Wall ? CLOCK_MONOTONIC : CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
+}
 
 double Visit::mean() const {
   return frames.empty() ? 0

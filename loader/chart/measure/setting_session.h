@@ -14,6 +14,8 @@ namespace orris {
 /// What times frames: passing time, or the processor time of all threads, which other programs on a
 /// busy machine do not add to and which says nothing about a graphics card.
 enum class FrameClock { Wall, Processor };
+/// What the clock shows.
+double millisecondsOf(FrameClock clock);
 
 /// A few frames in a row.
 struct Visit {

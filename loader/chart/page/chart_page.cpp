@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "chart/page/embedded.h"
 #include "chart/page/page_template.h"
 #include "chart/study/json_number.h"
 
@@ -13,25 +14,6 @@ namespace orris {
 namespace {
 
 using nlohmann::json;
-
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view kDigits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    unsigned group = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    for (int k = 0; k < 4; ++k)
-      text += i + std::size_t(k) <= bytes.size() ? kDigits[group >> (18 - 6 * k) & 63] : '=';
-  }
-  return text;
-}
-
-std::string dataUri(const char* type, const std::string& bytes) {
-  return bytes.empty() ? "" : fmt::format("data:{};base64,{}", type, base64(bytes));
-}
 
 std::string sizeText(ImageSize size) { return fmt::format("{}x{}", size.width, size.height); }
 
