@@ -32,6 +32,7 @@ void addCommands(CLI::App& app, int& status, const FolderConfig& folder) {
   addTraceCommand(app, status);
   addChartCommand(app, status);
   addTuneCommand(app, status);
+  addGalleryCommand(app, status);
   addDoctorCommand(app, status);
   addLspCommand(app, status);
 }

@@ -800,6 +800,22 @@ CHARTS = [
     Case("chart_unknown_pack", [CHART.replace("chart pack", "chart none")], 2, MODES, ["none"]),
 ]
 
+GALLERY = "gallery pack -o out.html --size 16x9 --frames 1"
+GALLERIES = [
+    Case("gallery_wrong_flags", [f"{GALLERY} {flags}" for flags in (
+        "--fail-above 0.1", "--against pack --fail-above 3", "--shard 3/2", "--budget soon", "--size 0x9")], 2, MODES,
+        ["orris gallery: error: "]),
+    Case("gallery_unknown_pack", [GALLERY.replace("pack", "none")], 2, MODES, ["none"]),
+    Case("gallery_unknown_revision", [f"{GALLERY} --against none"], 2, MODES, ["none"]),
+    Case("gallery_unknown_profile", [f"{GALLERY} --profiles LOW,HIHG --set-file set.json"], 2,
+         {**MODES, "set.json": '{"scenes": [{"world": "cornell"}]}'},
+         [r"^error: --profiles: the pack has no profile HIHG \[profile-unknown\]$"], ["did you mean HIGH"]),
+    Case("gallery_unreadable_set", [f"{GALLERY} --set-file none.json"], 2, MODES, [r"none\.json"]),
+    Case("gallery_unwritable", [GALLERY.replace("out.html", "none/out.html"),
+                                GALLERY.replace("out.html", "pack/shaders/final.fsh")], 2, MODES,
+         [r"cannot be (written|made)"]),
+]
+
 TRACE = f"trace {CORNELL} -o out.exr --size 16x9 --samples 2"
 TRACES = [
     Case("trace_shadow_mask", [f"trace {CORNELL} -o mask.png --size 16x9 --shadow-mask",
@@ -835,4 +851,4 @@ TRACES = [
          [r"^out\.exr\.trace: error: is not a checkpoint of trace \["]),
 ]
 
-CASES = USAGE + PACKS + ONCE + MATRIX + WORLDS + OUTPUTS + COMPARISONS + CHARTS + TRACES
+CASES = USAGE + PACKS + ONCE + MATRIX + WORLDS + OUTPUTS + COMPARISONS + CHARTS + GALLERIES + TRACES

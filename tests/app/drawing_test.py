@@ -12,17 +12,10 @@ import unittest
 from pathlib import Path
 
 from cases import FINAL, FINAL_VERTEX, PACK, VERSION
+from hostile_programs import DEADLY, ENDLESS
 
 PROGRAM, SOURCE = (str(Path(word).resolve()) for word in sys.argv[1:3])
 CORNELL = f"{SOURCE}/worlds/cornell"
-# One dispatch that no machine finishes.
-ENDLESS = ("#version 430 compatibility\nlayout(local_size_x = 64) in;\n"
-           "const ivec3 workGroups = ivec3(65535, 65535, 1);\n"
-           "layout(rgba8) uniform image2D colorimg0;\n"
-           "void main() { imageStore(colorimg0, ivec2(gl_GlobalInvocationID.xy & 7u), vec4(1)); }\n")
-# Far larger than what the compiler of llvmpipe can count; glslang takes it.
-DEADLY = (VERSION + "uniform int frameCounter;\nvoid main() {\nfloat a[2147483647];\n"
-          "a[frameCounter] = 1.0;\ngl_FragColor = vec4(a[frameCounter + 1]);\n}\n")
 VERTEX = {"pack/shaders/composite1.vsh": FINAL_VERTEX, "pack/shaders/composite1.fsh": FINAL}
 
 

@@ -71,6 +71,29 @@ class Workflow(unittest.TestCase):
         self.assertEqual(self.workflow["permissions"]["security-events"], "write")
 
 
+class GalleryWorkflow(unittest.TestCase):
+    workflow = load(GITHUB / "gallery.yml")
+
+    def test_draws_base_and_head_within_a_time_and_keeps_the_page(self):
+        self.assertEqual(self.workflow["on"], "pull_request")
+        self.assertEqual(self.workflow["permissions"], {"contents": "read"})
+        job = self.workflow["jobs"]["gallery"]
+        self.assertGreater(int(job["timeout-minutes"]), 0)
+        run = next(step["run"] for step in job["steps"] if step.get("name") == "Draw")
+        pack, base, page = re.search(r"orris gallery (\S+) --against (\S+) -o (\S+) --budget \d+m", run).groups()
+        checkouts = [step["with"] for step in job["steps"] if "checkout" in step.get("uses", "")]
+        self.assertEqual([checkout["path"] for checkout in checkouts], [pack, base])
+        self.assertIn("base.sha", checkouts[1]["ref"])
+        upload = next(step for step in job["steps"] if "upload-artifact" in step.get("uses", ""))
+        self.assertEqual((upload["with"]["path"], upload["if"]), (page, "always()"))
+
+    def test_scripts_parse_and_take_nothing_from_the_pull_request(self):
+        for step in self.workflow["jobs"]["gallery"]["steps"]:
+            self.assertNotIn("${{", step.get("run", ""), "an input inside a script can inject commands")
+            if "run" in step and shutil.which("bash"):
+                subprocess.run(["bash", "-n"], input=step["run"], text=True, check=True)
+
+
 class Gitlab(unittest.TestCase):
     template = load(GITLAB / "orris.gitlab-ci.yml")
 
@@ -100,7 +123,8 @@ class Placeholder(unittest.TestCase):
     """No address of Orris is known here: a template says OWNER, and beside it that the reader must replace it."""
 
     def test_is_explained_where_it_stands(self):
-        files = [GITHUB / "action.yml", GITHUB / "workflow.yml", GITLAB / "orris.gitlab-ci.yml", SOURCE / "docs/ci.md",
+        files = [GITHUB / "action.yml", GITHUB / "workflow.yml", GITHUB / "gallery.yml", GITLAB / "orris.gitlab-ci.yml",
+                 SOURCE / "docs/ci.md",
                  SOURCE / ".pre-commit-hooks.yaml", SOURCE / "CMakeLists.txt"]
         for path in files:
             lines = path.read_text().splitlines()
@@ -119,15 +143,20 @@ class Placeholder(unittest.TestCase):
 
 
 class Flags(unittest.TestCase):
-    def test_exist(self):
-        known = subprocess.run([PROGRAM, "validate", "--help"], capture_output=True, text=True,
+    def check(self, command, files):
+        known = subprocess.run([PROGRAM, command, "--help"], capture_output=True, text=True,
                                check=True).stdout
-        files = [GITHUB / "action.yml", GITHUB / "workflow.yml", GITLAB / "orris.gitlab-ci.yml",
-                 SOURCE / ".pre-commit-hooks.yaml"]
         others = {"--no-install-recommends"}
         for path in files:
             for flag in set(re.findall(r"--[a-z][a-z-]+", path.read_text())) - others:
                 self.assertIn(flag, known, path.name)
+
+    def test_of_validate_exist(self):
+        self.check("validate", [GITHUB / "action.yml", GITHUB / "workflow.yml", GITLAB / "orris.gitlab-ci.yml",
+                                SOURCE / ".pre-commit-hooks.yaml"])
+
+    def test_of_gallery_exist(self):
+        self.check("gallery", [GITHUB / "gallery.yml"])
 
 
 if __name__ == "__main__":

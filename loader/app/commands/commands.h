@@ -20,6 +20,7 @@ void addViewCommand(CLI::App& app, int& status);
 void addTraceCommand(CLI::App& app, int& status);
 void addChartCommand(CLI::App& app, int& status);
 void addTuneCommand(CLI::App& app, int& status);
+void addGalleryCommand(CLI::App& app, int& status);
 void addDoctorCommand(CLI::App& app, int& status);
 void addLspCommand(CLI::App& app, int& status);
 

@@ -49,7 +49,7 @@ void Report::add(Diagnostics& diagnostics) {
   Printer printer(all(), output_, style_, folder_);
   const std::size_t known = all().size();
   problems_.add(diagnostics);
-  for (std::size_t i = known; i < all().size(); ++i) printer.add(all()[i]);
+  for (std::size_t i = known; i < all().size() && prints_; ++i) printer.add(all()[i]);
 }
 
 void Report::error(const std::string& id, const std::string& message, const std::string& hint,

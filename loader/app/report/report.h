@@ -21,6 +21,12 @@ namespace orris {
 class Report {
  public:
   explicit Report(const OutputOptions& output) : output_(output), style_(styleOf(STDERR_FILENO)) {}
+  /// Prints nothing: for a process that hands over what it was reported.
+  static Report keeping() {
+    Report report({});
+    report.prints_ = false;
+    return report;
+  }
 
   const OutputOptions& output() const { return output_; }
   void add(Diagnostics& diagnostics);
@@ -40,6 +46,7 @@ class Report {
   TextStyle style_;
   std::string folder_;  ///< of the pack
   ProblemList problems_;
+  bool prints_ = true;
 };
 
 /// Prints lines on standard output. They may quote a stranger's text: printableLines() of them.
