@@ -11,6 +11,8 @@ import sys
 import tempfile
 from pathlib import Path
 
+from browser import Browser
+
 VERSION = "#version 330 compatibility\n"
 VERTEX = VERSION + """out vec2 uv;
 void main() { gl_Position = ftransform(); uv = gl_MultiTexCoord0.st; }
@@ -85,22 +87,50 @@ def check_page(folder, scratch):
     page = folder / "index.html"
     text = page.read_text()
     assert 'src="http' not in text and "href=" not in text
-    browser = next(filter(None, map(shutil.which, ("chromium", "chromium-browser",
-                                                   "google-chrome"))), None)
+    browser = Browser.start(scratch)
     if browser is None:
-        print("SKIPPED: no chromium to open index.html with")
         return
-    command = [browser, "--headless", "--no-sandbox", "--disable-gpu",
-               f"--user-data-dir={scratch}/profile", "--virtual-time-budget=10000"]
-    dom = subprocess.run([*command, "--dump-dom", page.as_uri()], text=True, capture_output=True,
-                         timeout=120).stdout
-    pictures, loaded = (int(re.search(f'<body[^>]*data-{name}="([0-9]+)"', dom).group(1))
-                        for name in ("pictures", "loaded"))
     plots = 3 if shutil.which("gnuplot") else 0
-    # two that are compared; frame, mean and error of each setting; one reference
-    assert pictures == loaded == plots + 2 + 3 * 6 + 1, (pictures, loaded)
-    assert len(re.findall("<tr", dom)) == 7, dom[:2000]
-    assert "A/A: the first setting measured twice" in dom
+    with browser as shown:
+        shown.open(page)
+        # two that are compared; frame, mean and error of each setting; one reference
+        assert shown.check_pictures() == plots + 2 + 3 * 6 + 1
+        assert shown.evaluate("document.querySelectorAll('tr').length") == 7
+        assert "A/A: the first setting measured twice" in shown.evaluate("document.body.textContent")
+        shown.check_names()
+        check_comparison(shown)
+        shown.open(page, width=360, height=740)
+        shown.check_pictures()
+        shown.check_fits()
+        for dark in (False, True):
+            shown.open(page, dark=dark)
+            contrast, back = shown.contrast()
+            assert contrast > 7 and (back < 0.1 if dark else back > 0.8), (dark, contrast, back)
+        assert not shown.problems, shown.problems
+        assert all(url.startswith(("file:", "data:", "about:")) for url in shown.requests), shown.requests
+
+
+def check_comparison(shown):
+    """The slider moves the border of the two pictures, the lists choose them."""
+    border = "document.querySelector('#compare').style.getPropertyValue('--at')"
+    assert shown.evaluate(border) == "50%"
+    shown.evaluate("document.querySelector('#slider').focus()")
+    shown.press("ArrowRight", 39)
+    assert shown.evaluate(border) == "51%"
+    source = "document.querySelector('#over').src"
+    before = shown.evaluate(source)
+    dark = shown.evaluate("[...document.querySelector('#left').options].findIndex((o) => o.text == 'SHARE=0.5 WORK=200')")
+    shown.evaluate("document.querySelector('#left').focus()")
+    for _ in range(dark):
+        shown.press("ArrowDown", 40)
+    assert shown.evaluate("document.querySelector('#left').value") == str(dark)
+    half = shown.evaluate(source)
+    assert half != before
+    shown.evaluate("document.querySelector('#kind').focus()")
+    for _ in range(2):
+        shown.press("ArrowDown", 40)
+    assert shown.evaluate("document.querySelector('#kind').value") == "difference"
+    assert shown.evaluate(source) not in (half, before)
 
 
 def test_chart(program, folder):
