@@ -133,6 +133,19 @@ void readEnvironment(const OrrisFrame& frame, Environment& environment) {
   readPlayer(frame, environment.player);
 }
 
+EngineMoment readMoment(const OrrisFrame& frame) {
+  checkFinite("selected_position", frame.selected_position, 3);
+  checkFinite("lightning_position", frame.lightning_position, 3);
+  EngineMoment moment;
+  if (const std::string text = textOf(frame.selected_block); !text.empty()) {
+    const auto block = parseBlockState(text);
+    if (!block) refuse("selected_block", text, "a block state, as minecraft:chest[facing=north]");
+    moment.selected = {*block, glm::make_vec3(frame.selected_position)};
+  }
+  if (frame.lightning != 0) moment.lightning = glm::make_vec3(frame.lightning_position);
+  return moment;
+}
+
 /// All of it is checked before any of it is taken.
 void takeFrame(OrrisRenderer& renderer, const OrrisFrame& frame) {
   checkLimits(frame, kNumbers);
@@ -141,6 +154,7 @@ void takeFrame(OrrisRenderer& renderer, const OrrisFrame& frame) {
   checkFinite("fog_color", frame.fog_color, 3);
   Camera camera;
   const auto matrices = readCamera(frame.camera, camera);
+  const EngineMoment moment = readMoment(frame);
   RenderSession& session = *renderer.session;
   session.setMatrices(matrices);
   session.setCamera(camera);
@@ -151,6 +165,9 @@ void takeFrame(OrrisRenderer& renderer, const OrrisFrame& frame) {
                   frame.eye_fluid,
                   frame.feet_in_water != 0};
   session.setSurroundings(renderer.eye);
+  renderer.selected = textOf(frame.selected_block);
+  renderer.moment = moment;
+  session.setMoment(moment);
 }
 
 OrrisFrame frameOf(OrrisRenderer& renderer) {
@@ -200,6 +217,13 @@ OrrisFrame frameOf(OrrisRenderer& renderer) {
   frame.burning = player.burning ? 1 : 0;
   frame.on_ground = player.onGround ? 1 : 0;
   frame.hide_gui = player.hideGui ? 1 : 0;
+  renderer.selectedOut = renderer.selected;
+  frame.selected_block = renderer.selectedOut.c_str();
+  frame.lightning = renderer.moment.lightning ? 1 : 0;
+  for (int i = 0; i < 3; ++i) {
+    frame.selected_position[i] = renderer.moment.selected ? renderer.moment.selected->middle[i] : 0;
+    frame.lightning_position[i] = renderer.moment.lightning ? (*renderer.moment.lightning)[i] : 0;
+  }
   frame.eye_fluid = renderer.eye.fluid;
   frame.feet_in_water = renderer.eye.feetInWater ? 1 : 0;
   frame.eye_block_light = renderer.eye.brightness.x / 16;

@@ -13,9 +13,12 @@ struct OrrisRenderer {
   OrrisContext* context = nullptr;
   OrrisDiagnosticCallback onDiagnostic = nullptr;
   void* user = nullptr;
-  bool drawn = false;                             ///< a frame of this size
-  std::string biome, mainHand, offHand, profile;  ///< that were handed out
-  orris::EyeSurroundings eye;                     ///< of the last frame of an engine's geometry
+  bool drawn = false;                                          ///< a frame of this size
+  std::string biome, mainHand, offHand, profile, selectedOut;  ///< that were handed out
+  // Of the last frame of an engine's geometry.
+  orris::EyeSurroundings eye;
+  orris::EngineMoment moment;
+  std::string selected;  ///< as it was written
   std::unique_ptr<orris::api::SubmittedGeometry>
       geometry;  ///< of an engine; null with a world of Orris
   std::unique_ptr<orris::RenderSession> session;

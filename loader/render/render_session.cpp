@@ -264,16 +264,24 @@ void RenderSession::setContentIds(FrameState& state) const {
     player.heldLight = std::max(player.heldLight, it->second.emission);
   if (const auto it = items.find(player.offHand); it != items.end())
     player.heldLight2 = std::max(player.heldLight2, it->second.emission);
-  const WorldContent& content = scene_.world.content;
-  if (content.selected) {
-    const BlockState& block = scene_.world.blocks.at(*content.selected);
+  const EngineMoment now = moment();
+  if (now.selected) {
+    const BlockState& block = now.selected->block;
     state.selectedBlockId = pack.blockIds.idOf(block.name, block.properties);
-    state.selectedBlockPos =
-        glm::vec3(glm::dvec3(*content.selected) + 0.5 - state.cameraPosition);
+    state.selectedBlockPos = glm::vec3(now.selected->middle - state.cameraPosition);
   }
-  if (!content.bolts.empty())
-    state.lightningBolt =
-        glm::vec4(glm::vec3(content.bolts.back().at - state.cameraPosition), 1);
+  if (now.lightning)
+    state.lightningBolt = glm::vec4(glm::vec3(*now.lightning - state.cameraPosition), 1);
+}
+
+EngineMoment RenderSession::moment() const {
+  if (request_.engine != nullptr) return moment_;
+  const WorldContent& content = scene_.world.content;
+  EngineMoment now;
+  if (content.selected)
+    now.selected = {scene_.world.blocks.at(*content.selected), glm::dvec3(*content.selected) + 0.5};
+  if (!content.bolts.empty()) now.lightning = content.bolts.back().at;
+  return now;
 }
 
 void RenderSession::followWorld(Diagnostics& diagnostics) {

@@ -40,6 +40,16 @@ struct SessionReload {
   LoadReport report;
 };
 
+/// What an engine knows of a moment besides Environment.
+struct EngineMoment {
+  struct Selected {
+    BlockState block;
+    glm::dvec3 middle{0};  ///< of the block, in the world
+  };
+  std::optional<Selected> selected;
+  std::optional<glm::dvec3> lightning;  ///< where a bolt strikes
+};
+
 class RenderSession {
  public:
   /// nullptr when the pack cannot be rendered; see diagnostics.
@@ -61,6 +71,7 @@ class RenderSession {
   void setCamera(const Camera& camera) { request_.camera = camera; }
   /// An engine's own, in place of what the camera's angles and the world's blocks give; nullopt: those.
   void setMatrices(const std::optional<ViewMatrices>& matrices) { matrices_ = matrices; }
+  void setMoment(const EngineMoment& moment) { moment_ = moment; }
   void setSurroundings(const std::optional<EyeSurroundings>& eye) { surroundings_ = eye; }
   Environment& environment() { return scene_.world.environment; }
   void setTime(int time) { scene_.world.environment.time = time; }
@@ -99,6 +110,7 @@ class RenderSession {
   void followContents(const std::string& cause, Diagnostics& diagnostics);
   /// What of the frame depends on both the pack and the content.
   void setContentIds(FrameState& state) const;
+  EngineMoment moment() const;
   void followWorld(Diagnostics& diagnostics);
 
   SessionRequest request_;
@@ -107,6 +119,7 @@ class RenderSession {
   std::optional<FrameState> state_;
   std::optional<ViewMatrices> matrices_;
   std::optional<EyeSurroundings> surroundings_;
+  EngineMoment moment_;
   std::vector<SessionReload> reloads_;
   AutoChoices auto_;
   /// What was asked for, and the scene for which `auto_` was chosen.

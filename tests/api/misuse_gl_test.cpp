@@ -108,7 +108,7 @@ TEST_F(Misuse, structs_of_another_version_are_refused) {
 TEST_F(Misuse, numbers_out_of_range_leave_the_frame_before) {
   OrrisRenderer* renderer = make(request(testPack()));
   const OrrisFrame good = frameOf(renderer);
-  std::vector<OrrisFrame> bad(12, good);
+  std::vector<OrrisFrame> bad(13, good);
   bad[0].time = 24000;
   bad[1].rain = std::numeric_limits<float>::quiet_NaN();
   bad[2].camera.fov = 180;
@@ -122,6 +122,7 @@ TEST_F(Misuse, numbers_out_of_range_leave_the_frame_before) {
   bad[8].render_distance = 0;
   bad[9].frame_time = -1;
   bad[10].struct_size = 0;
+  bad[12].selected_block = "chest[";
   bad[11].sky_color[0] = std::numeric_limits<float>::infinity();
   for (std::size_t i = 0; i < bad.size(); ++i) {
     EXPECT_EQ(orris_renderer_draw_frame(renderer, &bad[i]), ORRIS_ERROR_ARGUMENT) << i;

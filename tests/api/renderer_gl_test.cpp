@@ -87,13 +87,24 @@ TEST_F(RendererApi, angles_direction_and_matrices_of_one_camera_give_one_picture
 TEST_F(RendererApi, uniforms_of_the_player_reach_the_pack) {
   OrrisRenderer* renderer = make(request(testPack()));
   OrrisFrame frame = frameOf(renderer);
+  for (float& part : frame.fog_color) part = 0;  // the background
   ASSERT_EQ(orris_renderer_draw_frame(renderer, &frame), ORRIS_OK);
-  const Rgb before = at(read(renderer), 5, 5);
+  EXPECT_EQ(at(read(renderer), 5, 5), (Rgb{0, 0, 0}));
   frame.main_hand = "minecraft:torch";
   frame.eye_fluid = 1;
+  frame.selected_block = "minecraft:gold_block";
+  frame.selected_position[2] = frame.camera.position[2] - 6;
+  ASSERT_EQ(orris_renderer_draw_frame(renderer, &frame), ORRIS_OK) << orris_last_error();
+  EXPECT_EQ(at(read(renderer), 5, 5), (Rgb{153, 255, 255}));
+  const OrrisFrame kept = frameOf(renderer);
+  EXPECT_STREQ(kept.main_hand, "minecraft:torch");
+  EXPECT_STREQ(kept.selected_block, "minecraft:gold_block");
+  ASSERT_EQ(orris_renderer_draw_frame(renderer, &kept), ORRIS_OK);
+  EXPECT_EQ(at(read(renderer), 5, 5), (Rgb{153, 255, 255}));
+  frame.lightning = 1;
+  frame.lightning_position[1] = frame.camera.position[1] + 4;
   ASSERT_EQ(orris_renderer_draw_frame(renderer, &frame), ORRIS_OK);
-  EXPECT_EQ(at(read(renderer), 5, 5), (Rgb{before[0], 255, 255}));
-  EXPECT_STREQ(frameOf(renderer).main_hand, "minecraft:torch") << "is kept";
+  EXPECT_EQ(at(read(renderer), 5, 5), (Rgb{102, 102, 102}));
 }
 
 TEST_F(RendererApi, options_are_read_and_set) {

@@ -221,7 +221,11 @@ typedef struct OrrisFrame {
   float blindness, night_vision, darkness, darkness_light; /**< effects, 0 to 1 */
   float screen_brightness; /**< the game's setting, 0 to 1 */
   int32_t sneaking, sprinting, hurt, invisible, burning, on_ground, hide_gui; /**< 0 or 1 */
-  /* Where the eye is; of an engine's geometry only, otherwise measured in the world. */
+  /* Of an engine's geometry only; otherwise the world knows it. */
+  const char* selected_block;   /**< the one that is looked at, "minecraft:chest[facing=north]"; "" for none */
+  double selected_position[3];  /**< its middle, world */
+  int32_t lightning;            /**< 1: a bolt strikes */
+  double lightning_position[3]; /**< world */
   int32_t eye_fluid;       /**< 0 none, 1 water, 2 lava */
   int32_t feet_in_water;   /**< 0 or 1 */
   int32_t eye_block_light, eye_sky_light; /**< 0 to 15 */

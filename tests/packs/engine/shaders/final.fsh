@@ -7,6 +7,9 @@ uniform sampler2D colortex0;
 uniform sampler2D shadowtex0;
 uniform int heldItemId;
 uniform int isEyeInWater;
+uniform int currentSelectedBlockId;
+uniform vec3 currentSelectedBlockPos;
+uniform vec4 lightningBoltPosition;
 
 in vec2 uv;
 
@@ -20,4 +23,6 @@ void main() {
 #endif
   if (heldItemId == 3) color.g = 1.0;
   if (isEyeInWater == 1) color.b = 1.0;
+  if (currentSelectedBlockId == 7) color.r = -currentSelectedBlockPos.z / 10.0;
+  if (lightningBoltPosition.w > 0.5) color.rgb = lightningBoltPosition.yyy / 10.0;
 }
