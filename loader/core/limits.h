@@ -51,6 +51,7 @@ constexpr std::size_t kDimensionFolders = 64;
 constexpr std::size_t kOptions = 5'000;
 constexpr std::size_t kOptionValues = 2'000;
 constexpr std::size_t kSuggestions = 200;
+constexpr std::size_t kStageErrors = 100;
 
 // Worlds (world/).
 constexpr std::size_t kWorldJsonBytes = std::size_t{16} << 20;

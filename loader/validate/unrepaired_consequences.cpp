@@ -208,6 +208,17 @@ void foldNames(Folds& folds) {
   }
 }
 
+/// One advice for several lines of a file is given once: `varying` in a stage that has none, or the type of one attribute.
+void foldAdvice(Folds& folds) {
+  std::map<std::pair<std::string, std::string>, std::size_t> first;
+  for (std::size_t i = 0; i < folds.all().size(); ++i) {
+    const Diagnostic& d = folds.all()[i];
+    if (d.id != "glsl-compile" || d.hint.empty() || !folds.isOpen(i)) continue;
+    const auto [known, isNew] = first.try_emplace({d.at.file, d.hint}, i);
+    if (!isNew) folds.fold(i, known->second);
+  }
+}
+
 }  // namespace
 
 bool Folds::isOpen(std::size_t i) const {
@@ -274,6 +285,7 @@ void foldByNames(Folds& folds, const FileSource& files) {
   foldWrongTypes(folds);
   foldVersions(folds);
   foldNames(folds);
+  foldAdvice(folds);
 }
 
 }  // namespace orris

@@ -46,6 +46,14 @@ TEST(compiler_log, mesa_candidates_become_notes_of_their_message) {
                 kFoo);
 }
 
+TEST(compiler_log, extensions_that_glslang_lists_become_notes_of_their_message) {
+  EXPECT_EQ(mapped("ERROR: 0:3: 'foo' : required extension not requested: Possible extensions include:\n"
+                   "GL_EXT_one\nGL_EXT_two\nERROR: 0:4: 'x' : other\n"),
+            "/a.fsh:3:23: error: 'foo' : required extension not requested: Possible extensions include:" +
+                kFoo + "  note: GL_EXT_one\n  note: GL_EXT_two\n" + "/a.fsh: error: 'x' : other\n"
+                "  note: the place is in text added by the host\n");
+}
+
 TEST(compiler_log, errors_that_follow_on_the_same_line_are_left_out) {
   EXPECT_EQ(mapped("0:3(23): error: `foo' undeclared\n"
                    "0:3(15): error: could not implicitly convert error to int\n"),

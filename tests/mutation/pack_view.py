@@ -211,8 +211,9 @@ class PackView:
 
     @cached_property
     def sources(self):
-        """The GLSL files that reach a driver."""
-        return {file: SourceFile(self.path(file)) for file in sorted(self.reach.lines)}
+        """The GLSL files that reach a driver; of stages that the host adds there is none."""
+        return {file: SourceFile(self.path(file)) for file in sorted(self.reach.lines)
+                if self.path(file).is_file()}
 
     @cached_property
     def lines_in_use(self):

@@ -139,7 +139,7 @@ class PlaceSearch {
   int problemsWith(const AddedLine& added) const {
     int problems = 0;
     for (const auto& [folder, unit] : unbalanced_.samples) {
-      const auto left = diagnosticsWith(*folder, unit, added);
+      const auto left = diagnosticsWith(*folder, unit, added, CompileErrors::First);
       problems += countProblems(left ? *left : unit.program->diagnostics);
       if (problems > least_) break;
     }

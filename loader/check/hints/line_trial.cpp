@@ -29,7 +29,7 @@ const FolderBuild* buildOf(const ShaderPack& pack, const ProgramSource& program)
 }
 
 std::optional<Diagnostics> diagnosticsWith(const ShaderPack& pack, const ProgramUnit& unit,
-                                           const AddedLine& added) {
+                                           const AddedLine& added, CompileErrors wanted) {
   const FolderBuild* build = unit.program ? buildOf(pack, *unit.program) : nullptr;
   const ProgramEntry* entry = build ? build->entryNamed(unit.program->name) : nullptr;
   if (!entry) return std::nullopt;
@@ -39,13 +39,14 @@ std::optional<Diagnostics> diagnosticsWith(const ShaderPack& pack, const Program
   if (same == units.end()) return std::nullopt;
   Diagnostics left = program.diagnostics;
   validateWithGlslang(
-      same->judged, [](const std::string&, int) { return std::string(); }, left);
+      same->judged, [](const std::string&, int) { return std::string(); }, left, wanted);
   return left;
 }
 
 bool healsWith(const ShaderPack& pack, const ProgramUnit& unit, const MissingInclude& added,
                const Diagnostics& errors) {
-  const auto left = diagnosticsWith(pack, unit, {added.at.file, added.at.line, added.target});
+  const auto left = diagnosticsWith(pack, unit, {added.at.file, added.at.line, added.target},
+                                    CompileErrors::All);
   if (!left) return false;
   Diagnostics had = unit.program->diagnostics;
   had.insert(had.end(), errors.begin(), errors.end());

@@ -12,9 +12,10 @@ namespace orris {
 /// The build that made the program, nullptr when the pack was not made from files.
 const FolderBuild* buildOf(const ShaderPack& pack, const ProgramSource& program);
 
-/// What is reported of the unit of `pack` with the line, nullopt when it cannot be made anew.
+/// What is reported of the unit of `pack` with the line, nullopt when it cannot be made anew. To count what is left
+/// take the first error of each stage: a syntax error hides all behind it.
 std::optional<Diagnostics> diagnosticsWith(const ShaderPack& pack, const ProgramUnit& unit,
-                                           const AddedLine& added);
+                                           const AddedLine& added, CompileErrors wanted);
 
 /// Does the unit, which has `errors`, have fewer with the #include, and none that is new?
 bool healsWith(const ShaderPack& pack, const ProgramUnit& unit, const MissingInclude& added,

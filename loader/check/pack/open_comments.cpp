@@ -168,7 +168,7 @@ std::ptrdiff_t problemsWith(const ShaderPack& folder, const CommentInFile& in,
                             const AddedLine& added) {
   std::ptrdiff_t problems = 0;
   for (const ProgramUnit& unit : in.samples) {
-    const auto left = diagnosticsWith(folder, unit, added);
+    const auto left = diagnosticsWith(folder, unit, added, CompileErrors::First);
     problems += std::ranges::count_if(left ? *left : unit.program->diagnostics, [](const auto& d) {
       return d.severity == Severity::Error || d.id == "conditional-unbalanced";
     });

@@ -272,6 +272,12 @@ std::vector<LogEntry> parseCompilerLog(std::string_view log, Severity fallback) 
       entries.back().notes.emplace_back(line);
       continue;
     }
+    // glslang lists extensions, each on a line of its own.
+    if (entry->line == 0 && line.starts_with("GL_") && !entries.empty() &&
+        entries.back().message.ends_with("extensions include:")) {
+      entries.back().notes.emplace_back(line);
+      continue;
+    }
     const std::string message(trim(entry->message));
     if (continuesLast(*entry, entries)) {
       entries.back().notes.push_back(message);

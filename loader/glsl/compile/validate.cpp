@@ -7,11 +7,11 @@
 #include <algorithm>
 #include <array>
 #include <memory>
-#include <set>
 #include <string_view>
 
 #include "glsl/compile/compiler_log.h"
 #include "glsl/compile/plain_types.h"
+#include "glsl/compile/stage_errors.h"
 #include "glsl/rewrite/interface_repair.h"
 #include "glsl/syntax/brace_check.h"
 #include "glsl/tokens/text_tokens.h"
@@ -136,22 +136,22 @@ bool reportMissingBrace(const std::vector<LogEntry>& entries, const StageText& s
 }
 
 bool compile(glslang::TShader& shader, const StageText& stage, const SourceLines& lines,
-             Diagnostics& diagnostics) {
+             CompileErrors wanted, Diagnostics& diagnostics) {
   const char* text = stage.text.text.c_str();
   const int length = static_cast<int>(stage.text.text.size());
   shader.setStringsWithLengths(&text, &length, 1);
   constexpr int kDefaultVersion = 110;
-  bool ok = shader.parse(&limits(), kDefaultVersion, false, EShMsgDefault);
+  const EShMessages messages =
+      wanted == CompileErrors::All ? EShMsgCascadingErrors : EShMsgDefault;
+  bool ok = shader.parse(&limits(), kDefaultVersion, false, messages);
   std::vector<LogEntry> entries = parseCompilerLog(shader.getInfoLog(), Severity::Error);
   if (!ok && reportMissingBrace(entries, stage, lines, diagnostics)) return false;
-  std::set<int> linesInError;
+  std::erase_if(entries, isDeprecation);
   for (LogEntry& entry : entries) {
-    if (isDeprecation(entry)) continue;
     if (isUnknownExtension(entry)) entry.severity = Severity::Warning;
+  }
+  for (LogEntry& entry : ownMistakes(std::move(entries), stage.text.text)) {
     entry.message = withPlainTypes(entry.message);
-    // What is found on the line after an error follows from it.
-    const bool error = entry.severity == Severity::Error && entry.line > 0;
-    if (error && !linesInError.insert(entry.line).second) continue;
     diagnostics.push_back(locateLogEntry(entry, "glsl-compile", stage, lines));
   }
   return ok;
@@ -175,7 +175,7 @@ void reportLink(const glslang::TProgram& program, const std::vector<const StageT
 }  // namespace
 
 void validateWithGlslang(const std::vector<const StageText*>& written, const SourceLines& lines,
-                         Diagnostics& diagnostics) {
+                         Diagnostics& diagnostics, CompileErrors wanted) {
   static const GlslangProcess kProcess;
   if (written.empty()) return;
   const auto repaired = repairInterface(written);
@@ -187,7 +187,7 @@ void validateWithGlslang(const std::vector<const StageText*>& written, const Sou
   bool compiled = true;
   for (const StageText* stage : stages) {
     shaders.push_back(std::make_unique<glslang::TShader>(languageOf(stage->stage)));
-    compiled = compile(*shaders.back(), *stage, lines, diagnostics) && compiled;
+    compiled = compile(*shaders.back(), *stage, lines, wanted, diagnostics) && compiled;
     program.addShader(shaders.back().get());
   }
   if (!compiled) return;
