@@ -21,6 +21,7 @@ target_link_options(orris_api PRIVATE
 set_property(GLOBAL APPEND PROPERTY ORRIS_FOLDERS api)
 set_property(GLOBAL PROPERTY ORRIS_USES_api core image glsl pack world plan gl render)
 
+file(RELATIVE_PATH up /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)  # from there to the prefix
 configure_file(${PROJECT_SOURCE_DIR}/cmake/orris.pc.in ${PROJECT_BINARY_DIR}/orris.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/orris.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 install(FILES api/include/orris/orris.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/orris)

@@ -47,7 +47,7 @@ const char* lastErrorText() noexcept { return lastError.c_str(); }
 Entry::Entry() {
   if (isEntered.exchange(true))
     fail(ORRIS_ERROR_ORDER,
-         "a call of Orris is under way, of another thread or around this callback");
+         "a call of Orris is not finished, of another thread or the one that made this callback");
 }
 Entry::~Entry() { isEntered = false; }
 

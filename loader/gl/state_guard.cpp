@@ -47,7 +47,7 @@ constexpr Parameter kPixelStore[] = {
     {GL_UNPACK_SWAP_BYTES, 0}, {GL_UNPACK_LSB_FIRST, 0}, {GL_UNPACK_IMAGE_HEIGHT, 0},
     {GL_UNPACK_SKIP_IMAGES, 0}};
 
-// What is bound, by the name to ask for and the way to bind. The vertex array comes before the array
+// What is bound: the name to ask for, and how to bind it. The vertex array comes before the array
 // buffer, which it does not hold.
 struct Binding {
   unsigned asked;

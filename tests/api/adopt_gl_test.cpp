@@ -84,7 +84,7 @@ class AdoptedContext : public testing::TestWithParam<bool> {
     return pixels;
   }
   /// What no renderer could draw under.
-  void setAgainstTheGrain() const {
+  void setOtherState() const {
     for (const GLenum name : {GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_BLEND, GL_CULL_FACE,
                               GL_RASTERIZER_DISCARD, GL_POLYGON_OFFSET_FILL, GL_COLOR_LOGIC_OP})
       OWN_GL(own_, Enable)(name);
@@ -134,7 +134,7 @@ TEST_P(AdoptedContext, is_known_for_what_it_is) {
 
 TEST_P(AdoptedContext, engine_state_neither_disturbs_nor_changes) {
   const auto before = picture();
-  setAgainstTheGrain();
+  setOtherState();
   const auto asSet = state();
   ASSERT_EQ(OWN_GL(own_, GetError)(), unsigned{GL_NO_ERROR});
   EXPECT_EQ(picture(), before);

@@ -58,7 +58,7 @@ TEST_F(ReloadApi, a_mistake_leaves_the_last_good_pack) {
 }
 
 // Programs of a kind are compiled when it is first submitted; those that fail leave out the kind alone.
-TEST_F(ReloadApi, a_program_that_fails_when_it_is_needed_is_said_once) {
+TEST_F(ReloadApi, a_program_that_fails_when_it_is_needed_is_reported_once) {
   write("gbuffers_entities.fsh", finalOf("vec4(missing)"));
   OrrisRenderer* renderer = make(request((folder_ / "pack").string()));
   ASSERT_NE(renderer, nullptr) << "nothing needs the program yet";

@@ -19,9 +19,8 @@ file(GLOB_RECURSE pc ${WORK}/prefix/*/orris.pc)
 get_filename_component(pc_dir ${pc} DIRECTORY)
 get_filename_component(lib_dir ${pc_dir} DIRECTORY)
 set(ENV{PKG_CONFIG_PATH} ${pc_dir})
-execute_process(COMMAND pkg-config --define-variable=prefix=${WORK}/prefix
-  --define-variable=libdir=${lib_dir} --define-variable=includedir=${WORK}/prefix/include
-  --cflags --libs orris OUTPUT_VARIABLE words OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND pkg-config --cflags --libs orris OUTPUT_VARIABLE words
+  OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
 separate_arguments(words)
 step(${CC} -std=c99 -Wall -Wextra -Werror -pedantic ${sanitize} ${SOURCE}/tests/embed/quick_start.c
      -o ${WORK}/quick_start ${words} -Wl,-rpath,${lib_dir})

@@ -5,7 +5,7 @@
 
 #include "window.h"
 
-/* A face: the way it looks, and the ways that u and v grow. */
+/* A face: its normal, and the directions in which u and v grow. */
 typedef struct Face {
   int normal[3], right[3], up[3];
 } Face;
