@@ -30,6 +30,7 @@ std::span<const Rule> hostRules() {
       {"gl-function-missing", Severity::Error,
        "the driver does not offer a function of its own version"},
       {"gl-library-missing", Severity::Error, "OSMesa or EGL is not installed"},
+      {"gl-no-current-context", Severity::Error, "an engine's GL context is not current"},
       {"gl-no-headless-context", Severity::Error, "neither OSMesa nor EGL gives a context"},
       {"gl-no-window", Severity::Error, "no window can be opened"},
       {"gl-too-old", Severity::Error, "the driver lacks a version or an extension that is needed"},
