@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "world/blocks/block_data.h"
+
 namespace orris {
 namespace {
 
@@ -79,7 +81,7 @@ SceneData buildScene(World world, const MeshStyle& style, Diagnostics& diagnosti
 std::vector<int> blockIdsOf(const ShaderPack& pack, const BlockWorld& blocks) {
   std::vector<int> ids;
   for (const BlockState& state : blocks.palette())
-    ids.push_back(pack.blockIds.idOf(state.name, state.properties));
+    ids.push_back(pack.blockIds.idOf(state.name, wholeProperties(state)));
   return ids;
 }
 

@@ -8,6 +8,7 @@
 #include "core/work_record.h"
 #include "plan/lists/draw_lists.h"
 #include "plan/scene_quantities.h"
+#include "world/blocks/block_data.h"
 
 namespace orris {
 namespace {
@@ -267,7 +268,7 @@ void RenderSession::setContentIds(FrameState& state) const {
   const EngineMoment now = moment();
   if (now.selected) {
     const BlockState& block = now.selected->block;
-    state.selectedBlockId = pack.blockIds.idOf(block.name, block.properties);
+    state.selectedBlockId = pack.blockIds.idOf(block.name, wholeProperties(block));
     state.selectedBlockPos = glm::vec3(now.selected->middle - state.cameraPosition);
   }
   if (now.lightning)

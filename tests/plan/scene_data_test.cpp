@@ -21,6 +21,21 @@ TEST(SceneData, a_pack_moves_blocks_between_render_layers) {
   EXPECT_TRUE(scene.contents().cutout);
 }
 
+TEST(SceneData, ids_see_the_properties_that_a_state_has_by_default) {
+  ShaderPack pack;
+  Diagnostics diagnostics;
+  const std::string lines = "block.336=end_rod:facing=up\nblock.346=end_rod:facing=north\n";
+  pack.blockIds = parseBlockProperties("/block.properties", lines, lines, diagnostics);
+  BlockWorld blocks({0, 0, 0}, {1, 1, 1});
+  const auto idOf = [&](const char* state) {
+    return blockIdsOf(pack, blocks)[blocks.paletteIndex(*parseBlockState(state))];
+  };
+  blocks.paletteIndex(*parseBlockState("end_rod[facing=north]"));
+  blocks.paletteIndex(*parseBlockState("end_rod"));
+  EXPECT_EQ(idOf("end_rod"), 336);
+  EXPECT_EQ(idOf("end_rod[facing=north]"), 346);
+}
+
 TEST(SceneData, feet_stand_in_water_below_the_eye) {
   World world;
   world.blocks = BlockWorld({0, 0, 0}, {1, 4, 1});

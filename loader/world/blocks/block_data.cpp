@@ -279,4 +279,19 @@ const BlockData& blockData() {
   return data;
 }
 
+const BlockDefinition* definitionOf(const std::string& name) {
+  constexpr std::string_view kGame = "minecraft:";
+  if (!name.starts_with(kGame)) return nullptr;
+  const auto& blocks = blockData().blocks;
+  const auto found = blocks.find(name.substr(kGame.size()));
+  return found == blocks.end() ? nullptr : &found->second;
+}
+
+BlockProperties wholeProperties(const BlockState& state) {
+  BlockProperties properties = state.properties;
+  if (const BlockDefinition* definition = definitionOf(state.name))
+    properties.insert(definition->defaults.begin(), definition->defaults.end());
+  return properties;
+}
+
 }  // namespace orris

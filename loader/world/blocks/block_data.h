@@ -80,4 +80,11 @@ struct BlockData {
 /// The data file compiled into the library, read once.
 const BlockData& blockData();
 
+/// nullptr: the block is unknown.
+const BlockDefinition* definitionOf(const std::string& name);
+
+/// The properties of a state, as the game has them: those that it does not name have their default. Of unknown
+/// blocks what is named.
+BlockProperties wholeProperties(const BlockState& state);
+
 }  // namespace orris

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <string_view>
 
+#include "world/blocks/block_data.h"
 #include "world/blocks/block_shape.h"
 
 namespace orris {
 namespace {
-
-constexpr std::string_view kNamespace = "minecraft:";
 
 template <class T>
 void overwrite(std::optional<T>& target, const std::optional<T>& source) {
@@ -27,14 +26,6 @@ void apply(FactsPatch& target, const FactsPatch& patch) {
   overwrite(target.waterlogged, patch.waterlogged);
   overwrite(target.blockEntity, patch.blockEntity);
   for (const auto& [part, texture] : patch.textures) target.textures[part] = texture;
-}
-
-const BlockDefinition* definitionOf(const std::string& name) {
-  const std::string_view text = name;
-  if (!text.starts_with(kNamespace)) return nullptr;
-  const auto& blocks = blockData().blocks;
-  const auto found = blocks.find(std::string(text.substr(kNamespace.size())));
-  return found == blocks.end() ? nullptr : &found->second;
 }
 
 bool isFullCube(const std::vector<ShapeBox>& boxes) {
@@ -131,8 +122,7 @@ BlockTable::~BlockTable() = default;
 BlockFacts BlockTable::factsOf(const BlockState& state) const {
   const BlockDefinition* definition = definitionOf(state.name);
   if (!definition) return unknownBlock();
-  BlockProperties properties = definition->defaults;
-  for (const auto& [key, value] : state.properties) properties[key] = value;
+  const BlockProperties properties = wholeProperties(state);
   FactsPatch spec = definition->base;
   for (const auto& [when, patch] : definition->variants) {
     if (when.holds(properties)) apply(spec, patch);
