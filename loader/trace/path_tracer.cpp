@@ -125,7 +125,6 @@ void PathTracer::askBall(const TraceSurface& surface, const LampDraw& drawn, glm
   const LampFace& ball = *drawn.face;
   const glm::vec3 to = ball.corner - surface.position;
   const float far = glm::length(to);
-  // Its own lamp's faces lie within it.
   if (far <= ball.radius) return;
   const float edge = std::sqrt(1 - ball.radius * ball.radius / (far * far));
   const float z = glm::mix(1.0f, edge, u.x), across = std::sqrt(std::max(0.0f, 1 - z * z));
@@ -153,6 +152,7 @@ void PathTracer::askLamp(const TraceSurface& surface, SampleRandom& random, Quer
   if (drawn.face == nullptr) return;
   const LampFace& lamp = *drawn.face;
   const glm::vec2 at = random.pair();
+  if (isOwn(surface, lamp.cell)) return;
   if (lamp.radius > 0) return askBall(surface, drawn, at, query, counts);
   const glm::vec3 to = lamp.corner + lamp.edgeU * at.x + lamp.edgeV * at.y - surface.position;
   const float squared = glm::dot(to, to);
@@ -169,6 +169,11 @@ void PathTracer::askLamp(const TraceSurface& surface, SampleRandom& random, Quer
   query.send(surface, direction, counts.lamp, counts);
 }
 
+/// What a lamp gives is what leaves it: its own faces (of a torch beside its ball, of crossed planes of fire) get none.
+bool PathTracer::isOwn(const TraceSurface& surface, glm::ivec3 cell) const {
+  return surface.cell == cell && surface.quad != kNoQuad && scene_.grid.quad(surface.quad).emission > 0;
+}
+
 /// Of the front of a lamp's face; 0 of all else.
 glm::vec3 PathTracer::lampRadiance(const RayHit& hit) const {
   const std::uint32_t lamp = scene_.grid.quad(hit.quad).lamp;
@@ -179,7 +184,7 @@ glm::vec3 PathTracer::lampRadiance(const RayHit& hit) const {
 glm::vec3 PathTracer::metLamp(const RayHit& hit, const TraceSurface& from,
                               const glm::vec3& direction) const {
   const TraceQuad& quad = scene_.grid.quad(hit.quad);
-  if (quad.lamp == kNoQuad || hit.back) return glm::vec3(0);
+  if (quad.lamp == kNoQuad || hit.back || isOwn(from, hit.cell)) return glm::vec3(0);
   const LampFace& lamp = scene_.lamps.face(quad.lamp);
   const float lampCosine = std::max(-glm::dot(quad.normal, direction), 1e-6f);
   const float density = std::max(glm::dot(from.normal, direction), 0.0f) / kPi;

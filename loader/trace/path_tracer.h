@@ -88,6 +88,7 @@ class PathTracer {
                RayCounts& counts) const;
   static void askBall(const TraceSurface& surface, const LampDraw& drawn, glm::vec2 u, Query& query,
                       RayCounts& counts);
+  bool isOwn(const TraceSurface& surface, glm::ivec3 cell) const;
   const LampFace* ballAlong(const Ray& ray, float until) const;
   glm::vec3 lampRadiance(const RayHit& hit) const;
   glm::vec3 metLamp(const RayHit& hit, const TraceSurface& from, const glm::vec3& direction) const;

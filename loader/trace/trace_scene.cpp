@@ -63,7 +63,7 @@ class SceneBuilder {
   void measure();
   void addCells();
   void addCell(glm::ivec3 cell, std::size_t first, std::size_t end);
-  void addLamp(const TraceQuad& quad);
+  void addLamp(glm::ivec3 cell, const TraceQuad& quad);
   void addBall(glm::ivec3 cell, const State& state);
   std::uint8_t filterAt(glm::ivec3 cell) const;
 
@@ -171,7 +171,7 @@ void SceneBuilder::addCell(glm::ivec3 cell, std::size_t first, std::size_t end) 
     if (isUnitSide(placed_[i])) made.faces = std::uint8_t(made.faces | 1 << placed_[i].face);
     if (state.emits && state.ball == 0) {
       quad.lamp = std::uint32_t(lamps_.size());
-      addLamp(quad);
+      addLamp(cell, quad);
     }
     quads_.push_back(quad);
   }
@@ -183,14 +183,16 @@ void SceneBuilder::addBall(glm::ivec3 cell, const State& state) {
   LampFace ball;
   ball.quad = kNoQuad;
   ball.radius = state.ball;
+  ball.cell = cell - low_;
   ball.corner = glm::vec3(cell - low_) + 0.5f;
   ball.radiance = state.radiance;
   ball.area = 4 * std::numbers::pi_v<float> * state.ball * state.ball;
   lamps_.push_back(ball);
 }
 
-void SceneBuilder::addLamp(const TraceQuad& quad) {
+void SceneBuilder::addLamp(glm::ivec3 cell, const TraceQuad& quad) {
   LampFace face;
+  face.cell = cell - low_;
   face.quad = std::uint32_t(quads_.size());
   face.corner = quad.corner;
   face.edgeU = quad.edgeU;

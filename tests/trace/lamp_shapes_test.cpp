@@ -1,4 +1,5 @@
 // Lamps of every shape: what they send out, by theory and by a search through all quads.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "block_scene.h"
@@ -128,6 +129,42 @@ INSTANTIATE_TEST_SUITE_P(
 double cornerShare(double a, double b) {
   const double p = std::sqrt(1 + a * a), q = std::sqrt(1 + b * b);
   return (a / p * std::atan(b / p) + b / q * std::atan(a / q)) / 6.283185307179586;
+}
+
+// What a lamp gives is what leaves it. An end rod reaches out of the ball that gives its light, and planes of fire cross.
+TEST(LampOwnFaces, get_none_of_their_light) {
+  for (const auto& [block, id] : {std::pair{"end_rod", 206}, {"fire", kListedLamp}}) {
+    const BlockScene scene = test::blockScene(
+        fmt::format(R"({{"size": [9, 9, 9], "blocks": [
+        {{"hollow": "black_concrete", "min": [0, 0, 0], "max": [8, 8, 8]}},
+        {{"block": "{}", "at": [4, 1, 4]}}],
+        "cameras": [{{"name": "a", "position": [2, 2, 2], "yaw": 0, "pitch": 0, "fov": 60}}]}})", block),
+        {{nameOf(block), id}}, strengthOne());
+    TraceSettings settings;
+    settings.bounces = 1;
+    const PathTracer tracer(scene.scene, {}, settings);
+    RayCounts counts;
+    const auto lightAt = [&](const TraceSurface& at) {
+      return test::estimate(500, [&](std::uint32_t i) {
+               SampleRandom random(3, 0, i);
+               return double(tracer.incoming(at, random, counts).g);
+             }).mean;
+    };
+    const glm::ivec3 below = glm::ivec3(4, 0, 4) - scene.scene.origin;
+    TraceSurface surface = test::surfaceOn(below, FaceDirection::Up, {.2f, .2f});
+    EXPECT_GT(lightAt(surface), 0) << block;
+    int own = 0;
+    for (std::uint32_t i = 0; i < scene.scene.grid.quads().size(); ++i) {
+      const TraceQuad& quad = scene.scene.grid.quad(i);
+      if (quad.emission == 0) continue;
+      surface.position = quad.corner + .1f * quad.edgeU + .1f * quad.edgeV;
+      surface.normal = quad.normal;
+      surface.quad = i;
+      EXPECT_EQ(lightAt(surface), 0) << block;
+      ++own;
+    }
+    EXPECT_GT(own, 4) << block;
+  }
 }
 
 // The surface of lava is two quads in one place, and lights upward all the same.

@@ -16,6 +16,7 @@ struct LampFace {
   glm::vec3 corner{0}, edgeU{0}, edgeV{0}, normal{0};  ///< grid space
   glm::vec3 radiance{0};
   float area = 1;
+  glm::ivec3 cell{0};  ///< of its block
 };
 
 /// A face drawn, and how probable that was.
