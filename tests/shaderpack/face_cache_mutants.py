@@ -94,7 +94,7 @@ MUTANTS = [
      [(LIST, "if (!first_of_face(cell, face)) return;",
        "")]),
     ("lamp in the first cell passed by", "indirect.small_lamps*",
-     [(HIT, "if (is_ball(own.code) && along > 0.0",
+     [(HIT, "if (is_ball(own.code) && !begins_on_lamp && along > 0.0",
        "if (false && along > 0.0")]),
     ("glass in the first cell passed by", "indirect.glass_takes*",
      [(HIT, "if (is_filter_voxel(own.code))",

@@ -38,6 +38,7 @@ layout(rgba16f) uniform readonly image3D face_light;
 layout(r32ui) uniform readonly uimage2D face_memory;
 #include "/include/faces/face_cache.glsl"
 #endif
+#include "/include/lighting/leaves.glsl"
 #if GLOSSY
 #include "/include/lighting/glossy.glsl"
 
@@ -95,32 +96,13 @@ vec3 choose_side(Surface s, inout vec3 normal) {
     return 2.0 * passed_share(s.albedo);
 }
 
-// Share of a block of leaves' side that is open.
-const float leaf_holes = 0.15;
-
-/// Where a ray begins in a block of leaves, as when it looks out of the back of one of its sides, it
-/// passes another: adds the sun on that, and takes what it stops.
-void leave_leaves(vec3 origin, vec3 direction, vec3 light, float sky, inout vec3 throughput,
-                  inout vec3 radiance) {
-    Hit side;
-    side.cell = ivec3(floor(origin));
-    side.voxel = voxel_at(side.cell);
-    if (side.voxel.code != voxel_solid) return;
-    side.position = origin + direction * way_out(origin, direction);
-    vec3 from_middle = side.position - vec3(side.cell) - 0.5;
-    vec3 size = abs(from_middle);
-    float most = max(size.x, max(size.y, size.z));
-    side.normal = sign(from_middle) * vec3(greaterThanEqual(size, vec3(most)));
-    radiance += throughput * side.voxel.color * sun_at(side, light, sky);
-    throughput *= mix(side.voxel.color, vec3(1.0), leaf_holes);
-}
-
 /// One sample of the mean incoming radiance.
 vec3 gather(Surface s, vec3 light, int index) {
     vec3 normal = s.normal;
     vec3 throughput = choose_side(s, normal);
-    vec3 origin = to_volume(s.player) + normal * ray_offset;
+    vec3 origin = to_volume(s.player) + normal * pixel_offset(s.player);
     vec3 radiance = vec3(0.0);
+    begins_on_lamp = s.emission > 0.0;
 #if LAMP_RAYS
     radiance += throughput * lamp_sample(Receiver(origin, normal));
 #endif
@@ -130,8 +112,8 @@ vec3 gather(Surface s, vec3 light, int index) {
         if (bounce == 0) u = spread_point(ivec2(gl_FragCoord.xy), drawing * GI_SAMPLES + index);
 #endif
         vec3 direction = cosine_direction(normal, u);
-        if (s.thin && bounce == 0)
-            leave_leaves(origin, direction, light, s.light.y, throughput, radiance);
+        for (int i = 0; i < int(s.thin && bounce == 0 && begins_in_leaves(origin)); ++i)
+            radiance += throughput * light_of_leaves(origin, direction, light, s.light.y);
         vec3 from = origin;
         Hit hit = trace_from_face(from, direction);
         throughput *= hit.transmittance;
@@ -148,7 +130,8 @@ vec3 gather(Surface s, vec3 light, int index) {
 #endif
         }
         normal = hit.normal;
-        origin = hit.position + normal * ray_offset;
+        origin = hit.position + normal * face_offset;
+        begins_on_lamp = false;
         throughput *= voxel_albedo(hit.voxel);
         radiance += throughput * sun_at(hit, light, s.light.y);
 #if AIR_LIGHT
@@ -184,7 +167,7 @@ vec3 mirrored(Surface s, vec3 light) {
     vec3 direction = reflect(-v, facet);
     vec3 weight = gloss_fresnel(s.gloss, s.albedo, dot(v, facet)) *
                   ggx_masking(dot(s.normal, direction), alpha);
-    Hit hit = trace_from_face(to_volume(s.player) + s.normal * ray_offset, direction);
+    Hit hit = trace_from_face(to_volume(s.player) + s.normal * pixel_offset(s.player), direction);
     weight *= hit.transmittance;
     if (!hit.found) return weight * sky_beyond(hit, direction, s.light.y);
     vec3 lamp = is_lamp_voxel(hit.voxel.code) ? lamp_light(hit.voxel) : vec3(0.0);

@@ -91,7 +91,7 @@ vec3 indirect_radiance(vec3 n) {
     vec3 lightmap = ambient_radiance(levels, n);
 #if FACES && !LAMPS
     vec3 middle = to_volume(block);
-    vec4 cached = cached_light(ivec3(floor(middle)), face_of(n));
+    vec4 cached = cached_light_at(to_volume(player), ivec3(floor(middle)), face_of(n));
     float share = cached.a > 0.0 ? inside_volume(middle) : 0.0;
     return mix(lightmap, cached.rgb + AMBIENT_MINIMUM, share);
 #else
@@ -116,7 +116,7 @@ vec3 mirrored_radiance(vec3 n, vec3 direction, vec3 l) {
 #if FACES
     vec3 position = to_volume(player);
     if (inside_volume(position) > 0.0) {
-        Hit hit = trace(position + n * ray_offset, direction);
+        Hit hit = trace(position + n * pixel_offset(player), direction);
         vec3 lamp = is_lamp_voxel(hit.voxel.code) ? lamp_light(hit.voxel) : vec3(0.0);
         vec3 sun = DIRECT_LIGHT == NONE ? vec3(0.0) : sun_at(hit, l, light.y);
         if (hit.found) return hit.transmittance * (lamp + voxel_albedo(hit.voxel) * (sun + light_beside(hit)));

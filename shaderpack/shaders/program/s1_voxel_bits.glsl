@@ -24,7 +24,7 @@ void main() {
         for (int x = 0; x < cells; ++x) {
             int code = int(texelFetch(shadowcolor0, texel + ivec2(x, 0), 0).a * 255.0 + 0.5);
             bits |= uint(code != voxel_air) << uint(x);
-            full |= uint(code == voxel_solid || code >= voxel_lamp) << uint(x);
+            full |= uint(code == voxel_solid || (code >= voxel_lamp && code != voxel_lava)) << uint(x);
         }
         imageStore(voxel_bits, word, uvec4(bits));
         imageStore(voxel_bits, word + ivec3(words_of_row, 0, 0), uvec4(full));

@@ -13,6 +13,7 @@ layout(r32ui) uniform readonly uimage2D face_memory;
 
 #define READ_VOXELS
 #include "/include/faces/lamp_sample.glsl"
+#include "/include/lighting/leaves.glsl"
 #include "/include/math/half.glsl"
 
 struct Face {
@@ -40,7 +41,10 @@ vec3 hemisphere_sample(Face f, vec2 u, vec3 light) {
         radiance += voxel_albedo(hit.voxel) * (sun_at(hit, light, f.sky) +
                                                light_of(hit.cell, face_of_hit(hit)).rgb);
     }
-    return hit.transmittance * radiance;
+    radiance *= hit.transmittance;
+    for (int i = 0; i < int(begins_in_leaves(f.from.origin)); ++i)
+        radiance += light_of_leaves(f.from.origin, direction, light, f.sky);
+    return radiance;
 }
 
 /// Updates that count, after an edit in the frame before: none, or a few if edits follow each other.

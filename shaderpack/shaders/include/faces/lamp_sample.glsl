@@ -11,8 +11,6 @@
 
 // Lamps looked at for each that gets a ray; all if there are no more.
 const int lamp_candidates = 16;
-// Off a face, in blocks. Points of faces are exact, so this can be less than ray_offset.
-const float face_offset = 0.001;
 
 /// Where light arrives: volume space.
 struct Receiver {
@@ -130,9 +128,11 @@ LampSample sample_ball(Receiver r, ivec3 cell, vec3 radiance, vec2 u) {
     return LampSample(cell, direction, radiance * share, density);
 }
 
-LampSample sample_cube(Receiver r, ivec3 cell, int face, vec3 radiance, vec2 u) {
+/// Of lava the top lies lower.
+LampSample sample_cube(Receiver r, ivec3 cell, int face, bool lava, vec3 radiance, vec2 u) {
     vec3 normal = face_normal(face);
     vec3 way = point_of_side(cell, normal, u) - r.origin;
+    way.y -= lava && normal.y > 0.5 ? 1.0 - water_height : 0.0;
     float far = length(way);
     vec3 direction = way / far;
     float cosine = max(0.0, -dot(direction, normal));
@@ -143,10 +143,11 @@ LampSample sample_cube(Receiver r, ivec3 cell, int face, vec3 radiance, vec2 u) 
 LampSample sample_lamp(Receiver r, uint entry, uint lamps) {
     vec2 u = next_random().xy;
     ivec3 cell = packed_cell(entry);
-    vec3 radiance = lamp_light(voxel_at(cell));
+    Voxel voxel = voxel_at(cell);
+    vec3 radiance = lamp_light(voxel);
     LampSample lamp = packed_face(entry) == face_ball
                           ? sample_ball(r, cell, radiance, u)
-                          : sample_cube(r, cell, packed_face(entry), radiance, u);
+                          : sample_cube(r, cell, packed_face(entry), voxel.code == voxel_lava, radiance, u);
     lamp.light *= sampled_share(lamp.density, lamps, dot(lamp.direction, r.normal));
     return lamp;
 }

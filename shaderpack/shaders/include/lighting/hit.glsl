@@ -8,13 +8,20 @@
 #include "/include/math/sampling.glsl"
 #include "/include/voxel/trace.glsl"
 
-// A little off the face, more than depth rounds at the edge of the volume.
-const float ray_offset = 0.02;
+// Rays begin a little off their face, in blocks: no more, as a floor that is .02 nearer to a lamp on it gets 4 % less light
+// from it. Points of faces that rays have hit are exact.
+const float face_offset = 0.001;
+
+/// Off what a pixel shows, more than its depth rounds. `player`: player space.
+float pixel_offset(vec3 player) { return min(0.02, face_offset + 2e-5 * dot(player, player)); }
 
 /// Radiance of a lamp where a ray hits it: small ones are balls.
 vec3 lamp_light(Voxel v) {
     return lamp_radiance(v) * (is_ball(v.code) ? small_lamp_boost : 1.0);
 }
+
+// Share of a block of leaves' side that is open.
+const float leaf_holes = 0.09;
 
 /// The way from `origin` to where a ray leaves its first cell.
 float way_out(vec3 origin, vec3 direction) {
@@ -23,9 +30,26 @@ float way_out(vec3 origin, vec3 direction) {
     return min(ways.x, min(ways.y, ways.z));
 }
 
+/// Of full blocks leaves alone are looked out of.
+bool begins_in_leaves(vec3 origin) { return voxel_at(ivec3(floor(origin))).code == voxel_solid; }
+
+/// What the side of a block of leaves leaves of a ray from inside; all that has a full block behind it, as it is not
+/// drawn. Without a cache of light it passes on what falls on it as if that went straight on.
+vec3 left_by_leaves(Voxel own, vec3 origin, vec3 direction) {
+#if FACES
+    ivec3 beyond = ivec3(floor(origin + direction * (way_out(origin, direction) + 0.001)));
+    return vec3(is_opaque_voxel(voxel_at(beyond).code) ? 1.0 : leaf_holes);
+#else
+    return mix(own.color, vec3(1.0), leaf_holes);
+#endif
+}
+
+/// Do rays begin on the faces of a lamp?
+bool begins_on_lamp = false;
+
 /// The first block of a ray from a face. The face shares its cell with the water above it, with a slab, with
-/// the rest of the stairs that it belongs to, or with a small lamp that stands on it; the lamp's own faces lie
-/// in its ball, and see none.
+/// the rest of the stairs that it belongs to, or with a small lamp that stands on it. What a lamp gives is what leaves it:
+/// its own faces see no ball.
 Hit trace_from_face(vec3 origin, vec3 direction) {
     ivec3 cell = ivec3(floor(origin));
     Voxel own = voxel_at(cell);
@@ -33,7 +57,7 @@ Hit trace_from_face(vec3 origin, vec3 direction) {
     float along = dot(to_center, direction);
     float off = dot(to_center, to_center) - along * along;
     const float ball = small_lamp_radius * small_lamp_radius;
-    if (is_ball(own.code) && along > 0.0 && off < ball && dot(to_center, to_center) > ball)
+    if (is_ball(own.code) && !begins_on_lamp && along > 0.0 && off < ball && dot(to_center, to_center) > ball)
         return Hit(true, cell, origin, -direction, own, vec3(1.0), false);
     Walk walk = begin_walk(origin, direction);
     vec3 within = floor((origin - vec3(cell)) * 2.0);
@@ -48,6 +72,7 @@ Hit trace_from_face(vec3 origin, vec3 direction) {
         return Hit(true, cell, origin + direction * met.way, -met.axis * walk.stride, own, vec3(1.0),
                    !is_post(own.code));
     Hit hit = trace(origin, direction);
+    for (int i = 0; i < int(own.code == voxel_solid); ++i) hit.transmittance *= left_by_leaves(own, origin, direction);
     if (is_filter_voxel(own.code)) {
         vec2 ways = vec2(0.0, way_out(origin, direction));
         if (own.code == voxel_water_surface)

@@ -148,10 +148,19 @@ Meeting meet_post(Walk walk, int code) {
     return met;
 }
 
+/// Lava up to its surface: whole where there is lava above it.
+Meeting meet_lava(Walk walk, vec2 ways) {
+    bool surface = int(texel_of(cell_of(walk) + ivec3(0, 1, 0)).a * 255.0 + 0.5) != voxel_lava;
+    vec2 below = below_surface(ways, walk.cell.y + water_height - walk.origin.y, walk.direction.y);
+    if (!surface || below.x <= ways.x) return Meeting(!surface || below.x < below.y, ways.x, vec3(0.0));
+    return Meeting(below.x <= below.y, below.x, vec3(0.0, 1.0, 0.0));
+}
+
 /// What of the cell's block stops the ray?
 Meeting meet(Walk walk, int code) {
     vec2 ways = ways_through(walk);
     Meeting met = meet_octants(walk, octants_of(code, cell_of(walk)), ways);
+    for (int i = 0; i < int(code == voxel_lava); ++i) met = meet_lava(walk, ways);
     vec3 to_center = walk.cell + 0.5 - walk.origin;
     float along = dot(to_center, walk.direction);
     float miss_squared = dot(to_center, to_center) - along * along;
@@ -191,7 +200,7 @@ void describe(inout Hit hit, Walk walk, Meeting met, vec4 texel) {
     hit.voxel = decode_voxel(texel);
     hit.position =
         walk.origin + walk.direction * (inside ? met.way : max(came.x, max(came.y, came.z)));
-    hit.inner = inside && !is_post(hit.voxel.code);
+    hit.inner = inside && !is_post(hit.voxel.code) && hit.voxel.code != voxel_lava;
     hit.normal = -(inside ? met.axis : vec3(x, y, !x && !y)) * walk.stride;
 #if NOTICE_CHANGES
     if (inside && is_glass(hit.voxel.code)) find_lit_side(hit);

@@ -22,6 +22,9 @@ const int voxel_small_lamp = 32;  // + light level 1..15, a ball in the cell
 const int voxel_cover = 48;       // a carpet on the floor of the cell
 const int voxel_lamp = 64;        // + 16 * digit of lamp_color + light level 1..15, fills the cell
 
+// Lava: the only lamp of its colour at that level. With something else above it it ends where water does.
+const int voxel_lava = voxel_lamp + 16 * 9 + 15;
+
 // Of still water with air above it, as the game draws it.
 const float water_height = 8.0 / 9.0;
 
