@@ -4,8 +4,10 @@
 #include <zip.h>
 
 #include <memory>
+#include <mutex>
 
 #include "core/pack_path.h"
+#include "core/read_places.h"
 
 namespace orris {
 namespace {
@@ -45,16 +47,19 @@ Archive openArchive(const std::string& path, Diagnostics& diagnostics) {
   return archive;
 }
 
-/// "/shaders/" at the top wins over the first one found deeper. nullopt: there is none.
-std::optional<std::string> findRoot(zip_t* archive, zip_int64_t count) {
+/// `folder` at the top wins over the first one found deeper. nullopt: there is none.
+std::optional<std::string> findRoot(zip_t* archive, zip_int64_t count,
+                                    const std::string& folder = "/shaders") {
+  const std::string inside = folder + "/";
   std::optional<std::string> deeper;
   for (zip_int64_t i = 0; i < count; ++i) {
     const char* name = zip_get_name(archive, static_cast<zip_uint64_t>(i), 0);
     if (!name) continue;
     const std::string path = std::string("/") + name;
-    const size_t at = path.find("/shaders/");
-    if (at == 0) return "/shaders";
-    if (at != std::string::npos && !deeper) deeper = path.substr(0, at) + "/shaders";
+    if (!resolvePackPath("/", path)) continue;
+    const size_t at = path.find(inside);
+    if (at == 0) return folder;
+    if (at != std::string::npos && !deeper) deeper = path.substr(0, at) + folder;
   }
   return deeper;
 }
@@ -95,7 +100,64 @@ EntryText readEntry(zip_t* archive, zip_uint64_t index, size_t limit) {
   return got < 0 ? refused : EntryText{std::move(bytes), "", ""};
 }
 
+/// The archive stays open; its entries are read when they are asked for.
+class LazyZip : public FileSource {
+ public:
+  LazyZip(Archive archive, const PackLimits& limits)
+      : archive_(std::move(archive)), limits_(limits) {}
+
+  /// Names that leave the archive are left out; of two with one name the first counts.
+  void list(const std::string& root) {
+    const std::string inside = root + "/";
+    const zip_int64_t count = zip_get_num_entries(archive_.get(), 0);
+    for (zip_int64_t i = 0; i < count; ++i) {
+      const char* name = zip_get_name(archive_.get(), static_cast<zip_uint64_t>(i), 0);
+      if (!name || std::string_view(name).ends_with('/')) continue;
+      const auto path = resolvePackPath("/", std::string("/") + name);
+      if (!path || !path->starts_with(inside)) continue;
+      index_.emplace(path->substr(root.size()), static_cast<zip_uint64_t>(i));
+    }
+    for (const auto& entry : index_) paths_.push_back(entry.first);
+  }
+
+  std::optional<std::string> read(std::string_view path) const override {
+    const std::lock_guard lock(mutex_);
+    const auto found = index_.find(path);
+    if (found == index_.end() || total_ > limits_.totalBytes) return std::nullopt;
+    auto bytes = readEntry(archive_.get(), found->second, limits_.fileBytes).bytes;
+    total_ += bytes ? bytes->size() : limits_.fileBytes;
+    return bytes;
+  }
+  const std::vector<std::string>& files() const override { return paths_; }
+
+ private:
+  Archive archive_;
+  PackLimits limits_;
+  std::map<std::string, zip_uint64_t, std::less<>> index_;
+  std::vector<std::string> paths_;
+  mutable std::mutex mutex_;       // of libzip's place in the file
+  mutable std::size_t total_ = 0;  // bytes read so far
+};
+
 }  // namespace
+
+std::unique_ptr<FileSource> openZipBelow(const std::string& path, const std::string& folder,
+                                         const PackLimits& limits, Diagnostics& diagnostics) {
+  Archive archive = openArchive(path, diagnostics);
+  if (!archive) return nullptr;
+  const zip_int64_t count = zip_get_num_entries(archive.get(), 0);
+  if (count > static_cast<zip_int64_t>(limits.files)) {
+    fail(path, "pack-too-large", fmt::format("the zip has more than {} files", limits.files), "",
+         diagnostics);
+    return nullptr;
+  }
+  const auto root = findRoot(archive.get(), count, folder);
+  if (!root) return memorySource({});
+  addReadPlace(path);
+  auto source = std::make_unique<LazyZip>(std::move(archive), limits);
+  source->list(*root);
+  return source;
+}
 
 std::optional<std::string> readBesideInZip(const std::string& zip, std::string_view path,
                                            const PackLimits& limits) {

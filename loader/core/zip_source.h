@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -20,6 +21,12 @@ std::optional<std::map<std::string, std::string>> readZip(const std::string& pat
 /// limits.
 std::optional<std::string> readBesideInZip(const std::string& zip, std::string_view path,
                                            const PackLimits& limits);
+
+/// The files of an archive below `folder` ("/assets", at the top or the first one of that name), read when they are
+/// asked for; none when it has no such folder. What reads more than the limits allow gets nothing.
+/// nullptr and a diagnostic when the archive cannot be opened or has too many files.
+std::unique_ptr<FileSource> openZipBelow(const std::string& path, const std::string& folder,
+                                         const PackLimits& limits, Diagnostics& diagnostics);
 
 /// The archive can be opened and holds a folder `shaders`.
 bool isPackZip(const std::string& path);
