@@ -70,4 +70,15 @@ constexpr std::size_t kRegionBytes = std::size_t{256} << 20;
 constexpr std::size_t kChunkBytes = std::size_t{16} << 20;
 constexpr std::size_t kSaveBytes = std::size_t{1} << 30;
 
+// Resource packs (world/resources, core/asset_source.h).
+constexpr std::size_t kResourceJsonBytes = std::size_t{4} << 20;
+constexpr std::size_t kModelDepth = 64;
+constexpr std::size_t kModelElements = 4'096;
+constexpr std::size_t kModelTextures = 1'024;
+constexpr std::size_t kStateVariants = 4'096;
+constexpr std::size_t kModelFaces = 1'000'000;
+constexpr std::size_t kModelMeshFaces = 4'000'000;
+constexpr std::size_t kTextureTexels = std::size_t{1} << 24;
+constexpr std::size_t kAtlasTexels = std::size_t{1} << 26;
+
 }  // namespace orris::limits

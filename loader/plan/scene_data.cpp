@@ -59,9 +59,31 @@ void rebuildMesh(SceneData& scene, const MeshStyle& style) {
     const auto layer = style.renderLayers.find(scene.world.blocks.palette()[i].name);
     if (layer != style.renderLayers.end()) facts[i].layer = layerNamed(layer->second);
   }
-  scene.mesh = buildMesh(
-      {scene.world.blocks, facts, *scene.light, scene.atlas, style.ambientOcclusionLevel});
+  scene.mesh = buildMesh({scene.world.blocks, facts, *scene.light, scene.atlas,
+                          style.ambientOcclusionLevel, scene.look.get()});
 }
+
+namespace {
+
+/// Facts and atlas, and what the resource packs make of them.
+void setLook(SceneData& scene, Diagnostics& diagnostics) {
+  const BlockTable table;
+  const BlockWorld& blocks = scene.world.blocks;
+  if (scene.world.resourcePacks.empty()) {
+    scene.facts = factsOfPalette(table, blocks, diagnostics);
+    scene.atlas = buildAtlas(texturesOf(scene.facts));
+    return;
+  }
+  Diagnostics unknown;  // the packs may know them
+  scene.facts = factsOfPalette(table, blocks, unknown);
+  const ResourceStack resources =
+      openResources(scene.world.resourcePacks, diagnostics).value_or(ResourceStack());
+  scene.look = std::make_unique<const BlockLook>(
+      makeBlockLook(resources, scene.world, scene.facts, scene.atlas, diagnostics));
+  warnOfUnknown(blocks, scene.facts, diagnostics);
+}
+
+}  // namespace
 
 SceneData buildScene(World world, const MeshStyle& style, Diagnostics& diagnostics) {
   SceneData scene;
@@ -70,9 +92,7 @@ SceneData buildScene(World world, const MeshStyle& style, Diagnostics& diagnosti
   for (const Event& event : scene.world.events)
     if (const auto* set = std::get_if<SetBlock>(&event.action))
       scene.world.blocks.paletteIndex(set->state);
-  const BlockTable table;
-  scene.facts = factsOfPalette(table, scene.world.blocks, diagnostics);
-  scene.atlas = buildAtlas(texturesOf(scene.facts));
+  setLook(scene, diagnostics);
   scene.content = buildContent(scene.world);
   rebuildMesh(scene, style);
   return scene;

@@ -12,6 +12,7 @@
 #include "plan/lists/content_scene.h"
 #include "plan/schedule.h"
 #include "world/mesh/block_mesh.h"
+#include "world/resources/block_look.h"
 #include "world/world.h"
 
 namespace orris {
@@ -21,6 +22,7 @@ struct SceneData {
   World world;
   std::vector<BlockFacts> facts;  ///< by palette index
   BlockAtlas atlas;
+  std::unique_ptr<const BlockLook> look;  ///< of the world's resource packs; nullptr: our own
   std::unique_ptr<LightLevels> light;
   BlockMesh mesh;
   ContentScene content;
@@ -41,7 +43,7 @@ struct MeshStyle {
 };
 MeshStyle meshStyleOf(const ShaderPack& pack);
 
-/// Facts, atlas, light and mesh of a world; unknown blocks are warnings.
+/// Facts, atlas, light and mesh of a world; unknown blocks and mistakes in its resource packs are warnings.
 SceneData buildScene(World world, const MeshStyle& style, Diagnostics& diagnostics);
 /// Light and mesh again after blocks changed.
 void rebuildMesh(SceneData& scene, const MeshStyle& style);

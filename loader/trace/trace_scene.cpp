@@ -16,6 +16,15 @@ bool isWhole(const BlockFacts& facts) {
          facts.boxes[0].to == glm::vec3(16);
 }
 
+/// Models may lay one quad over another; `placed` is sorted by face.
+bool oneEachSide(const std::vector<PlacedQuad>& placed, std::size_t first, std::size_t end) {
+  const auto last = placed.begin() + std::ptrdiff_t(end);
+  return std::adjacent_find(placed.begin() + std::ptrdiff_t(first), last,
+                            [](const PlacedQuad& a, const PlacedQuad& b) {
+                              return a.face == b.face;
+                            }) == last;
+}
+
 bool anyOf(const std::vector<PlacedQuad>& placed, std::size_t first, std::size_t end,
            bool (*test)(const PlacedQuad&)) {
   return std::any_of(placed.begin() + std::ptrdiff_t(first), placed.begin() + std::ptrdiff_t(end),
@@ -156,6 +165,7 @@ void SceneBuilder::addCell(glm::ivec3 cell, std::size_t first, std::size_t end) 
   made.quadCount = std::uint16_t(std::min(end - first, std::size_t(65535)));
   made.filter = filterAt(cell);
   made.cube = first < end && input_.facts[input_.blocks.indexAt(cell)].fullOpaqueCube &&
+              oneEachSide(placed_, first, end) &&
               !anyOf(placed_, first, end, [](const PlacedQuad& placed) {
                 return !isUnitSide(placed) || placed.quad.alphaTested || placed.quad.translucent;
               });

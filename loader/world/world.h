@@ -3,12 +3,14 @@
 
 #include <glm/glm.hpp>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "core/diagnostic.h"
+#include "world/blocks/biome_grid.h"
 #include "world/blocks/block_world.h"
 #include "world/content/content.h"
 
@@ -90,6 +92,9 @@ struct World {
   Environment environment;
   WorldContent content;
   std::vector<Event> events;  ///< sorted by frame
+  std::shared_ptr<const BiomeGrid> biomes;  ///< of a save; nullptr: the environment's everywhere
+  /// Folders, zips or jars that give its blocks their look; the first goes before the others.
+  std::vector<std::string> resourcePacks;
 
   const Camera* camera(std::string_view name) const;
 };

@@ -548,6 +548,13 @@ def chunk_of(block):
     return tag(10, b"", text(b"Status", b"minecraft:full") + sections + b"\0")
 
 
+RESOURCES = {
+    "world/world.json": """{ "size": [3, 1, 1], "blocks": [{ "block": "stone", "at": [0, 0, 0] },
+        { "block": "bricks", "at": [2, 0, 0] }], "cameras": [{ "name": "a", "position": [1, 3, 3] }] }""",
+    "rp/assets/minecraft/blockstates/stone.json": '{"variants": {"": {"model": "block/stone"}}}',
+    "rp/assets/minecraft/models/block/stone.json": """{"textures": {"all": "block/stone"}, "elements": [
+        {"from": [0, 0, 0], "to": [16, 16, 16], "faces": {"up": {"texture": "#all", "cullface": "up"}}}]}""",
+}
 SAVE = {"home/region/r.0.0.mca": region({(0, 0): chunk_of(b"minecraft:stone"),
                                          (1, 0): chunk_of(b"minecraft:dirt"), (2, 0): b"damaged"})}
 
@@ -588,6 +595,14 @@ WORLDS = [
     Case("time_without_export", [f"world {CORNELL} --time 6000"], 2, {}, [r"--time requires --export"]),
     Case("export_of_cornell", [f"world {CORNELL} --export out.glb", f"world {CORNELL} --export out.glb --json"], 0,
          creates=["out.glb"]),
+    Case("world_resources", ["world world --resources rp"], 0,
+         RESOURCES, stdout=["resources +models for 1 block states, 0 textures",
+                            "own look +1 blocks without a model: minecraft:bricks"]),
+    Case("no_resource_pack", ["world world --resources nowhere", "render pack world -o out.png --resources pack"], 2,
+         {**PACK, **RESOURCES}, [r"no such folder or file|has no folder named assets"]),
+    Case("resource_mistake_has_a_place", ["world world --resources rp"], 0,
+         {**RESOURCES, "rp/assets/minecraft/models/block/stone.json": '{\n "elements": [{"from": [0, 0]}]\n}'},
+         stderr=[r'rp/assets/minecraft/models/block/stone.json:2:24: warning: "from" is a list of 2: expected three numbers']),
     Case("world_random_room", ["world random:17"], 0, {}, stdout=["^random:17$", "camera +room: "]),
     Case("world_random_room_without_a_seed", ["world random:x"], 2, {},
          ["expected a whole number from 0 to 4294967295 after random:"]),

@@ -1,5 +1,6 @@
 // orris world: what is in a world.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -50,6 +51,19 @@ WorldFacts gatherFacts(const SceneData& scene) {
   return result;
 }
 
+/// How much of the world the resource packs draw.
+nlohmann::json lookJson(const BlockLook& look) {
+  return {{"modelled", look.modelled}, {"textures", look.textures}, {"ownLook", look.ownLook}};
+}
+
+std::string lookText(const BlockLook& look) {
+  std::string text = fmt::format("  resources   models for {} block states, {} textures\n", look.modelled,
+                                 look.textures);
+  if (look.ownLook.empty()) return text;
+  return text + fmt::format("  own look    {} blocks without a model: {}\n", look.ownLook.size(),
+                            fmt::join(look.ownLook, ", "));
+}
+
 nlohmann::json worldJson(const World& world, const WorldFacts& facts) {
   const glm::ivec3 origin = world.blocks.origin(), size = world.blocks.size();
   nlohmann::json cameras = nlohmann::json::array();
@@ -75,7 +89,7 @@ nlohmann::json worldJson(const World& world, const WorldFacts& facts) {
           {"cameras", cameras}};
 }
 
-void printWorld(const World& world, const WorldFacts& facts) {
+void printWorld(const World& world, const WorldFacts& facts, const BlockLook* look) {
   const glm::ivec3 origin = world.blocks.origin(), size = world.blocks.size();
   std::string text = fmt::format("{}\n", world.name);
   if (!world.exercises.empty()) text += fmt::format("  {}\n", world.exercises);
@@ -88,6 +102,7 @@ void printWorld(const World& world, const WorldFacts& facts) {
   text += fmt::format("  lights      {}\n", facts.lights);
   text += fmt::format("  unknown     {}\n", facts.unknown.size());
   text += fmt::format("  events      {}\n", world.events.size());
+  if (look) text += lookText(*look);
   for (const Camera& camera : world.cameras) {
     text += fmt::format("  camera      {}: {:.2f},{:.2f},{:.2f},{:.1f},{:.1f}\n", camera.name,
                         camera.position.x, camera.position.y, camera.position.z, camera.yaw,
@@ -114,8 +129,10 @@ int runWorld(const WorldOptions& options) {
   const SceneData scene = buildScene(std::move(*world), {}, diagnostics);
   report.add(diagnostics);
   const WorldFacts facts = gatherFacts(scene);
-  if (!options.output.json) printWorld(scene.world, facts);
-  printJson(worldJson(scene.world, facts), report);
+  if (!options.output.json) printWorld(scene.world, facts, scene.look.get());
+  nlohmann::json result = worldJson(scene.world, facts);
+  if (scene.look) result["resources"] = lookJson(*scene.look);
+  printJson(std::move(result), report);
   if (status == kClean && !options.exported.empty()) sayWritten(options.output, {options.exported});
   return status == kClean ? report.status() : status;
 }
@@ -131,6 +148,7 @@ void addWorldCommand(CLI::App& app, int& status) {
   command->add_option("--dimension", options->pack.dimension, "of a save: overworld, the_nether, the_end or a dimension name")
       ->type_name("NAME");
   addSavePartFlags(*command, options->scene.part);
+  addResourcesFlag(*command, options->scene.resources);
   CLI::Option* exported =
       command
           ->add_option("--export", options->exported,

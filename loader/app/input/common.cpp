@@ -142,6 +142,16 @@ void addSceneFlags(CLI::App& command, SceneOptions& options) {
       ->check(CLI::Range(0, 23999));
   command.add_option("--seed", options.seed, "seed of generated worlds and of random numbers");
   addSavePartFlags(command, options.part);
+  addResourcesFlag(command, options.resources);
+}
+
+void addResourcesFlag(CLI::App& command, std::vector<std::string>& packs) {
+  command
+      .add_option("--resources", packs,
+                  "resource pack that blocks are drawn with: a folder, a zip or the game's jar; may be "
+                  "repeated, the first goes before the others")
+      ->type_name("PACK")
+      ->allow_extra_args(false);
 }
 
 void addSavePartFlags(CLI::App& command, SavePart& part) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "gl/context.h"
 #include "pack/options/pack_options.h"
@@ -26,6 +27,7 @@ struct SceneOptions {
   std::optional<int> time;  ///< ticks; nullopt for the world's own
   unsigned seed = 0;
   SavePart part;  ///< of a save; its dimension is not set
+  std::vector<std::string> resources;  ///< resource packs, the first before the others
 };
 
 /// How much to draw, and on what.
@@ -48,6 +50,7 @@ void addVersionFlags(CLI::App& command, HostVersions& versions);
 void addVersionRangeFlags(CLI::App& command, std::optional<VersionRange>& range);
 void addSceneFlags(CLI::App& command, SceneOptions& options);  ///< all but the path
 void addSavePartFlags(CLI::App& command, SavePart& part);  ///< of addSceneFlags
+void addResourcesFlag(CLI::App& command, std::vector<std::string>& packs);  ///< of addSceneFlags
 void addImageFlags(CLI::App& command, ImageOptions& options);
 void addSizeFlag(CLI::App& command, ImageOptions& options);  ///< of addImageFlags
 void addBackendFlag(CLI::App& command, gl::Backend& backend);

@@ -15,6 +15,7 @@
 #include "check/rules/rules.h"
 #include "core/named_file.h"
 #include "pack/files/text.h"
+#include "world/resources/resource_stack.h"
 
 namespace orris {
 namespace {
@@ -110,6 +111,13 @@ std::optional<World> loadScene(const SceneOptions& options, const std::string& d
     status = kUsage;
     return std::nullopt;
   }
+  // What cannot be opened is reported before any work is done.
+  if (!openResources(options.resources, diagnostics)) {
+    report.add(diagnostics);
+    status = kUsage;
+    return std::nullopt;
+  }
+  world->resourcePacks = options.resources;
   if (options.time) world->environment.time = *options.time;
   if (!dimension.empty()) world->environment.dimension = fullDimensionName(dimension);
   return world;

@@ -98,6 +98,7 @@ bool Viewer::setWorld(const std::string& name) {
   Diagnostics diagnostics;
   auto world = path.empty() ? std::nullopt : loadWorld(path, options_.scene.seed, diagnostics);
   bool done = false;
+  if (world) world->resourcePacks = options_.scene.resources;
   if (world && !world->cameras.empty()) {
     const Camera camera = world->cameras.front();
     done = pack_->session().setWorld(std::move(*world), camera, diagnostics);

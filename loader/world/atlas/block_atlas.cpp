@@ -45,20 +45,9 @@ glm::vec3 meanColour(const TextureCanvas& canvas) {
   return sum.w > 0 ? glm::vec3(sum) / sum.w : glm::vec3(0);
 }
 
-void drawTile(BlockAtlas& atlas, const std::string& name, int left, int top) {
-  const TextureCanvas canvas = drawTexture(name);
-  const glm::vec3 mean = meanColour(canvas);
-  float highest = 0;
-  for (const Texel& texel : canvas.texels) highest = std::max(highest, texel.height);
-  for (int y = 0; y < kTextureSize; ++y) {
-    for (int x = 0; x < kTextureSize; ++x) {
-      const Texel& texel = canvas.at(x, y);
-      const glm::vec4 c = texel.colour.a > 0 ? texel.colour : glm::vec4(mean, 0);
-      put(atlas.albedo, left + x, top + y, {toByte(c.r), toByte(c.g), toByte(c.b), toByte(c.a)});
-      put(atlas.normal, left + x, top + y, normalTexel(canvas, x, y, highest));
-      put(atlas.specular, left + x, top + y, specularTexel(texel));
-    }
-  }
+void putTile(Image8& image, const Image8& tile, int left, int top) {
+  for (int y = 0; y < tile.height; ++y)
+    std::copy_n(tile.at(0, y), std::size_t(tile.width) * 4, image.at(left, top + y));
 }
 
 }  // namespace
@@ -68,6 +57,25 @@ AtlasTile BlockAtlas::tile(const std::string& name) const {
   if (found != tiles.end()) return found->second;
   const auto missing = tiles.find("missing");
   return missing != tiles.end() ? missing->second : AtlasTile{};
+}
+
+TileImages drawnTile(const std::string& name) {
+  const TextureCanvas canvas = drawTexture(name);
+  const glm::vec3 mean = meanColour(canvas);
+  float highest = 0;
+  for (const Texel& texel : canvas.texels) highest = std::max(highest, texel.height);
+  const Image8 empty(kTextureSize, kTextureSize, 4);
+  TileImages tile{empty, empty, empty};
+  for (int y = 0; y < kTextureSize; ++y) {
+    for (int x = 0; x < kTextureSize; ++x) {
+      const Texel& texel = canvas.at(x, y);
+      const glm::vec4 c = texel.colour.a > 0 ? texel.colour : glm::vec4(mean, 0);
+      put(tile.albedo, x, y, {toByte(c.r), toByte(c.g), toByte(c.b), toByte(c.a)});
+      put(tile.normal, x, y, normalTexel(canvas, x, y, highest));
+      put(tile.specular, x, y, specularTexel(texel));
+    }
+  }
+  return tile;
 }
 
 Image8 textureImage(const std::string& name) {
@@ -100,7 +108,11 @@ BlockAtlas buildAtlas(const std::vector<std::string>& textureNames) {
   int index = 0;
   for (const std::string& name : names) {
     const int column = index % columns, row = index / columns;
-    drawTile(atlas, name, column * kTextureSize, row * kTextureSize);
+    const TileImages tile = drawnTile(name);
+    const int left = column * kTextureSize, top = row * kTextureSize;
+    putTile(atlas.albedo, tile.albedo, left, top);
+    putTile(atlas.normal, tile.normal, left, top);
+    putTile(atlas.specular, tile.specular, left, top);
     const glm::vec2 size(1.0f / float(columns), 1.0f / float(rows));
     const glm::vec2 corner = glm::vec2(column, row) * size;
     atlas.tiles[name] = {corner, corner + size};

@@ -27,6 +27,12 @@ struct BlockAtlas {
   AtlasTile tile(const std::string& name) const;  ///< the "missing" tile when unknown
 };
 
+/// The three pictures of one texture, of one size.
+struct TileImages {
+  Image8 albedo, normal, specular;
+};
+TileImages drawnTile(const std::string& name);
+
 /// The colours of one texture.
 Image8 textureImage(const std::string& name);
 

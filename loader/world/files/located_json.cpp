@@ -13,8 +13,6 @@
 namespace orris {
 namespace {
 
-constexpr const char* kSyntaxId = "world-json-syntax";
-
 /// "[json.exception.parse_error.101] parse error at line 1, column 2: what" without what stands
 /// before its last part; the diagnostic's own location says it.
 std::string withoutPrefix(std::string what) {
@@ -111,7 +109,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     JsonNode& object = *open_.back();
     if (!keys_.back().insert(value).second) {
       diagnostics_.push_back(
-          source_.error(offset, kSyntaxId, fmt::format("the key \"{}\" is given twice", value)));
+          source_.error(offset, source_.ids + "-syntax", fmt::format("the key \"{}\" is given twice", value)));
       return false;
     }
     object.members.push_back({std::move(value), offset, {}});
@@ -121,7 +119,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   bool parse_error(std::size_t position, const std::string&,
                    const nlohmann::detail::exception& problem) override {
     Diagnostic error =
-        source_.error(position > 0 ? position - 1 : 0, kSyntaxId, withoutPrefix(problem.what()));
+        source_.error(position > 0 ? position - 1 : 0, source_.ids + "-syntax", withoutPrefix(problem.what()));
     MessageBudget().take(error);  // it quotes what was read last, however long
     diagnostics_.push_back(std::move(error));
     return false;
@@ -144,7 +142,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   bool fits() {
     if (++values_ <= limits::kWorldJsonValues) return true;
     diagnostics_.push_back(source_.error(
-        last_, kSyntaxId, fmt::format("more than {} values up to here", limits::kWorldJsonValues)));
+        last_, source_.ids + "-syntax", fmt::format("more than {} values up to here", limits::kWorldJsonValues)));
     return false;
   }
 
@@ -152,7 +150,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     JsonNode* node = add(kind);
     if (open_.size() >= limits::kWorldJsonDepth) {
       diagnostics_.push_back(
-          source_.error(node->offset, kSyntaxId,
+          source_.error(node->offset, source_.ids + "-syntax",
                         fmt::format("nested deeper than {} levels", limits::kWorldJsonDepth)));
       return false;
     }
@@ -195,6 +193,7 @@ Diagnostic JsonText::error(std::size_t offset, std::string id, std::string messa
   std::string_view line = text.substr(lineStart, text.find('\n', offset) - lineStart);
   if (line.ends_with('\r')) line.remove_suffix(1);
   Diagnostic diagnostic;
+  diagnostic.severity = severity;
   diagnostic.id = std::move(id);
   diagnostic.at = {file, int(std::count(before.begin(), before.end(), '\n')) + 1,
                    int(offset - lineStart) + 1};
@@ -207,7 +206,7 @@ Diagnostic JsonText::error(std::size_t offset, std::string id, std::string messa
 std::optional<JsonNode> parseLocatedJson(const JsonText& source, Diagnostics& diagnostics) {
   JsonNode root;
   TreeBuilder builder(source, root, diagnostics);
-  if (!nlohmann::json::sax_parse(source.text, &builder)) return std::nullopt;
+  if (!nlohmann::json::sax_parse(source.text, &builder, nlohmann::json::input_format_t::json, source.alone)) return std::nullopt;
   return root;
 }
 

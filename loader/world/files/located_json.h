@@ -40,7 +40,11 @@ struct JsonMember {
 struct JsonText {
   std::string_view text;
   std::string file;
-  /// An error at the line and column of `offset`, with its source line.
+  /// How ids of messages begin ("-syntax" and "-value" follow), and how bad a mistake is.
+  std::string ids = "world-json";
+  Severity severity = Severity::Error;
+  bool alone = true;  ///< nothing may stand behind the value; the game does not look there
+  /// A message at the line and column of `offset`, with its source line.
   Diagnostic error(std::size_t offset, std::string id, std::string message,
                    std::string hint = "") const;
 };

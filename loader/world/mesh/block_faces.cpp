@@ -1,5 +1,8 @@
 #include "world/mesh/block_faces.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace orris {
 namespace {
 
@@ -58,6 +61,7 @@ BlockFace boxFace(glm::vec3 low, glm::vec3 high, FaceDirection direction) {
   face.tangent = glm::vec4(axes.u, 1);
   const int axis = normalAxis(direction);
   face.flush = face.normal[axis] > 0 ? high[axis] >= 1 : low[axis] <= 0;
+  if (face.flush) face.cull = direction;
   const glm::ivec2 plane = sideAxes(direction);
   face.side = {{low[plane.x], low[plane.y]}, {high[plane.x], high[plane.y]}};
   return face;
@@ -71,6 +75,7 @@ BlockFace reversed(BlockFace face) {
   face.tangent.w = -face.tangent.w;
   face.direction = opposite(face.direction);
   face.flush = false;
+  face.cull.reset();
   return face;
 }
 
@@ -137,6 +142,44 @@ BlockFaces makeBlockFaces(const BlockFacts& facts, const BlockAtlas& atlas) {
       face.tinted = (box.tintedFaces >> i & 1) != 0;
       result.faces.push_back(face);
     }
+  }
+  return result;
+}
+
+std::vector<BlockFace> makeModelFaces(const std::vector<ModelFace>& faces, bool emits,
+                                      const BlockAtlas& atlas,
+                                      const std::set<std::string>& seeThrough) {
+  constexpr float kOnSide = 1e-5f;
+  std::vector<BlockFace> result;
+  for (const ModelFace& given : faces) {
+    BlockFace face;
+    face.corners = given.corners;
+    face.uv = given.uv;
+    face.normal = given.normal;
+    face.tangent = given.tangent;
+    face.direction = given.direction;
+    setAtlas(face, atlas.tile(given.texture));
+    const int axis = normalAxis(face.direction);
+    const float end = face.normal[axis] > 0 ? 1 : 0;
+    face.flush = std::all_of(face.corners.begin(), face.corners.end(), [&](const glm::vec3& corner) {
+      return std::abs(corner[axis] - end) < kOnSide;
+    });
+    face.cull = given.cull;
+    if (face.cull) {
+      const glm::ivec2 plane = sideAxes(*face.cull);
+      glm::vec2 low(1), high(0);
+      for (const glm::vec3& corner : face.corners) {
+        const glm::vec2 place = glm::clamp(glm::vec2(corner[plane.x], corner[plane.y]), 0.0f, 1.0f);
+        low = glm::min(low, place);
+        high = glm::max(high, place);
+      }
+      face.side = {low, high};
+    }
+    face.tinted = given.tintIndex >= 0;
+    face.tintIndex = given.tintIndex;
+    face.shading = given.smooth && !emits ? FaceShading::Smooth : FaceShading::Flat;
+    face.seeThrough = seeThrough.contains(given.texture);
+    result.push_back(face);
   }
   return result;
 }

@@ -3,10 +3,14 @@
 
 #include <array>
 #include <glm/glm.hpp>
+#include <optional>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "world/atlas/block_atlas.h"
 #include "world/blocks/block_facts.h"
+#include "world/resources/block_model.h"
 
 namespace orris {
 
@@ -30,10 +34,13 @@ struct BlockFace {
   glm::vec3 normal{0};
   glm::vec4 tangent{0};
   FaceDirection direction = FaceDirection::Up;
-  bool flush = false;   ///< lies on the cube's side `direction`, so a neighbour can hide it
+  bool flush = false;   ///< lies on the cube's side `direction`: the cell before it lights it
+  std::optional<FaceDirection> cull{};  ///< the neighbour there can hide it
   bool tinted = false;  ///< takes the biome's tint
+  int tintIndex = 0;    ///< when tinted: of a model's face
+  bool seeThrough = false;  ///< of a model: its texture has holes, so that no solid layer draws it
   FaceShading shading = FaceShading::Smooth;
-  SideRectangle side;  ///< when flush
+  SideRectangle side;  ///< when a neighbour can hide it: the part of the side that it covers
 };
 
 /// What the mesher needs of one state.
@@ -45,6 +52,11 @@ struct BlockFaces {
 
 /// Faces of the boxes or of the cross; none for fluids.
 BlockFaces makeBlockFaces(const BlockFacts& facts, const BlockAtlas& atlas);
+
+/// Faces of a resource pack's model. `seeThrough`: textures with holes.
+std::vector<BlockFace> makeModelFaces(const std::vector<ModelFace>& faces, bool emits,
+                                      const BlockAtlas& atlas,
+                                      const std::set<std::string>& seeThrough);
 
 /// Faces of a fluid whose surface is at `height` (0..1). Below 1 the surface has an underside.
 std::vector<BlockFace> makeFluidFaces(const BlockFacts& facts, const BlockAtlas& atlas,

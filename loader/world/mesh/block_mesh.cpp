@@ -6,31 +6,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <memory>
 #include <set>
 
 #include "core/parallel.h"
 #include "world/mesh/block_faces.h"
 #include "world/mesh/face_light.h"
+#include "world/mesh/model_dice.h"
+#include "world/resources/block_look.h"
 
 namespace orris {
 namespace {
 
 constexpr const char* kWater = "minecraft:water";
-
-/// The game's colours of the plains biome.
-glm::u8vec3 vertexColour(Tint tint) {
-  switch (tint) {
-    case Tint::Grass:
-      return {0x91, 0xBD, 0x59};
-    case Tint::Foliage:
-      return {0x77, 0xAB, 0x2F};
-    case Tint::Water:
-      return {0x3F, 0x76, 0xE4};
-    case Tint::None:
-      break;
-  }
-  return {255, 255, 255};
-}
 
 /// 8/9 of a block for a source or falling fluid, less for flowing ones.
 float fluidHeight(const BlockState& state) {
@@ -39,9 +28,17 @@ float fluidHeight(const BlockState& state) {
   return float(8 - flowed) / 9;
 }
 
+/// A part of a model: one of these, by weight.
+struct MeshChoice {
+  std::vector<std::shared_ptr<const std::vector<BlockFace>>> alternatives;
+  std::vector<int> weights;
+};
+
 /// One palette entry, prepared.
 struct MeshState {
-  BlockFaces block;
+  BlockFaces block;               // of a model: without faces
+  std::vector<MeshChoice> parts;  // of a model
+  bool multipart = false;
   std::vector<BlockFace> fluidSurface, fluidFull;  // under air, submerged in the same fluid
   std::string fluid;                               // name, "" = none
   float height = 0;
@@ -68,6 +65,7 @@ class MeshStates {
       const BlockFacts& facts = input_.facts[i];
       MeshState& state = states_.emplace_back();
       state.block = makeBlockFaces(facts, input_.atlas);
+      if (input_.look) addModel(state, input_.look->models[i], facts.emission > 0);
       state.coveredSides = facts.coveredFaces;
       state.cullsSame = facts.cullsSame;
       if (facts.fluid) {
@@ -76,6 +74,23 @@ class MeshStates {
         addFluid(state, isWater ? kWater : palette[i].name, i, fluidHeight(palette[i]));
       } else if (facts.waterlogged && water != palette.end()) {
         addFluid(state, kWater, std::size_t(water - palette.begin()), 8.0f / 9);
+      }
+    }
+  }
+
+  void addModel(MeshState& state, const BlockModel& model, bool emits) {
+    if (model.parts.empty()) return;
+    state.block.faces.clear();
+    state.multipart = model.multipart;
+    for (const ModelChoice& part : model.parts) {
+      MeshChoice& choice = state.parts.emplace_back();
+      for (const ModelAlternative& one : part.alternatives) {
+        auto& made = modelFaces_[{one.faces.get(), emits}];
+        if (!made)
+          made = std::make_shared<const std::vector<BlockFace>>(
+              makeModelFaces(*one.faces, emits, input_.atlas, input_.look->seeThrough));
+        choice.alternatives.push_back(made);
+        choice.weights.push_back(one.weight);
       }
     }
   }
@@ -90,6 +105,8 @@ class MeshStates {
 
   const MeshInput& input_;
   std::vector<MeshState> states_;
+  std::map<std::pair<const std::vector<ModelFace>*, bool>, std::shared_ptr<const std::vector<BlockFace>>>
+      modelFaces_;
 };
 
 /// The faces of one section by layer.
@@ -161,17 +178,29 @@ class SectionMesher {
     const std::uint32_t index = input_.blocks.indexAt(cell);
     if (index == 0) return;
     const MeshState& state = states_[index];
-    for (const BlockFace& face : state.block.faces) {
-      if (!isHidden(face, cell, index)) addFace(face, cell, origin, index, false);
-    }
+    addFaces(state.block.faces, cell, origin, index);
+    if (!state.parts.empty()) addModel(state, cell, origin, index);
     if (!state.fluid.empty()) addFluidFaces(state, cell, origin);
   }
 
+  void addModel(const MeshState& state, glm::ivec3 cell, glm::ivec3 origin, std::uint32_t index) {
+    const ModelDice dice(cell, state.multipart);
+    for (const MeshChoice& part : state.parts)
+      addFaces(*part.alternatives[dice.choose(part.weights)], cell, origin, index);
+  }
+
+  void addFaces(const std::vector<BlockFace>& faces, glm::ivec3 cell, glm::ivec3 origin,
+                std::uint32_t index) {
+    for (const BlockFace& face : faces) {
+      if (!isHidden(face, cell, index)) addFace(face, cell, origin, index, false);
+    }
+  }
+
   bool isHidden(const BlockFace& face, glm::ivec3 cell, std::uint32_t index) const {
-    if (!face.flush) return false;
-    const std::uint32_t other = input_.blocks.indexAt(cell + normalOf(face.direction));
+    if (!face.cull) return false;
+    const std::uint32_t other = input_.blocks.indexAt(cell + normalOf(*face.cull));
     const MeshState& neighbour = states_[other];
-    const FaceDirection side = opposite(face.direction);
+    const FaceDirection side = opposite(*face.cull);
     if (neighbour.hides(side)) return true;
     const auto& palette = input_.blocks.palette();
     const bool same = states_[index].cullsSame && palette[index].name == palette[other].name;
@@ -207,12 +236,13 @@ class SectionMesher {
                bool fluid) {
     const BlockFacts& facts = input_.facts[index];
     const std::array<CornerLight, 4> light = lighting_.corners(face, cell);
-    const glm::u8vec3 colour = face.tinted ? vertexColour(facts.tint) : glm::u8vec3(255);
-    const RenderLayer layer = facts.blockEntity ? RenderLayer::BlockEntity : facts.layer;
+    const glm::u8vec3 colour = colourOf(face, facts, index, cell);
+    const RenderLayer layer = layerOf(face, facts);
     std::vector<BlockVertex>& vertices = faces_.vertices[std::size_t(layer)];
     for (std::size_t i = 0; i < 4; ++i) {
       const float occlusion = 1 - input_.ambientOcclusionLevel * (1 - light[i].occlusion);
-      const glm::ivec3 toMiddle(glm::round((glm::vec3(0.5f) - face.corners[i]) * 64.0f));
+      const glm::ivec3 toMiddle(glm::clamp(
+          glm::round((glm::vec3(0.5f) - face.corners[i]) * 64.0f), -128.0f, 127.0f));
       BlockVertex vertex;
       vertex.position = glm::vec3(cell - origin) + face.corners[i];
       vertex.uv = face.uv[i];
@@ -226,6 +256,18 @@ class SectionMesher {
       vertex.fluid = fluid ? 1 : 0;
       vertices.push_back(vertex);
     }
+  }
+
+  glm::u8vec3 colourOf(const BlockFace& face, const BlockFacts& facts, std::uint32_t index,
+                       glm::ivec3 cell) const {
+    if (!face.tinted) return glm::u8vec3(255);
+    if (!input_.look) return plainsTint(facts.tint);
+    return modelTint(input_.blocks.palette()[index], facts, face.tintIndex, input_.look->tintAt(cell));
+  }
+
+  static RenderLayer layerOf(const BlockFace& face, const BlockFacts& facts) {
+    if (facts.blockEntity) return RenderLayer::BlockEntity;
+    return face.seeThrough && facts.layer == RenderLayer::Solid ? RenderLayer::Cutout : facts.layer;
   }
 
   const MeshInput& input_;
@@ -285,20 +327,26 @@ BlockMesh buildMesh(const MeshInput& input) {
 }
 
 
-std::vector<BlockFacts> factsOfPalette(const BlockTable& table, const BlockWorld& blocks,
-                                       Diagnostics& diagnostics) {
-  std::vector<BlockFacts> facts;
+void warnOfUnknown(const BlockWorld& blocks, const std::vector<BlockFacts>& facts,
+                   Diagnostics& diagnostics) {
   std::set<std::string> unknown;
-  for (const BlockState& state : blocks.palette()) {
-    facts.push_back(table.factsOf(state));
-    if (facts.back().known || !unknown.insert(state.name).second) continue;
+  for (std::size_t i = 0; i < facts.size(); ++i) {
+    const std::string& name = blocks.palette()[i].name;
+    if (facts[i].known || !unknown.insert(name).second) continue;
     Diagnostic diagnostic;
     diagnostic.severity = Severity::Warning;
     diagnostic.id = "unknown-block";
-    diagnostic.message = fmt::format(
-        "the block \"{}\" is not known: drawn as a cube with the missing texture", state.name);
+    diagnostic.message =
+        fmt::format("the block \"{}\" is not known: drawn as a cube with the missing texture", name);
     diagnostics.push_back(std::move(diagnostic));
   }
+}
+
+std::vector<BlockFacts> factsOfPalette(const BlockTable& table, const BlockWorld& blocks,
+                                       Diagnostics& diagnostics) {
+  std::vector<BlockFacts> facts;
+  for (const BlockState& state : blocks.palette()) facts.push_back(table.factsOf(state));
+  warnOfUnknown(blocks, facts, diagnostics);
   return facts;
 }
 

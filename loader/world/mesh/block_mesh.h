@@ -12,6 +12,8 @@
 
 namespace orris {
 
+struct BlockLook;
+
 /// One vertex; quads are four in a row, counter-clockwise seen from outside, (0,1,2)(2,3,0).
 struct BlockVertex {
   glm::vec3 position;   ///< relative to the section's origin, blocks
@@ -45,11 +47,15 @@ struct MeshInput {
   const LightLevels& light;
   const BlockAtlas& atlas;
   float ambientOcclusionLevel = 1;
+  const BlockLook* look = nullptr;  ///< of resource packs
 };
 
 /// Faces between opaque neighbours are culled. Deterministic order.
 BlockMesh buildMesh(const MeshInput& input);
 
+/// One warning for each name of a block without facts.
+void warnOfUnknown(const BlockWorld& blocks, const std::vector<BlockFacts>& facts,
+                   Diagnostics& diagnostics);
 /// Facts by palette index; one warning per unknown block name is appended.
 std::vector<BlockFacts> factsOfPalette(const BlockTable& table, const BlockWorld& blocks,
                                        Diagnostics& diagnostics);

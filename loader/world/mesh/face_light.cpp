@@ -81,7 +81,9 @@ std::array<CornerLight, 4> FaceLighting::corners(const BlockFace& face, glm::ive
     }
   }
   for (std::size_t i = 0; i < 4; ++i) {
-    const float s = face.corners[i][axes.x], t = face.corners[i][axes.y];
+    // Models may leave their block.
+    const float s = std::clamp(face.corners[i][axes.x], 0.0f, 1.0f);
+    const float t = std::clamp(face.corners[i][axes.y], 0.0f, 1.0f);
     result[i] = (ends[0][0] * (1 - s) + ends[1][0] * s) * (1 - t) +
                 (ends[0][1] * (1 - s) + ends[1][1] * s) * t;
   }

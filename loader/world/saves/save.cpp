@@ -12,6 +12,7 @@
 #include "world/saves/biome_climate.h"
 #include "world/saves/chunk_grid.h"
 #include "world/saves/level_data.h"
+#include "world/saves/save_biomes.h"
 #include "world/saves/save_files.h"
 #include "world/standing_camera.h"
 
@@ -190,6 +191,7 @@ std::optional<World> loadSave(const std::filesystem::path& path, const SavePart&
         return c.state == PlacedChunk::State::Read;
       }));
   world.blocks = std::move(*blocks);
+  world.biomes = biomesOf(chunks, world.blocks);
   setDimension(files.dimension, world.environment);
   setCameras(*spot, world);
   setEnvironment(level, biomeAt(chunks, glm::ivec3(glm::floor(world.cameras.front().position))),

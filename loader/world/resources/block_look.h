@@ -1,0 +1,36 @@
+// What the resource packs of a scene make of its blocks: models, textures and tints. Only what the palette
+// uses is read.
+#pragma once
+
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "world/atlas/block_atlas.h"
+#include "world/resources/biome_tint.h"
+#include "world/resources/block_model.h"
+#include "world/resources/resource_stack.h"
+
+namespace orris {
+
+struct BlockLook {
+  std::vector<BlockModel> models;    ///< by palette index; without parts: the facts' own boxes
+  std::set<std::string> seeThrough;  ///< textures with texels that are not opaque
+  std::shared_ptr<const BiomeGrid> biomes;  ///< nullptr: the world has one
+  std::vector<BiomeTint> tints;             ///< by biome of the grid; without one, of the world's
+  std::size_t modelled = 0;                 ///< states that have a model
+  std::size_t textures = 0;                 ///< that are of the packs
+  std::vector<std::string> ownLook;         ///< blocks without a model, by name, sorted
+
+  /// The mean of the biomes around a block, as the game blends them.
+  BiomeTint tintAt(glm::ivec3 block) const;
+};
+
+/// `facts`, by palette index: those of blocks that only the packs know are replaced. `atlas`: the models' textures
+/// and the facts' own. Mistakes in the packs are warnings; the block then keeps its own look.
+BlockLook makeBlockLook(const ResourceStack& resources, const World& world,
+                        std::vector<BlockFacts>& facts, BlockAtlas& atlas,
+                        Diagnostics& diagnostics);
+
+}  // namespace orris

@@ -1,0 +1,51 @@
+// One model file of a resource pack, as it stands in JSON.
+#pragma once
+
+#include <array>
+#include <glm/glm.hpp>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/diagnostic.h"
+#include "world/blocks/block_facts.h"
+#include "world/resources/resource_stack.h"
+
+namespace orris {
+
+struct FaceTemplate {
+  std::string texture;                       ///< a variable, "#side"
+  std::optional<std::array<float, 4>> uv{};  ///< u0 v0 u1 v1 in sixteenths; nullopt: from the place
+  int rotation = 0;                          ///< degrees, of the texture, clockwise
+  std::optional<FaceDirection> cull{};
+  int tintIndex = -1;
+};
+
+/// About one axis through a point.
+struct ElementTurn {
+  glm::vec3 origin{8};  ///< sixteenths of a block
+  int axis = 1;
+  float degrees = 0;
+  bool rescale = false;  ///< stretched across the axis so that it covers the block again
+};
+
+struct ElementTemplate {
+  glm::vec3 from{0}, to{16};  ///< sixteenths of a block, -16..32
+  std::optional<ElementTurn> turn{};
+  std::array<std::optional<FaceTemplate>, 6> faces{};  ///< by FaceDirection
+};
+
+struct ModelFile {
+  std::string place;  ///< for messages
+  std::string parent;
+  SourceLocation parentAt{};
+  std::map<std::string, std::string> textures;  ///< by variable: a texture or "#variable"
+  std::optional<std::vector<ElementTemplate>> elements{};
+  std::optional<bool> ambientOcclusion{};
+};
+
+/// nullopt and warnings: the file is no model. What the game ignores in a model is not read.
+std::optional<ModelFile> parseModel(const ResourceFile& file, Diagnostics& diagnostics);
+
+}  // namespace orris
