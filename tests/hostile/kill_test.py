@@ -26,6 +26,9 @@ BROKEN = {"pack/shaders/composite.vsh": FINAL_VERTEX,
 CHART = ("chart pack world -o out --size 16x16 --warm-up 1 --frames 2 --rounds 2 --visit 1 --reference-frames 2 "
          "--axis size=16x16,8x8 --reference size=16x16 --quiet")
 
+SET = {"set.json": '{"scenes": [{"world": "world", "times": [0, 6000, 12000]}]}'}
+GALLERY = "gallery pack --set-file set.json --size 32x18 --frames 4 --quiet"
+
 
 class Command:
     """`outputs`: files that a run replaces. `status`: of a whole run."""
@@ -49,8 +52,12 @@ def is_table(data):
     assert len(rows) > 1 and len({row.count(",") for row in rows}) == 1 and data.endswith(b"\n"), data[-200:]
 
 
+def is_page(data):
+    assert data.startswith(b"<!DOCTYPE html>") and data.endswith(b"</html>\n"), data[-200:]
+
+
 # Of files with times in them, and so with other bytes in each run.
-WHOLE = {"times.csv": is_table, "out.json": is_json}
+WHOLE = {"times.csv": is_table, "out.json": is_json, "out.html": is_page}
 COMMANDS = {
     "render": Command("render pack world -o out.png --size 32x32 --frames 4 --dump colortex0=dump.exr "
                       "--timings times.csv --quiet", ("out.png", "dump.exr", "times.csv")),
@@ -62,6 +69,8 @@ COMMANDS = {
                      kept=("cache",)),
     "matrix": Command("validate pack --draw --matrix each --cache cache --report json=out.json", ("out.json",),
                       status=1, files=BROKEN, kept=("cache",)),
+    "gallery": Command(GALLERY + " -o out.html", ("out.html",), files=SET),
+    "gallery_folder": Command(GALLERY + " -o out", files=SET, check=json_files_are_whole, kept=("out",)),
     "chart": Command(CHART, check=json_files_are_whole, kept=("out",)),
 }
 
