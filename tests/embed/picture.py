@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Renders a picture through liborris.so, with nothing but Python: picture.py LIBRARY PACK WORLD OUT.png"""
+"""Renders a picture through liborris.so, with nothing but Python: picture.py LIBRARY PACK WORLD OUT.png [FRAMES]
+Packs whose exposure adapts need some dozens of frames."""
 import ctypes as c
 import struct
 import sys
@@ -29,8 +30,8 @@ def must(orris, status):
         sys.exit(f"status {status}: {orris.orris_last_error().decode()}")
 
 
-def render(orris, pack, world):
-    """The pixels of the first frame, RGBA, top row first."""
+def render(orris, pack, world, frames):
+    """The pixels of the last frame, RGBA, top row first."""
     context, renderer = c.c_void_p(), c.c_void_p()
     request = Request()
     orris.orris_renderer_request_init(c.byref(request), c.c_size_t(c.sizeof(request)))
@@ -39,7 +40,8 @@ def render(orris, pack, world):
     pixels = c.create_string_buffer(WIDTH * HEIGHT * 4)
     must(orris, orris.orris_context_create(b"auto", c.byref(context)))
     must(orris, orris.orris_renderer_create(context, c.byref(request), c.byref(renderer)))
-    must(orris, orris.orris_renderer_draw_frame(renderer, None))
+    for _ in range(frames):
+        must(orris, orris.orris_renderer_draw_frame(renderer, None))
     must(orris, orris.orris_renderer_read(renderer, pixels, c.c_size_t(len(pixels.raw))))
     must(orris, orris.orris_renderer_destroy(renderer))
     must(orris, orris.orris_context_destroy(context))
@@ -58,6 +60,7 @@ def write_png(path, rgba):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 5:
+    if len(sys.argv) not in (5, 6):
         sys.exit(__doc__)
-    write_png(sys.argv[4], render(load(sys.argv[1]), *sys.argv[2:4]))
+    count = int(sys.argv[5]) if len(sys.argv) == 6 else 1
+    write_png(sys.argv[4], render(load(sys.argv[1]), *sys.argv[2:4], count))
