@@ -309,8 +309,8 @@ ValidateResult validatePack(const ValidateOptions& options) {
     problems.add(diagnostics);
     verdict = validatePath(options.pack.path, options, ResultCache(options.cache), *checker, problems);
   } else {
+    verdict.status = statusOf(diagnostics);
     problems.add(diagnostics);
-    verdict.status = kHostFailed;
   }
   addPack(result, std::move(verdict), problems, options.judge);
   return result;

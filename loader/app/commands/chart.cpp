@@ -63,23 +63,22 @@ std::vector<std::size_t> shardOf(std::size_t settings, const std::string& text) 
 }
 
 int runChart(const StudyOptions& options, Report& report, nlohmann::json& result) {
-  int status = kClean;
   if (options.scenes.names.empty() == options.scene.path.empty()) {
     report.error("usage", "expected either WORLD or --scenes", "orris chart PACK WORLD -o DIR, or PACK --scenes LIST");
     return kUsage;
   }
   if (!options.scenes.names.empty()) return runScenes(options, report, result);
   const StudyFiles files(options.folder);
-  const auto study = Study::open(options, files, report, status);
-  if (!study) return status;
+  const auto study = Study::open(options, files, report);
+  if (!study) return report.status();
   study->measure(shardOf(study->settings().size(), options.shard));
   const ChartData chart = study->chart();
   noteUnfinished(*study, report);
-  if (!writeChart(chart, files, report, status)) return status;
+  if (!writeChart(chart, files, report)) return report.status();
   result = describeChart(chart, *study);
   if (!options.output.json && !options.output.quiet) printText(summaryTable(chart));
   sayWritten(options.output, {options.folder});
-  return status;
+  return report.status();
 }
 
 void addSceneListFlags(CLI::App& command, SceneListOptions& options) {

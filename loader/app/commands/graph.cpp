@@ -25,10 +25,8 @@ TextForm textForm(const std::string& extension) {
   return nullptr;
 }
 
-std::optional<std::string> layOut(const std::string& dot, const std::string& format, Report& report,
-                                  int& status) {
+std::optional<std::string> layOut(const std::string& dot, const std::string& format, Report& report) {
   const auto result = runChild({"dot", "-T" + format}, dot, kLongestLayout);
-  status = kHostFailed;
   if (!result) {
     report.error("file-unwritable", "no temporary file can be made for Graphviz");
     return std::nullopt;
@@ -45,19 +43,17 @@ std::optional<std::string> layOut(const std::string& dot, const std::string& for
                  "write .dot, .md or .json");
     return std::nullopt;
   }
-  status = kClean;
   return result->output;
 }
 
 }  // namespace
 
 bool writeGraph(const ShaderPack& pack, const std::string& title, const std::string& path,
-                Report& report, int& status) {
+                Report& report) {
   const std::string extension = std::filesystem::path(path).extension();
   const TextForm form = path == "-" ? toMarkdown : textForm(extension);
   const bool picture = extension == ".svg" || extension == ".png" || extension == ".pdf";
   if (form == nullptr && !picture) {
-    status = kUsage;
     report.error("graph-format-unknown", fmt::format("{} is no form of a graph", path),
                  "write .svg, .png, .pdf, .dot, .json or .md, or - for a table", path);
     return false;
@@ -71,10 +67,10 @@ bool writeGraph(const ShaderPack& pack, const std::string& title, const std::str
     printText(form(graph));
     return true;
   }
-  if (!checkWritable(path, report, status)) return false;
-  const auto text = picture ? layOut(toDot(graph), extension.substr(1), report, status)
+  if (!checkWritable(path, report)) return false;
+  const auto text = picture ? layOut(toDot(graph), extension.substr(1), report)
                             : std::optional(form(graph));
-  if (!text || !writeWholeFile(path, *text, report, status)) return false;
+  if (!text || !writeWholeFile(path, *text, report)) return false;
   sayWritten(report.output(), {path});
   return true;
 }

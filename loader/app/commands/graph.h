@@ -9,8 +9,8 @@
 namespace orris {
 
 /// Writes the graph of `pack`, called `title`, to `path`: .json, .dot, .md, or a picture (.svg, .png, .pdf) drawn by
-/// Graphviz's dot; "-" prints Markdown on standard output. False: reported, `status` is set.
+/// Graphviz's dot; "-" prints Markdown on standard output. False: reported.
 bool writeGraph(const ShaderPack& pack, const std::string& title, const std::string& path,
-                Report& report, int& status);
+                Report& report);
 
 }  // namespace orris

@@ -142,21 +142,20 @@ std::string titleOf(const std::string& path) {
 }
 
 int runOptions(const OptionsOptions& options) {
-  int status = kClean;
   Report report(options.output);
-  const auto files = openPackFiles(options.pack.path, report, status);
+  const auto files = openPackFiles(options.pack.path, report);
   const auto request =
       files ? makeLoadRequest(files, options.pack,
-                              standardMacros({.versions = options.pack.versions}), report, status)
+                              standardMacros({.versions = options.pack.versions}), report)
             : std::nullopt;
-  const auto pack = request ? loadPack(files, *request, report, status) : std::nullopt;
+  const auto pack = request ? loadPack(files, *request, report) : std::nullopt;
   if (!pack) {
     printJson(nlohmann::json::object(), report);
-    return status;
+    return report.status();
   }
   if (!options.graph.empty()) {
-    if (!writeGraph(*pack, titleOf(options.pack.path), options.graph, report, status))
-      return status;
+    if (!writeGraph(*pack, titleOf(options.pack.path), options.graph, report))
+      return report.status();
   } else if (!options.output.json) {
     printPack(*pack, options.filter, options.output.verbose);
   }

@@ -32,14 +32,14 @@ struct RenderOptions {
 
 /// Pack, options and camera as the command line asks for them.
 std::optional<SessionRequest> makeRequest(const RenderOptions& options, const World& world,
-                                          Report& report, int& status) {
-  const auto files = openPackFiles(options.pack.path, report, status);
+                                          Report& report) {
+  const auto files = openPackFiles(options.pack.path, report);
   if (!files) return std::nullopt;
   PackOptions pack = options.pack;
   if (pack.dimension.empty()) pack.dimension = world.environment.dimension;
-  const auto load = makeLoadRequest(files, pack, {}, report, status);
+  const auto load = makeLoadRequest(files, pack, {}, report);
   const auto camera =
-      load ? chooseCamera(world, options.scene.camera, report, status) : std::nullopt;
+      load ? chooseCamera(world, options.scene.camera, report) : std::nullopt;
   if (!camera) return std::nullopt;
   SessionRequest request;
   request.openPack = [files](Diagnostics&) { return files; };
@@ -54,7 +54,7 @@ std::optional<SessionRequest> makeRequest(const RenderOptions& options, const Wo
 
 /// The sources are wanted most when the driver refuses one: written before it is asked.
 bool showSources(const RenderOptions& options, const SessionRequest& request,
-                 const gl::DriverInfo& driver, Report& report, int& status) {
+                 const gl::DriverInfo& driver, Report& report) {
   if (options.outputs.patched.empty() && !options.output.verbose) return true;
   Diagnostics diagnostics;
   LoadRequest load = request.load;
@@ -67,7 +67,6 @@ bool showSources(const RenderOptions& options, const SessionRequest& request,
   if (options.outputs.patched.empty() || writePatched(options.outputs.patched, *pack, unwritten))
     return true;
   report.add(unwritten);
-  status = kUsage;
   return false;
 }
 
@@ -101,10 +100,10 @@ void sayRendered(const RenderOptions& options, RenderSession& session,
                          seconds, driver.renderer.substr(0, driver.renderer.find(" ("))));
 }
 
-/// The closing line of a picture that lacks something; false: it is a problem.
-bool sayLeftOut(const FrameRenderer& renderer, bool allowed, Report& report) {
+/// The closing line of a picture that lacks something.
+void sayLeftOut(const FrameRenderer& renderer, bool allowed, Report& report) {
   const std::vector<std::string> names = renderer.programsLeftOut();
-  if (names.empty()) return true;
+  if (names.empty()) return;
   Diagnostics diagnostics(1);
   Diagnostic& found = diagnostics.front();
   found.severity = allowed ? Severity::Warning : Severity::Error;
@@ -114,7 +113,6 @@ bool sayLeftOut(const FrameRenderer& renderer, bool allowed, Report& report) {
                               fmt::join(names, ", "));
   if (!allowed) found.hint = "with --allow-missing this is a warning";
   report.add(diagnostics);
-  return allowed;
 }
 
 nlohmann::json shownJson(FrameProbe& probe) {
@@ -126,28 +124,27 @@ nlohmann::json shownJson(FrameProbe& probe) {
 
 int runRender(const RenderOptions& options, Report& report, nlohmann::json& result) {
   const Clock::time_point began = Clock::now();
-  int status = kClean;
   Diagnostics diagnostics;
-  if (!checkPaths(options.outputs, report, status)) return status;
-  auto world = loadScene(options.scene, options.pack.dimension, report, status);
-  if (!world) return status;
-  const auto request = makeRequest(options, *world, report, status);
-  if (!request) return status;
+  if (!checkPaths(options.outputs, report)) return report.status();
+  auto world = loadScene(options.scene, options.pack.dimension, report);
+  if (!world) return report.status();
+  const auto request = makeRequest(options, *world, report);
+  if (!request) return report.status();
 
   if (!makePatchedFolder(options.outputs.patched, diagnostics)) {
     report.add(diagnostics);
-    return kUsage;
+    return report.status();
   }
   confineDrawing();
   const auto context = gl::createContext(
       {.backend = options.image.backend, .profile = options.image.context}, diagnostics);
   report.add(diagnostics);
-  if (!context) return kHostFailed;
-  if (!showSources(options, *request, context->driver(), report, status)) return status;
+  if (!context) return report.status();
+  if (!showSources(options, *request, context->driver(), report)) return report.status();
   const auto session = RenderSession::create(*context, *request, std::move(*world), diagnostics);
   report.add(diagnostics);
-  if (!session) return loadFailureStatus(request->openPack(diagnostics), request->load);
-  if (!checkBuffers(options.outputs, session->renderer(), report, status)) return status;
+  if (!session) return report.status();
+  if (!checkBuffers(options.outputs, session->renderer(), report)) return report.status();
 
   FrameProbe probe(options.outputs, session->renderer());
   const auto times = drawFrames(*session, options.image.frames, probe, report);
@@ -161,19 +158,17 @@ int runRender(const RenderOptions& options, Report& report, nlohmann::json& resu
   const std::vector<std::string> errors = context->takeErrors();
   for (const std::string& message : errors) report.error("gl-error", message);
   // The frames are not what the pack asks for: a picture of an earlier run stays.
-  if (!errors.empty()) return kHostFailed;
-  bool written = writeOutputs(options.outputs, session->renderer(), probe.dumps(), times, report, status);
+  if (!errors.empty()) return report.status();
+  bool written = writeOutputs(options.outputs, session->renderer(), probe.dumps(), times, report);
   for (const auto& [text, show] : probe.shows())
     if (show.view)
-      written &= writeShown(options.outputs.shows.at(text), show.asked, *show.view, report, status);
+      written &= writeShown(options.outputs.shows.at(text), show.asked, *show.view, report);
   if (written)
     sayRendered(options, *session, context->driver(), began);
   Diagnostics notFinite = probe.findings();
-  if (!notFinite.empty() && status == kClean) status = kProblems;
   report.add(notFinite);
-  if (!sayLeftOut(session->renderer(), options.outputs.allowMissing, report) && status == kClean)
-    status = kProblems;
-  return status;
+  sayLeftOut(session->renderer(), options.outputs.allowMissing, report);
+  return report.status();
 }
 
 /// What a process that may write nothing else is allowed to.

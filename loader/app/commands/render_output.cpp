@@ -17,12 +17,10 @@ namespace orris {
 namespace {
 
 template <class T>
-bool writePicture(const std::string& path, const BasicImage<T>& image, Report& report,
-                  int& status) {
+bool writePicture(const std::string& path, const BasicImage<T>& image, Report& report) {
   Diagnostics diagnostics;
   const bool written = writeImage(path, image, diagnostics);
   report.add(diagnostics);
-  if (!written) status = kUsage;
   return written;
 }
 
@@ -34,18 +32,17 @@ Image8 displayed(const ImageF& image) {
   return result;
 }
 
-bool writeDump(const std::string& path, const ImageF& image, Report& report, int& status) {
-  return isLinear(path) ? writePicture(path, image, report, status)
-                        : writePicture(path, displayed(image), report, status);
+bool writeDump(const std::string& path, const ImageF& image, Report& report) {
+  return isLinear(path) ? writePicture(path, image, report)
+                        : writePicture(path, displayed(image), report);
 }
 
-bool writeTimings(const std::string& path, const std::vector<FrameStepTime>& times, Report& report,
-                  int& status) {
+bool writeTimings(const std::string& path, const std::vector<FrameStepTime>& times, Report& report) {
   std::string text = "frame,step,milliseconds,processor_milliseconds\n";
   for (const FrameStepTime& time : times)
     text += fmt::format("{},{},{:.4f},{:.4f}\n", time.frame, time.step.name,
                         time.step.seconds * 1e3, time.step.processorSeconds * 1e3);
-  return writeWholeFile(path, text, report, status);
+  return writeWholeFile(path, text, report);
 }
 
 nlohmann::json renderJson(const SessionReload& reload) {
@@ -94,18 +91,17 @@ std::vector<std::string> stepNames(const Schedule& schedule) {
 
 bool isLinear(const std::string& path) { return std::filesystem::path(path).extension() != ".png"; }
 
-bool checkPaths(const RenderOutputs& outputs, Report& report, int& status) {
-  bool good = checkPicturePath(outputs.picture, report, status);
-  for (const auto& [buffer, path] : outputs.dumps) good &= checkPicturePath(path, report, status);
+bool checkPaths(const RenderOutputs& outputs, Report& report) {
+  bool good = checkPicturePath(outputs.picture, report);
+  for (const auto& [buffer, path] : outputs.dumps) good &= checkPicturePath(path, report);
   for (const auto& [shown, path] : outputs.shows)
-    good &= shown.starts_with("bufferObject.") ? checkWritable(path, report, status)
-                                               : checkPicturePath(path, report, status);
-  if (!outputs.timings.empty()) good &= checkWritable(outputs.timings, report, status);
+    good &= shown.starts_with("bufferObject.") ? checkWritable(path, report)
+                                               : checkPicturePath(path, report);
+  if (!outputs.timings.empty()) good &= checkWritable(outputs.timings, report);
   return good;
 }
 
-bool checkBuffers(const RenderOutputs& outputs, const FrameRenderer& renderer, Report& report,
-                  int& status) {
+bool checkBuffers(const RenderOutputs& outputs, const FrameRenderer& renderer, Report& report) {
   bool good = true;
   const auto runs = [&](const std::string& pass) {
     return std::ranges::find(renderer.schedule().frame, pass, &Step::name) !=
@@ -118,14 +114,12 @@ bool checkBuffers(const RenderOutputs& outputs, const FrameRenderer& renderer, R
       good = false;
       report.error("dump-unknown", fmt::format("--dump {}: no such pass in this frame", name),
                    suggest(parts->second, stepNames(renderer.schedule())));
-      status = kUsage;
       continue;
     }
     if (renderer.texture(renderer.finalSide(buffer)) != nullptr) continue;
     good = false;
     report.error("dump-unknown", fmt::format("--dump {}: no such buffer in this frame", buffer),
                  "buffers: " + renderer.bufferNames());
-    status = kUsage;
   }
   for (const auto& [text, path] : outputs.shows) {
     std::string problem;
@@ -133,30 +127,29 @@ bool checkBuffers(const RenderOutputs& outputs, const FrameRenderer& renderer, R
     if (problem.empty()) continue;
     good = false;
     report.error("show-unknown", fmt::format("--show {}: {}", text, problem), "");
-    status = kUsage;
   }
   return good;
 }
 
 bool writeShown(const std::string& path, const ShownBuffer& asked, const BufferView& view,
-                Report& report, int& status) {
+                Report& report) {
   if (view.pixels.pixels.empty())
-    return writeWholeFile(path, storageTable(view), report, status);
-  return isLinear(path) ? writePicture(path, view.pixels, report, status)
-                        : writePicture(path, paintValues(view.pixels, asked.how), report, status);
+    return writeWholeFile(path, storageTable(view), report);
+  return isLinear(path) ? writePicture(path, view.pixels, report)
+                        : writePicture(path, paintValues(view.pixels, asked.how), report);
 }
 
 bool writeOutputs(const RenderOutputs& outputs, const FrameRenderer& renderer,
                   const PassDumps& passDumps, const std::vector<FrameStepTime>& times,
-                  Report& report, int& status) {
+                  Report& report) {
   bool good = isLinear(outputs.picture)
-                  ? writePicture(outputs.picture, renderer.screenshotLinear(), report, status)
-                  : writePicture(outputs.picture, renderer.screenshot(), report, status);
+                  ? writePicture(outputs.picture, renderer.screenshotLinear(), report)
+                  : writePicture(outputs.picture, renderer.screenshot(), report);
   for (const auto& [buffer, path] : outputs.dumps)
-    if (const auto image = splitDumpName(buffer) ? std::nullopt : renderer.dump(buffer)) good &= writeDump(path, *image, report, status);
+    if (const auto image = splitDumpName(buffer) ? std::nullopt : renderer.dump(buffer)) good &= writeDump(path, *image, report);
   for (const auto& [name, image] : passDumps)
-    good &= writeDump(outputs.dumps.at(name), image, report, status);
-  if (!outputs.timings.empty()) good &= writeTimings(outputs.timings, times, report, status);
+    good &= writeDump(outputs.dumps.at(name), image, report);
+  if (!outputs.timings.empty()) good &= writeTimings(outputs.timings, times, report);
   return good;
 }
 

@@ -33,22 +33,21 @@ struct FrameStepTime {
 bool isLinear(const std::string& path);
 
 /// Can everything be written that is asked for? Before any work.
-bool checkPaths(const RenderOutputs& outputs, Report& report, int& status);
+bool checkPaths(const RenderOutputs& outputs, Report& report);
 /// Do the buffers of --dump exist? Before the first frame.
-bool checkBuffers(const RenderOutputs& outputs, const FrameRenderer& renderer, Report& report,
-                  int& status);
+bool checkBuffers(const RenderOutputs& outputs, const FrameRenderer& renderer, Report& report);
 
 /// Buffers after passes, by the name that --dump gives them.
 using PassDumps = std::map<std::string, ImageF>;
 
 /// What --show names: a picture of the values, a table of a bufferObject.
 bool writeShown(const std::string& path, const ShownBuffer& asked, const BufferView& view,
-                Report& report, int& status);
+                Report& report);
 
 /// The picture, the buffers and the times.
 bool writeOutputs(const RenderOutputs& outputs, const FrameRenderer& renderer,
                   const PassDumps& passDumps, const std::vector<FrameStepTime>& times,
-                  Report& report, int& status);
+                  Report& report);
 
 /// The result for --json: driver, steps, targets, what each (re)load built.
 nlohmann::json describe(RenderSession& session, const gl::DriverInfo& driver);

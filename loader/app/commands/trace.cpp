@@ -37,17 +37,16 @@ struct TraceOptions {
 
 std::string checkpointOf(const std::string& picture) { return picture + ".trace"; }
 
-bool checkOutput(const std::string& path, Report& report, int& status) {
-  if (std::filesystem::path(path).extension() == ".exr") return checkWritable(path, report, status);
+bool checkOutput(const std::string& path, Report& report) {
+  if (std::filesystem::path(path).extension() == ".exr") return checkWritable(path, report);
   report.error("picture-format-unknown", "only .exr holds linear light and both halves",
                "name a file that ends in .exr", path);
-  status = kUsage;
   return false;
 }
 
 /// The film to start from: shards put together, a film to go on with, or an empty one.
 std::optional<TraceFilm> openFilm(const TraceOptions& options, const TraceCamera& camera,
-                                  std::uint64_t key, Report& report, int& status) {
+                                  std::uint64_t key, Report& report) {
   const auto shard = parseShard(options.shard).value_or(Shard{1, 1});
   TraceFilm fresh(camera.width, camera.height, {shard.first - 1, shard.second});
   Diagnostics diagnostics;
@@ -72,7 +71,6 @@ std::optional<TraceFilm> openFilm(const TraceOptions& options, const TraceCamera
     film = std::move(fresh);
   }
   report.add(diagnostics);
-  if (!film) status = kUsage;
   return film;
 }
 
@@ -101,31 +99,30 @@ nlohmann::json describeTrace(const TraceFilm& film, const TraceProgress& done,
 }
 
 int runTrace(const TraceOptions& options, Report& report, nlohmann::json& result) {
-  int status = kClean;
-  if (!checkOutput(options.picture, report, status)) return status;
-  const auto view = openReferenceScene(options.pack, options.scene, options.image, report, status);
-  if (!view) return status;
+  if (!checkOutput(options.picture, report)) return report.status();
+  const auto view = openReferenceScene(options.pack, options.scene, options.image, report);
+  if (!view) return report.status();
   const TraceSettings settings{options.scene.seed, options.bounces};
   const std::uint64_t key = traceKey(view->scene, view->camera, settings);
-  auto film = openFilm(options, view->camera, key, report, status);
-  if (!film) return status;
+  auto film = openFilm(options, view->camera, key, report);
+  if (!film) return report.status();
 
   TraceProgress done;
   if (options.merge.empty()) {
     const TraceJob job{
         view->scene, view->camera, settings, options.jobs, checkpointOf(options.picture), key};
     done = traceUntil(*film, job, options.limits, report);
-    if (report.status() != kClean) return kHostFailed;
+    if (report.status() != kClean) return report.status();
   }
   const std::vector<std::uint8_t> edges = edgePixels(view->scene, view->camera);
-  if (!writeTraced(options.picture, *film, edges, report, status)) return status;
+  if (!writeTraced(options.picture, *film, edges, report)) return report.status();
   result = describeTrace(*film, done, view->scene, std::count(edges.begin(), edges.end(), 1));
   if (!options.output.json && !options.output.quiet) {
     std::cout << fmt::format("{} samples a pixel, noise {:.3g} % rms of the mean\n",
                              2 * film->samples, 100 * film->noise().relative);
   }
   sayWritten(options.output, {options.picture});
-  return status;
+  return report.status();
 }
 
 /// "x,y,z" in world blocks.
@@ -139,19 +136,18 @@ std::optional<glm::dvec3> placeOf(const std::string& text) {
 
 /// Which pixels the sun, or a lamp, reaches: nothing is sampled.
 int runShadowMask(const TraceOptions& options, Report& report, nlohmann::json& result) {
-  int status = kClean;
-  if (!checkWritable(options.picture, report, status)) return status;
+  if (!checkWritable(options.picture, report)) return report.status();
   const auto lamp = placeOf(options.lamp);
   if (!options.lamp.empty() && !lamp) {
     report.error("usage", "--lamp \"" + options.lamp + "\" is no place", "write x,y,z");
     return kUsage;
   }
-  const auto view = openReferenceScene(options.pack, options.scene, options.image, report, status);
-  if (!view) return status;
+  const auto view = openReferenceScene(options.pack, options.scene, options.image, report);
+  if (!view) return report.status();
   const glm::dvec4 light = lamp ? glm::dvec4(*lamp, 1) : glm::dvec4(view->shadowLight, 0);
   const ImageF mask = shadowMask(view->scene, view->camera, CasterRays(view->casters), light);
   Diagnostics diagnostics;
-  if (!writeImage(options.picture, mask, diagnostics)) status = kUsage;
+  writeImage(options.picture, mask, diagnostics);
   report.add(diagnostics);
   const auto lit = std::count_if(mask.pixels.begin(), mask.pixels.end(),
                                  [](float value) { return value > 0.5f; });
@@ -159,8 +155,8 @@ int runShadowMask(const TraceOptions& options, Report& report, nlohmann::json& r
       {"size", {mask.width, mask.height}}, {"lit", lit}, {"casters", view->casters.faces.size()}};
   if (!options.output.json && !options.output.quiet)
     std::cout << fmt::format("{} of {} pixels lit\n", lit, mask.pixels.size());
-  if (status == kClean) sayWritten(options.output, {options.picture});
-  return status;
+  if (report.status() == kClean) sayWritten(options.output, {options.picture});
+  return report.status();
 }
 
 void addTraceFlags(CLI::App& command, TraceOptions& options) {

@@ -111,7 +111,7 @@ TraceProgress traceUntil(TraceFilm& film, const TraceJob& job, const TraceLimits
 }
 
 bool writeTraced(const std::string& path, const TraceFilm& film,
-                 const std::vector<std::uint8_t>& edges, Report& report, int& status) {
+                 const std::vector<std::uint8_t>& edges, Report& report) {
   static const std::vector<std::string> kChannels = {
       "R",       "G",        "B",        "first.R",  "first.G",
       "first.B", "second.R", "second.G", "second.B", "undecided.V"};
@@ -125,7 +125,6 @@ bool writeTraced(const std::string& path, const TraceFilm& film,
   Diagnostics diagnostics;
   const bool written = writeImage(path, image, kChannels, diagnostics);
   report.add(diagnostics);
-  if (!written) status = kUsage;
   return written;
 }
 

@@ -37,8 +37,8 @@ struct TraceProgress {
 TraceProgress traceUntil(TraceFilm& film, const TraceJob& job, const TraceLimits& limits,
                          Report& report);
 
-/// The picture, its halves, and which pixels lie on edges (edgePixels()). false: reported, `status` is set.
+/// The picture, its halves, and which pixels lie on edges (edgePixels()). false: reported.
 bool writeTraced(const std::string& path, const TraceFilm& film, const std::vector<std::uint8_t>& edges,
-                 Report& report, int& status);
+                 Report& report);
 
 }  // namespace orris

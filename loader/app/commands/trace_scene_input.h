@@ -10,13 +10,11 @@
 namespace orris {
 
 /// The world as the reference pack's frame shows it, with the pack's options as `pack` sets them.
-/// nullopt: reported, `status` is set.
+/// nullopt: reported.
 std::optional<ReferenceScene> openReferenceScene(const PackOptions& pack, const SceneOptions& scene,
-                                                 const ImageOptions& image, Report& report,
-                                                 int& status);
+                                                 const ImageOptions& image, Report& report);
 
-/// The reference pack with its options in force: only these and its block ids are read. nullopt: reported, `status` is set.
-std::optional<ShaderPack> openReferencePack(const PackOptions& options, Report& report,
-                                            int& status);
+/// The reference pack with its options in force: only these and its block ids are read. nullopt: reported.
+std::optional<ShaderPack> openReferencePack(const PackOptions& options, Report& report);
 
 }  // namespace orris

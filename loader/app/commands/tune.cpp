@@ -102,15 +102,14 @@ std::string explanation(const ChartData& chart, const ChartPoint& chosen, const 
 
 /// All values in force, as the game's option file holds them.
 bool writeSettings(const Study& study, const Setting& setting, const std::string& path,
-                   Report& report, int& status) {
+                   Report& report) {
   LoadRequest load = requestFor(study.input().request, setting).load;
   load.buildSources = false;
-  const auto pack = loadPack(study.input().files, load, report, status);
-  return pack && writeWholeFile(path, writeOptionFile(pack->options, pack->values), report, status);
+  const auto pack = loadPack(study.input().files, load, report);
+  return pack && writeWholeFile(path, writeOptionFile(pack->options, pack->values), report);
 }
 
-void reportOutOfReach(const Study& study, const Search& found, const TuneGoal& goal, Report& report,
-                      int& status) {
+void reportOutOfReach(const Study& study, const Search& found, const TuneGoal& goal, Report& report) {
   std::string hint = "no setting could be measured";
   if (const auto nearest = nearestTo(found.tried, goal)) {
     const Setting& setting = study.settings()[*nearest];
@@ -122,7 +121,6 @@ void reportOutOfReach(const Study& study, const Search& found, const TuneGoal& g
                    ? fmt::format("no setting tried has an error of at most {}", *goal.error)
                    : fmt::format("no setting tried takes at most {} ms a frame", goal.milliseconds),
                hint);
-  status = kProblems;
 }
 
 void noteBudget(const Search& found, Report& report) {
@@ -137,24 +135,23 @@ void noteBudget(const Search& found, Report& report) {
 }
 
 int runTune(const TuneOptions& options, Report& report, nlohmann::json& result) {
-  int status = kClean;
-  if (!checkWritable(options.settings, report, status)) return status;
+  if (!checkWritable(options.settings, report)) return report.status();
   const StudyFiles files(options.study.folder.empty() ? options.settings + ".tune"
                                                       : options.study.folder);
-  const auto study = Study::open(options.study, files, report, status);
-  if (!study) return status;
+  const auto study = Study::open(options.study, files, report);
+  if (!study) return report.status();
   const TuneGoal goal = goalOf(options);
   const Search found = search(*study, goal);
-  if (!writeChart(found.chart, files, report, status)) return status;
+  if (!writeChart(found.chart, files, report)) return report.status();
   noteBudget(found, report);
   const auto best = bestOf(found.tried, goal);
   if (!best) {
-    reportOutOfReach(*study, found, goal, report, status);
-    return status;
+    reportOutOfReach(*study, found, goal, report);
+    return report.status();
   }
   const Setting& setting = study->settings()[*best];
   const ChartPoint& chosen = *pointOf(found.chart, setting);
-  if (!writeSettings(*study, setting, options.settings, report, status)) return status;
+  if (!writeSettings(*study, setting, options.settings, report)) return report.status();
   result = {{"setting", setting.label},
             {"profile", setting.profile},
             {"values", setting.values},
@@ -166,7 +163,7 @@ int runTune(const TuneOptions& options, Report& report, nlohmann::json& result) 
   if (!options.study.output.json && !options.study.output.quiet)
     printText(explanation(found.chart, chosen, goal));
   sayWritten(options.study.output, {options.settings});
-  return status;
+  return report.status();
 }
 
 }  // namespace

@@ -70,8 +70,9 @@ int runValidate(const ValidateFlags& flags) {
   options.progress = [&](std::size_t done, std::size_t total) { progress.show(done, total); };
   Diagnostics diagnostics;
   auto checker = makeChecker(options, paths.size(), diagnostics);
-  Report(flags.output).add(diagnostics);
-  if (!checker) return kHostFailed;
+  Report report(flags.output);
+  report.add(diagnostics);
+  if (!checker) return report.status();
   const ResultCache cache(options.cache);
   for (const std::string& path : paths) {
     // A list of its own for each pack: equal messages of two packs are two problems.

@@ -112,19 +112,18 @@ void printWorld(const World& world, const WorldFacts& facts, const BlockLook* lo
 }
 
 int runWorld(const WorldOptions& options) {
-  int status = kClean;
   Report report(options.output);
-  if (!options.exported.empty() && !checkExportPath(options.exported, report, status)) {
+  if (!options.exported.empty() && !checkExportPath(options.exported, report)) {
     printJson(nlohmann::json::object(), report);
-    return status;
+    return report.status();
   }
-  std::optional<World> world = loadScene(options.scene, options.pack.dimension, report, status);
+  std::optional<World> world = loadScene(options.scene, options.pack.dimension, report);
   if (!world) {
     printJson(nlohmann::json::object(), report);
-    return status;
+    return report.status();
   }
   if (!options.exported.empty())
-    exportWorld(*world, options.pack, options.exported, report, status);
+    exportWorld(*world, options.pack, options.exported, report);
   Diagnostics diagnostics;
   const SceneData scene = buildScene(std::move(*world), {}, diagnostics);
   report.add(diagnostics);
@@ -133,8 +132,9 @@ int runWorld(const WorldOptions& options) {
   nlohmann::json result = worldJson(scene.world, facts);
   if (scene.look) result["resources"] = lookJson(*scene.look);
   printJson(std::move(result), report);
-  if (status == kClean && !options.exported.empty()) sayWritten(options.output, {options.exported});
-  return status == kClean ? report.status() : status;
+  if (report.status() == kClean && !options.exported.empty())
+    sayWritten(options.output, {options.exported});
+  return report.status();
 }
 
 }  // namespace

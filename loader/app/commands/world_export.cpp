@@ -8,18 +8,16 @@
 
 namespace orris {
 
-bool checkExportPath(const std::string& path, Report& report, int& status) {
+bool checkExportPath(const std::string& path, Report& report) {
   const std::string ending = std::filesystem::path(path).extension();
-  if (ending == ".glb" || ending == ".gltf") return checkWritable(path, report, status);
+  if (ending == ".glb" || ending == ".gltf") return checkWritable(path, report);
   report.error("export-format", "no format of export has this ending",
                "use .glb, or .gltf for text", path);
-  status = kUsage;
   return false;
 }
 
-void exportWorld(World world, const PackOptions& pack, const std::string& path, Report& report,
-                 int& status) {
-  const auto reference = openReferencePack(pack, report, status);
+void exportWorld(World world, const PackOptions& pack, const std::string& path, Report& report) {
+  const auto reference = openReferencePack(pack, report);
   if (!reference) return;
   const std::string name = world.name;
   const std::vector<Camera> cameras = world.cameras;
@@ -33,12 +31,9 @@ void exportWorld(World world, const PackOptions& pack, const std::string& path, 
   diagnostics.clear();
   const auto gltf = makeGltf({name, scene.scene, states, cameras}, path, diagnostics);
   report.add(diagnostics);
-  if (!gltf) {
-    status = kUsage;
-    return;
-  }
+  if (!gltf) return;
   const bool binary = std::filesystem::path(path).extension() == ".glb";
-  writeWholeFile(path, binary ? glbFile(*gltf) : gltfFile(*gltf), report, status);
+  writeWholeFile(path, binary ? glbFile(*gltf) : gltfFile(*gltf), report);
 }
 
 }  // namespace orris

@@ -9,11 +9,10 @@
 
 namespace orris {
 
-/// Whether an export can be written at `path`: by its ending and its folder. Otherwise reported, `status` is set.
-bool checkExportPath(const std::string& path, Report& report, int& status);
+/// Whether an export can be written at `path`: by its ending and its folder. Otherwise reported.
+bool checkExportPath(const std::string& path, Report& report);
 
 /// Writes `world`, lit as the reference pack with `pack`'s options lights it.
-void exportWorld(World world, const PackOptions& pack, const std::string& path, Report& report,
-                 int& status);
+void exportWorld(World world, const PackOptions& pack, const std::string& path, Report& report);
 
 }  // namespace orris

@@ -70,11 +70,11 @@ PackOptions packForShot(const GalleryOptions& options, const GalleryShot& shot, 
 }
 
 std::optional<World> worldOf(const GalleryOptions& options, const GalleryShot& shot, const std::string& path,
-                             Report& report, int& status) {
+                             Report& report) {
   SceneOptions scene;
   scene.path = path;
   scene.time = shot.time;
-  auto world = loadScene(scene, options.pack.dimension, report, status);
+  auto world = loadScene(scene, options.pack.dimension, report);
   if (world) applyWeather(shot.weather, world->environment);
   return world;
 }
@@ -94,13 +94,12 @@ GalleryDrawn drawOne(const GalleryOptions& options, const GalleryInput& input, c
   const GalleryShot& shot = input.set.shots[job.shot];
   GalleryDrawn drawn;
   Report report = Report::keeping();
-  int status = kClean;
-  auto world = worldOf(options, shot, input.worlds[job.shot], report, status);
-  const auto camera = world ? chooseCamera(*world, shot.camera, report, status, "cameras") : std::nullopt;
+  auto world = worldOf(options, shot, input.worlds[job.shot], report);
+  const auto camera = world ? chooseCamera(*world, shot.camera, report, "cameras") : std::nullopt;
   PackOptions pack = packForShot(options, shot, job.before);
   if (world && pack.dimension.empty()) pack.dimension = world->environment.dimension;
   const auto files = job.before ? input.filesBefore : input.files;
-  const auto load = camera ? makeLoadRequest(files, pack, {}, report, status) : std::nullopt;
+  const auto load = camera ? makeLoadRequest(files, pack, {}, report) : std::nullopt;
   drawn.diagnostics = report.all();
   if (!worker.context)
     worker.context = gl::createContext({.backend = options.image.backend, .profile = options.image.context},

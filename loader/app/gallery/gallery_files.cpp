@@ -120,8 +120,8 @@ bool GalleryFiles::write(const std::string& name, const std::string& key, const 
   const auto png = encodePng(picture.image, file, diagnostics);
   report.add(diagnostics);
   // The numbers last: they say that the picture is there.
-  const bool written = png && writeWholeFile(file, *png, report, status) &&
-                       writeWholeFile(path(name, ".json"), jsonText(numbers), report, status);
+  const bool written = png && writeWholeFile(file, *png, report) &&
+                       writeWholeFile(path(name, ".json"), jsonText(numbers), report);
   if (!written) status = kHostFailed;
   return written;
 }

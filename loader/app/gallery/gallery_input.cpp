@@ -36,8 +36,11 @@ std::optional<SetText> tooLarge(const std::string& file, Report& report, int& st
 }
 
 std::optional<SetText> readSetFile(const std::string& path, Report& report, int& status) {
-  auto text = readWholeFile(path, report, status);
-  if (!text) return std::nullopt;
+  auto text = readWholeFile(path, report);
+  if (!text) {
+    status = kUsage;
+    return std::nullopt;
+  }
   if (text->size() > kGallerySetBytes) return tooLarge(path, report, status);
   const fs::path folder = fs::path(path).parent_path();
   return SetText{std::move(*text), path, folder.empty() ? "." : folder.string(), kUsage};
@@ -145,10 +148,12 @@ std::optional<GalleryInput> readGalleryInput(const GalleryOptions& options, Repo
                                              int& status) {
   GalleryInput input;
   if (!options.against.empty()) {
-    input.filesBefore = openPackFiles(options.against, report, status);
+    input.filesBefore = openPackFiles(options.against, report);
+    if (!input.filesBefore) status = kUsage;
     if (!input.filesBefore) return std::nullopt;
   }
-  input.files = openPackFiles(options.pack.path, report, status);
+  input.files = openPackFiles(options.pack.path, report);
+  if (!input.files) status = kUsage;
   if (!input.files || !readSet(options, input, report, status)) return std::nullopt;
   chooseSize(options, input);
   if (!options.pack.settingsFile.empty()) addReadPlace(options.pack.settingsFile);

@@ -34,15 +34,18 @@ class GalleryRun {
 
   int run(json& result) {
     auto input = readGalleryInput(options_, report_, status_);
-    if (!input || !files_.create(report_, status_) || !checkWritable(page_, report_, status_)) return status_;
+    if (!input || !files_.create(report_, status_)) return status_;
+    if (!checkWritable(page_, report_)) return kUsage;
     input_ = std::move(*input);
     begin();
     draw();
-    if (status_ == kHostFailed || !compare() || !writeWholeFile(page_, galleryPage(gallery_), report_, status_)) return status_;
+    if (status_ == kHostFailed || !compare()) return status_;
+    if (!writeWholeFile(page_, galleryPage(gallery_), report_)) return kUsage;
     judge();
     result = describe();
     sayWritten(options_.report, {page_}, summary());
-    return status_ == kClean ? int(report_.status()) : status_;
+    // What goes wrong with a picture, the driver that dies of it too, is a problem of the pack.
+    return status_ == kClean && hasErrors(report_.all()) ? int(kProblems) : status_;
   }
 
  private:

@@ -12,22 +12,12 @@
 #include <sstream>
 
 #include "app/input/shipped_worlds.h"
-#include "check/rules/rules.h"
 #include "core/named_file.h"
 #include "pack/files/text.h"
 #include "world/resources/resource_stack.h"
 
 namespace orris {
 namespace {
-
-// A pack that loads without the user's choices but not with them was asked for something wrong.
-bool loadsWithoutChoices(const std::shared_ptr<const FileSource>& files, LoadRequest request) {
-  Diagnostics ignored;
-  request.values.clear();
-  request.profile.clear();
-  request.buildSources = false;
-  return loadShaderPack(files, request, ignored).has_value();
-}
 
 /// Written as the streams they are: beside them is no place for a temporary file.
 std::ostream* streamOf(const std::string& path) {
@@ -53,44 +43,33 @@ std::optional<Camera> parseCamera(const std::string& text) {
 
 }  // namespace
 
-std::shared_ptr<const FileSource> openPackFiles(const std::string& path, Report& report,
-                                                int& status) {
+std::shared_ptr<const FileSource> openPackFiles(const std::string& path, Report& report) {
   report.setPack(path);
   Diagnostics diagnostics;
   std::shared_ptr<const FileSource> files = openPack(path, diagnostics);
   report.add(diagnostics);
-  if (!files) status = kUsage;
   return files;
 }
 
 std::optional<LoadRequest> makeLoadRequest(const std::shared_ptr<const FileSource>& files,
                                            const PackOptions& options,
-                                           const MacroDefinitions& environment, Report& report,
-                                           int& status) {
+                                           const MacroDefinitions& environment, Report& report) {
   Diagnostics diagnostics;
   auto request = makeLoadRequest(files, options, environment, diagnostics);
-  if (!request) status = statusOf(diagnostics);
   report.add(diagnostics);
   return request;
 }
 
-int loadFailureStatus(const std::shared_ptr<const FileSource>& files, const LoadRequest& request) {
-  const bool hasChoices =
-      !request.values.empty() || !request.fileValues.empty() || !request.profile.empty();
-  return hasChoices && loadsWithoutChoices(files, request) ? kUsage : kProblems;
-}
-
 std::optional<ShaderPack> loadPack(const std::shared_ptr<const FileSource>& files,
-                                   const LoadRequest& request, Report& report, int& status) {
+                                   const LoadRequest& request, Report& report) {
   Diagnostics diagnostics;
   std::optional<ShaderPack> pack = loadShaderPack(files, request, diagnostics);
   report.add(diagnostics);
-  if (!pack) status = loadFailureStatus(files, request);
   return pack;
 }
 
 std::optional<World> loadScene(const SceneOptions& options, const std::string& dimension,
-                               Report& report, int& status) {
+                               Report& report) {
   const std::string path = findWorld(options.path);
   if (path.empty()) {
     const std::vector<std::string> names = shippedWorldNames();
@@ -98,7 +77,6 @@ std::optional<World> loadScene(const SceneOptions& options, const std::string& d
     report.error("world-unreadable", "no such file or folder, nor a world that comes with Orris",
                  meant.empty() ? fmt::format("worlds: {}", fmt::join(names, ", ")) : meant,
                  options.path);
-    status = kUsage;
     return std::nullopt;
   }
   Diagnostics diagnostics;
@@ -107,24 +85,18 @@ std::optional<World> loadScene(const SceneOptions& options, const std::string& d
   if (fullDimensionName(dimension).find(':') != std::string::npos) part.dimension = fullDimensionName(dimension);
   std::optional<World> world = loadWorld(path, options.seed, diagnostics, part);
   report.add(diagnostics);
-  if (!world) {
-    status = kUsage;
-    return std::nullopt;
-  }
+  if (!world) return std::nullopt;
   // What cannot be opened is reported before any work is done.
-  if (!openResources(options.resources, diagnostics)) {
-    report.add(diagnostics);
-    status = kUsage;
-    return std::nullopt;
-  }
+  const bool opened = openResources(options.resources, diagnostics).has_value();
+  report.add(diagnostics);
+  if (!opened) return std::nullopt;
   world->resourcePacks = options.resources;
   if (options.time) world->environment.time = *options.time;
   if (!dimension.empty()) world->environment.dimension = fullDimensionName(dimension);
   return world;
 }
 
-std::optional<Camera> chooseCamera(const World& world, const std::string& request, Report& report,
-                                   int& status, const char* flag) {
+std::optional<Camera> chooseCamera(const World& world, const std::string& request, Report& report, const char* flag) {
   if (request.empty() && !world.cameras.empty()) return world.cameras.front();
   if (const Camera* named = world.camera(request)) return *named;
   if (std::optional<Camera> given = parseCamera(request)) return given;
@@ -133,52 +105,46 @@ std::optional<Camera> chooseCamera(const World& world, const std::string& reques
   report.error("camera-unknown",
                fmt::format("{}: \"{}\" is no camera of this world", flag, request),
                fmt::format("use one of {}, or x,y,z,yaw,pitch", names));
-  status = kUsage;
   return std::nullopt;
 }
 
-std::optional<std::string> readWholeFile(const std::string& path, Report& report, int& status) {
+std::optional<std::string> readWholeFile(const std::string& path, Report& report) {
   Diagnostics diagnostics;
   std::optional<std::string> text = readNamedFile(path, diagnostics);
-  if (!text) status = kUsage;
   report.add(diagnostics);
   return text;
 }
 
 std::optional<std::string> readWholeFileBelow(const std::string& folder, const std::string& name,
-                                              Report& report, int& status) {
+                                              Report& report) {
   Diagnostics diagnostics;
   std::optional<std::string> text = readNamedFileBelow(folder, name, diagnostics);
-  if (!text) status = kUsage;
   report.add(diagnostics);
   return text;
 }
 
-bool checkWritable(const std::string& path, Report& report, int& status) {
+bool checkWritable(const std::string& path, Report& report) {
   Diagnostics diagnostics;
   if (streamOf(path) != nullptr || canWriteNamedFile(path, diagnostics)) return true;
   report.add(diagnostics);
-  status = kUsage;
   return false;
 }
 
-bool checkPicturePath(const std::string& path, Report& report, int& status) {
+bool checkPicturePath(const std::string& path, Report& report) {
   static const std::set<std::string> kExtensions = {".png", ".exr", ".hdr", ".pfm", ".tif"};
   if (kExtensions.contains(std::filesystem::path(path).extension())) {
-    return checkWritable(path, report, status);
+    return checkWritable(path, report);
   }
   report.error("picture-format-unknown", "no picture format has this ending",
                fmt::format("use {}", fmt::join(kExtensions, ", ")), path);
-  status = kUsage;
   return false;
 }
 
-bool writeWholeFile(const std::string& path, const std::string& text, Report& report, int& status) {
+bool writeWholeFile(const std::string& path, const std::string& text, Report& report) {
   if (std::ostream* stream = streamOf(path)) return bool(*stream << text << std::flush);
   Diagnostics diagnostics;
   if (writeNamedFile(path, text, diagnostics)) return true;
   report.add(diagnostics);
-  status = kUsage;
   return false;
 }
 

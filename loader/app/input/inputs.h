@@ -1,6 +1,5 @@
-// Opening what the command line names, to read and to write. Each function reports its problems and, when it returns
-// nothing, sets the exit status: kUsage for what cannot be read or asked for, kProblems for mistakes
-// inside a pack.
+// Opening what the command line names, to read and to write. A function that returns nothing has reported
+// why; what it reported is the exit status (Report::status).
 #pragma once
 
 #include <memory>
@@ -14,46 +13,40 @@
 
 namespace orris {
 
-/// The files of a pack; nullptr: `status` is set.
-std::shared_ptr<const FileSource> openPackFiles(const std::string& path, Report& report,
-                                                int& status);
+/// The files of a pack.
+std::shared_ptr<const FileSource> openPackFiles(const std::string& path, Report& report);
 
-/// What the command line asks of a pack: profile, option file, --set, dimension. nullopt: `status`
-/// is set.
+/// What the command line asks of a pack: profile, option file, --set, dimension.
 std::optional<LoadRequest> makeLoadRequest(const std::shared_ptr<const FileSource>& files,
                                            const PackOptions& options,
-                                           const MacroDefinitions& environment, Report& report,
-                                           int& status);
-/// Why a load failed: kUsage when the pack loads without the chosen options, else kProblems.
-int loadFailureStatus(const std::shared_ptr<const FileSource>& files, const LoadRequest& request);
+                                           const MacroDefinitions& environment, Report& report);
 
 /// Loads one dimension of a pack.
 std::optional<ShaderPack> loadPack(const std::shared_ptr<const FileSource>& files,
-                                   const LoadRequest& request, Report& report, int& status);
+                                   const LoadRequest& request, Report& report);
 
 /// A world with --time and --dimension of the command line applied.
 std::optional<World> loadScene(const SceneOptions& options, const std::string& dimension,
-                               Report& report, int& status);
+                               Report& report);
 
-/// The camera that `flag` asks for. nullopt: `status` is set.
-std::optional<Camera> chooseCamera(const World& world, const std::string& request, Report& report,
-                                   int& status, const char* flag = "--camera");
+/// The camera that `flag` asks for.
+std::optional<Camera> chooseCamera(const World& world, const std::string& request, Report& report, const char* flag = "--camera");
 
-/// Reads a whole file; nullopt: reported, `status` is set.
-std::optional<std::string> readWholeFile(const std::string& path, Report& report, int& status);
+/// Reads a whole file; nullopt: reported.
+std::optional<std::string> readWholeFile(const std::string& path, Report& report);
 
 /// The same for a file of a folder, which no link may lead out of.
 std::optional<std::string> readWholeFileBelow(const std::string& folder, const std::string& name,
-                                              Report& report, int& status);
+                                              Report& report);
 
 /// Can a file be created at `path`? Nothing is changed there. Asked before long work, so that it is not lost. Otherwise
-/// reported, `status` is set.
-bool checkWritable(const std::string& path, Report& report, int& status);
+/// reported.
+bool checkWritable(const std::string& path, Report& report);
 /// The same for a picture, whose extension must be one that writeImage knows.
-bool checkPicturePath(const std::string& path, Report& report, int& status);
+bool checkPicturePath(const std::string& path, Report& report);
 
 /// Writes a whole file by way of a temporary one, so that no partial file is ever left; /dev/stdout and
 /// /dev/stderr as they are.
-bool writeWholeFile(const std::string& path, const std::string& text, Report& report, int& status);
+bool writeWholeFile(const std::string& path, const std::string& text, Report& report);
 
 }  // namespace orris

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/input/common.h"
-#include "core/exit_status.h"
+#include "check/rules/rules.h"
 #include "report/diagnostic_json.h"
 #include "report/problem_list.h"
 #include "report/text_style.h"
@@ -34,8 +34,8 @@ class Report {
   void setPack(const std::string& path) { folder_ = shadersFolderOf(path); }
   /// For another load of the same files: ProblemList::beginAgain().
   void beginAgain() { problems_.beginAgain(); }
-  /// kProblems when an error was added, else kClean.
-  ExitStatus status() const { return hasErrors(all()) ? kProblems : kClean; }
+  /// That of the worst cause of an error (Rule::status); kClean without one.
+  ExitStatus status() const { return statusOf(all()); }
   const Diagnostics& all() const { return problems_.all(); }
   /// Adds one error about the command line, or about the file `path` as a whole.
   void error(const std::string& id, const std::string& message, const std::string& hint = "",

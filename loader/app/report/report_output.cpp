@@ -14,8 +14,7 @@ namespace orris {
 
 bool ReportOutput::readBaseline(Report& report) {
   if (options_.baseline.empty()) return true;
-  int status = kClean;
-  const auto text = readWholeFile(options_.baseline, report, status);
+  const auto text = readWholeFile(options_.baseline, report);
   if (!text) return false;
   Diagnostics diagnostics;
   result_.baseline = Baseline::parse(options_.baseline, *text, diagnostics);
@@ -27,10 +26,9 @@ bool ReportOutput::open() {
   result_.strict = options_.judge.strict;
   result_.verbose = output_.verbose;
   Report report(output_);
-  int status = kClean;
-  for (const ReportFile& file : options_.files) checkWritable(file.path, report, status);
-  if (!options_.writeBaseline.empty()) checkWritable(options_.writeBaseline, report, status);
-  return readBaseline(report) && status == kClean;
+  for (const ReportFile& file : options_.files) checkWritable(file.path, report);
+  if (!options_.writeBaseline.empty()) checkWritable(options_.writeBaseline, report);
+  return readBaseline(report) && report.status() == kClean;
 }
 
 void ReportOutput::add(PackVerdict verdict, const ProblemList& problems) {
@@ -65,14 +63,13 @@ int ReportOutput::finish() {
                           result_.baseline->taken(), result_.baseline->left()));
   }
   Report report(output_);
-  int status = kClean;
   for (const ReportFile& file : options_.files) {
-    writeWholeFile(file.path, findReportFormat(file.format)->write(result_), report, status);
+    writeWholeFile(file.path, findReportFormat(file.format)->write(result_), report);
   }
   if (!options_.writeBaseline.empty()) {
-    writeWholeFile(options_.writeBaseline, baselineOf(result_), report, status);
+    writeWholeFile(options_.writeBaseline, baselineOf(result_), report);
   }
-  return std::max(result_.status, status);
+  return std::max<int>(result_.status, report.status());
 }
 
 }  // namespace orris

@@ -51,15 +51,15 @@ std::optional<std::string> plot(const PlotScript& script, const Form& form, Repo
 /// The plots as SVG, by name.
 std::optional<std::map<std::string, std::string>> writePlots(const ChartData& chart,
                                                              const std::filesystem::path& folder,
-                                                             Report& report, int& status) {
+                                                             Report& report) {
   std::map<std::string, std::string> drawn;
   for (const PlotScript& script : plotScripts(chart)) {
     const std::string path = (folder / script.name).string();
-    if (!writeWholeFile(path + ".gp", script.text, report, status)) return std::nullopt;
+    if (!writeWholeFile(path + ".gp", script.text, report)) return std::nullopt;
     for (const Form& form : kForms) {
       const auto picture = plot(script, form, report);
       if (!picture) continue;
-      if (!writeWholeFile(path + form.ending, *picture, report, status)) return std::nullopt;
+      if (!writeWholeFile(path + form.ending, *picture, report)) return std::nullopt;
       if (form.ending == std::string(".svg")) drawn[script.name] = *picture;
     }
   }
@@ -68,9 +68,8 @@ std::optional<std::map<std::string, std::string>> writePlots(const ChartData& ch
 
 /// A file of the study, "" when it is not there.
 std::string contentOf(const std::string& path, Report& report) {
-  int ignored = kClean;
   if (!std::filesystem::exists(path)) return "";
-  return readWholeFile(path, report, ignored).value_or("");
+  return readWholeFile(path, report).value_or("");
 }
 
 PagePictures picturesOf(const ChartData& chart, const StudyFiles& files, Report& report) {
@@ -89,15 +88,15 @@ PagePictures picturesOf(const ChartData& chart, const StudyFiles& files, Report&
 
 }  // namespace
 
-bool writeChart(const ChartData& chart, const StudyFiles& files, Report& report, int& status) {
+bool writeChart(const ChartData& chart, const StudyFiles& files, Report& report) {
   const std::filesystem::path folder = files.folder();
   const auto write = [&](const char* name, const std::string& text) {
-    return writeWholeFile((folder / name).string(), text, report, status);
+    return writeWholeFile((folder / name).string(), text, report);
   };
   if (!write("settings.csv", settingsCsv(chart)) || !write("passes.csv", passesCsv(chart)) ||
       !write("frames.csv", accumulatedCsv(chart)))
     return false;
-  const auto plots = writePlots(chart, folder, report, status);
+  const auto plots = writePlots(chart, folder, report);
   if (!plots) return false;
   PagePictures pictures = picturesOf(chart, files, report);
   pictures.plots = *plots;

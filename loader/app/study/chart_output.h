@@ -8,7 +8,7 @@
 namespace orris {
 
 /// settings.csv, passes.csv, frames.csv, and NAME.gp, NAME.svg, NAME.png of each plot, index.html. A
-/// missing gnuplot is a warning, and leaves out the plots. false: reported, `status` is set.
-bool writeChart(const ChartData& chart, const StudyFiles& files, Report& report, int& status);
+/// missing gnuplot is a warning, and leaves out the plots. false: reported.
+bool writeChart(const ChartData& chart, const StudyFiles& files, Report& report);
 
 }  // namespace orris

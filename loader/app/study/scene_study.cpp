@@ -48,8 +48,8 @@ std::string fileNameOf(const SceneName& scene) {
 }
 
 /// The picture that errors are measured against, from the folder where it is of the same scene; else traced now.
-bool traceReference(const StudyOptions& options, const std::string& picture, Report& report, int& status) {
-  const auto view = openReferenceScene(options.pack, options.scene, options.image, report, status);
+bool traceReference(const StudyOptions& options, const std::string& picture, Report& report) {
+  const auto view = openReferenceScene(options.pack, options.scene, options.image, report);
   if (!view) return false;
   const TraceSettings settings{options.scene.seed, -1};
   const std::uint64_t key = traceKey(view->scene, view->camera, settings);
@@ -62,11 +62,8 @@ bool traceReference(const StudyOptions& options, const std::string& picture, Rep
   const TraceJob job{view->scene, view->camera, settings, 0, checkpoint, key};
   traceUntil(*film, job, {.samples = 0, .seconds = options.scenes.traceSeconds, .noise = options.scenes.traceNoise},
              report);
-  if (report.status() != kClean) {
-    status = kHostFailed;
-    return false;
-  }
-  return writeTraced(picture, *film, edgePixels(view->scene, view->camera), report, status);
+  if (report.status() != kClean) return false;
+  return writeTraced(picture, *film, edgePixels(view->scene, view->camera), report);
 }
 
 RowPlan planOf(const StudyOptions& options) {
@@ -75,10 +72,9 @@ RowPlan planOf(const StudyOptions& options) {
           plan.visit,          plan.clock,  plan.buffer, options.scene.seed};
 }
 
-/// All settings on one scene. false: reported, `status` is set.
-bool measureOne(const StudyOptions& options, gl::Context& context, std::vector<SceneRow>& rows, Report& report,
-                int& status) {
-  const auto input = readStudyInput(options, report, status);
+/// All settings on one scene. false: reported.
+bool measureOne(const StudyOptions& options, gl::Context& context, std::vector<SceneRow>& rows, Report& report) {
+  const auto input = readStudyInput(options, report);
   if (!input) return false;
   const ReferencePicture& reference = input->references.begin()->second;
   const RowPlan plan = planOf(options);
@@ -96,7 +92,6 @@ bool measureOne(const StudyOptions& options, gl::Context& context, std::vector<S
                     (plan.rounds == 0 || meter.addCosts(requests, own, diagnostics));
   report.add(diagnostics);
   rows.insert(rows.end(), own.begin(), own.end());
-  if (!good && status == kClean) status = std::max<int>(report.status(), kUsage);
   return good;
 }
 
@@ -141,19 +136,18 @@ std::optional<std::vector<SceneName>> parseScenes(const std::vector<std::string>
 }
 
 int runScenes(const StudyOptions& options, Report& report, nlohmann::json& result) {
-  int status = kClean;
   const auto scenes = parseScenes(options.scenes.names);
   if (!scenes) {
     report.error("scenes-syntax", "--scenes: expected WORLD, WORLD@CAMERA or random:SEED:N, separated by commas",
                  "--scenes cornell,h4_house@inside,random:1:20");
-    return kUsage;
+    return report.status();
   }
   const StudyFiles files(options.folder);
-  if (!files.create(report, status)) return status;
+  if (!files.create(report)) return report.status();
   Diagnostics diagnostics;
   const auto context = gl::createContext({.backend = options.image.backend}, diagnostics);
   report.add(diagnostics);
-  if (!context) return kHostFailed;
+  if (!context) return report.status();
   const auto budget = parseBudget(options.budget);
   const Clock::time_point start = Clock::now();
   Progress progress("measuring scenes", int(scenes->size()), report.output());
@@ -165,11 +159,10 @@ int runScenes(const StudyOptions& options, Report& report, nlohmann::json& resul
     one.scene.path = scene.world;
     one.scene.camera = scene.camera;
     one.references = {files.path(fileNameOf(scene), ".exr")};
-    if (!traceReference(one, one.references.front(), report, status) ||
-        !measureOne(one, *context, rows, report, status))
-      return status;
+    if (!traceReference(one, one.references.front(), report)) return report.status();
+    if (!measureOne(one, *context, rows, report)) return std::max(report.status(), kUsage);
     const std::string table = (std::filesystem::path(options.folder) / "scenes.csv").string();
-    if (!writeWholeFile(table, sceneRowsCsv(rows), report, status)) return status;
+    if (!writeWholeFile(table, sceneRowsCsv(rows), report)) return report.status();
     progress.advanceTo(int(done) + 1);
   }
   if (done < scenes->size()) warnUnfinished(done, scenes->size(), report);
@@ -177,7 +170,7 @@ int runScenes(const StudyOptions& options, Report& report, nlohmann::json& resul
   for (const SceneRow& row : rows) result["rows"].push_back(describeRow(row));
   if (!options.output.json && !options.output.quiet && !rows.empty()) printText(sceneSummary(rows));
   sayWritten(options.output, {options.folder});
-  return std::max<int>(status, report.status());
+  return report.status();
 }
 
 }  // namespace orris

@@ -18,10 +18,11 @@ namespace {
 
 constexpr const char* kAgain = " (again)";
 
-void writeStudyPicture(const std::string& path, const Image8& image, Report& report, int& status) {
+bool writeStudyPicture(const std::string& path, const Image8& image, Report& report) {
   Diagnostics diagnostics;
-  if (!writeImage(path, image, diagnostics)) status = kHostFailed;
+  const bool written = writeImage(path, image, diagnostics);
   report.add(diagnostics);
+  return written;
 }
 
 std::string lastName(const std::string& path) {
@@ -31,20 +32,19 @@ std::string lastName(const std::string& path) {
 }  // namespace
 
 std::unique_ptr<Study> Study::open(const StudyOptions& options, const StudyFiles& files,
-                                   Report& report, int& status) {
-  std::unique_ptr<Study> study(new Study(options, files, report, status));
+                                   Report& report) {
+  std::unique_ptr<Study> study(new Study(options, files, report));
   return study->prepare() ? std::move(study) : nullptr;
 }
 
 bool Study::prepare() {
-  auto input = readStudyInput(options_, report_, status_);
-  if (!input || !files_.create(report_, status_)) return false;
+  auto input = readStudyInput(options_, report_);
+  if (!input || !files_.create(report_)) return false;
   input_ = std::move(*input);
   if (const auto budget = parseBudget(options_.budget)) end_ = Measuring::Clock::now() + *budget;
   Diagnostics diagnostics;
   context_ = gl::createContext({.backend = options_.image.backend}, diagnostics);
   report_.add(diagnostics);
-  if (!context_) status_ = kHostFailed;
   if (!context_) return false;
   digest_ = studyDigest(*input_.files, input_.world, context_->driver());
   if (!drawReferences()) return false;
@@ -64,7 +64,6 @@ void Study::measure(const std::vector<std::size_t>& indices) {
   }
   const std::vector<std::string> errors = context_->takeErrors();
   for (const std::string& message : errors) report_.error("gl-error", message);
-  if (status_ == kClean) status_ = errors.empty() ? int(report_.status()) : int(kHostFailed);
 }
 
 void Study::measure(const std::vector<SettingJob*>& jobs) {
@@ -72,7 +71,7 @@ void Study::measure(const std::vector<SettingJob*>& jobs) {
   int drawn = 0;
   const MeasureHooks hooks = {
       [&](int frames) { progress.advanceTo(drawn += frames); },
-      [&](const SettingJob& job) { files_.write(job.result, report_, status_); },
+      [&](const SettingJob& job) { files_.write(job.result, report_); },
       [&](const SettingJob& job, const ImageF& frame, const ImageF& mean) {
         writePictures(job, frame, mean);
       }};
@@ -111,11 +110,12 @@ bool Study::drawReferences() {
       input_.references[view] = std::move(*drawn);
     }
   }
+  bool written = true;
   for (const auto& [view, reference] : input_.references) {
-    writeStudyPicture(files_.path(referenceName(view), ".png"),
-                      displayed(reference.mean, displayExposure(reference)), report_, status_);
+    written &= writeStudyPicture(files_.path(referenceName(view), ".png"),
+                      displayed(reference.mean, displayExposure(reference)), report_);
   }
-  return status_ == kClean;
+  return written;
 }
 
 std::optional<ReferencePicture> Study::reference(const View& view) {
@@ -126,8 +126,7 @@ std::optional<ReferencePicture> Study::reference(const View& view) {
   const std::string keyFile = files_.path(name, ".key");
   const std::string key =
       referenceKey(digest_, wanted, options_.plan, options_.referenceFrames) + "\n";
-  int ignored = kClean;
-  if (std::filesystem::exists(keyFile) && readWholeFile(keyFile, report_, ignored) == key) {
+  if (std::filesystem::exists(keyFile) && readWholeFile(keyFile, report_) == key) {
     Diagnostics unread;  // it is drawn again
     if (auto known = readReference(picture, unread)) return known;
   }
@@ -135,8 +134,7 @@ std::optional<ReferencePicture> Study::reference(const View& view) {
   Diagnostics diagnostics;
   const bool written = drawn && writeReference(picture, *drawn, diagnostics);
   report_.add(diagnostics);
-  if (drawn && !written) status_ = kHostFailed;
-  return written && writeWholeFile(keyFile, key, report_, status_) ? drawn : std::nullopt;
+  return written && writeWholeFile(keyFile, key, report_) ? drawn : std::nullopt;
 }
 
 std::optional<ReferencePicture> Study::drawReference(const SessionRequest& request) {
@@ -150,12 +148,9 @@ std::optional<ReferencePicture> Study::drawReference(const SessionRequest& reque
   auto drawn = measuring.drawReference(request, options_.referenceFrames, diagnostics);
   report_.add(diagnostics);
   if (drawn) return drawn;
-  status_ = report_.status();
-  if (status_ == kClean) {
+  if (report_.status() == kClean)
     report_.error("budget-short", "the budget ended before the reference was drawn",
                   "give more time, or fewer --reference-frames");
-    status_ = kUsage;
-  }
   return std::nullopt;
 }
 
@@ -180,10 +175,9 @@ void Study::writePictures(const SettingJob& job, const ImageF& frame, const Imag
   const auto path = [&](const char* ending) {
     return files_.settingPath(job.result.label, ending);
   };
-  writeStudyPicture(path(".png"), displayed(frame, job.exposure), report_, status_);
-  writeStudyPicture(path(".mean.png"), displayed(mean, job.exposure), report_, status_);
-  writeStudyPicture(path(".error.png"), signedDifference(mean, job.reference->mean), report_,
-                    status_);
+  writeStudyPicture(path(".png"), displayed(frame, job.exposure), report_);
+  writeStudyPicture(path(".mean.png"), displayed(mean, job.exposure), report_);
+  writeStudyPicture(path(".error.png"), signedDifference(mean, job.reference->mean), report_);
 }
 
 std::size_t Study::measured() const {

@@ -18,9 +18,9 @@ namespace orris {
 class Study {
  public:
   /// Everything but measuring: pack, world, references, what the folder holds already. nullptr:
-  /// reported, `status` is set. All arguments must outlive it.
+  /// reported. All arguments must outlive it.
   static std::unique_ptr<Study> open(const StudyOptions& options, const StudyFiles& files,
-                                     Report& report, int& status);
+                                     Report& report);
 
   const StudyInput& input() const { return input_; }
   const std::vector<Setting>& settings() const { return input_.settings; }
@@ -34,8 +34,8 @@ class Study {
   ChartData chart();
 
  private:
-  Study(const StudyOptions& options, const StudyFiles& files, Report& report, int& status)
-      : options_(options), files_(files), report_(report), status_(status) {}
+  Study(const StudyOptions& options, const StudyFiles& files, Report& report)
+      : options_(options), files_(files), report_(report) {}
   bool prepare();
   bool drawReferences();
   std::optional<ReferencePicture> reference(const View& view);
@@ -57,7 +57,6 @@ class Study {
   const StudyOptions& options_;
   const StudyFiles& files_;
   Report& report_;
-  int& status_;
   StudyInput input_;
   std::unique_ptr<gl::Context> context_;
   Digest digest_;

@@ -23,7 +23,7 @@ void note(Report& report, Severity severity, const std::string& path, std::strin
 
 }  // namespace
 
-bool StudyFiles::create(Report& report, int& status) const {
+bool StudyFiles::create(Report& report) const {
   std::error_code error;
   const std::string settings = (std::filesystem::path(folder_) / "settings").string();
   std::filesystem::create_directories(settings, error);
@@ -33,7 +33,6 @@ bool StudyFiles::create(Report& report, int& status) const {
                outside ? "its folder settings is a link that leads out of it"
                        : "the folder cannot be made: " + error.message(),
                "name a folder in a place that may be written", folder_);
-  status = kUsage;
   return false;
 }
 
@@ -52,8 +51,7 @@ SettingResult StudyFiles::read(const std::string& label, const std::string& key,
   fresh.key = key;
   const std::string file = settingPath(label, ".json");
   if (!std::filesystem::exists(file)) return fresh;
-  int status = kClean;
-  const std::optional<std::string> text = readWholeFile(file, report, status);
+  const std::optional<std::string> text = readWholeFile(file, report);
   std::optional<SettingResult> result = text ? parseResult(*text) : std::nullopt;
   if (!result) {
     note(report, Severity::Warning, file, "is no result; the setting is measured again");
@@ -65,8 +63,8 @@ SettingResult StudyFiles::read(const std::string& label, const std::string& key,
   return fresh;
 }
 
-bool StudyFiles::write(const SettingResult& result, Report& report, int& status) const {
-  return writeWholeFile(settingPath(result.label, ".json"), writeResult(result), report, status);
+bool StudyFiles::write(const SettingResult& result, Report& report) const {
+  return writeWholeFile(settingPath(result.label, ".json"), writeResult(result), report);
 }
 
 }  // namespace orris

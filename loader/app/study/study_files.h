@@ -23,8 +23,8 @@ class StudyFiles {
   explicit StudyFiles(std::string folder) : folder_(std::move(folder)) {}
 
   const std::string& folder() const { return folder_; }
-  /// Makes the folders. false: reported, `status` is set.
-  bool create(Report& report, int& status) const;
+  /// Makes the folders. false: reported.
+  bool create(Report& report) const;
 
   /// Of a setting by label, or of a reference by "reference-320x180".
   std::string path(const std::string& name, const std::string& ending) const;
@@ -33,7 +33,7 @@ class StudyFiles {
   /// What is known of the setting, if it was measured under the same key; else an empty result with
   /// that key.
   SettingResult read(const std::string& label, const std::string& key, Report& report) const;
-  bool write(const SettingResult& result, Report& report, int& status) const;
+  bool write(const SettingResult& result, Report& report) const;
 
  private:
   std::string folder_;

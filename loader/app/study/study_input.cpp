@@ -11,11 +11,10 @@
 namespace orris {
 namespace {
 
-/// Adds to the report; false and exit status 2 when there is an error among them.
-bool takeSetting(Diagnostics& diagnostics, Report& report, int& status) {
+/// Adds to the report; false when there is an error among them.
+bool takeSetting(Diagnostics& diagnostics, Report& report) {
   const bool good = !hasErrors(diagnostics);
   report.add(diagnostics);
-  if (!good) status = kUsage;
   return good;
 }
 
@@ -54,7 +53,7 @@ std::vector<ImageSize> sizesOf(const std::vector<Setting>& settings) {
 /// "CAMERA=FILE", or a file for the only camera. nullopt: reported.
 std::optional<std::pair<std::size_t, std::string>> splitReference(const std::string& text,
                                                                   const StudyInput& input,
-                                                                  Report& report, int& status) {
+                                                                  Report& report) {
   if (input.cameras.size() == 1) return std::pair(std::size_t{0}, text);
   const std::string name = text.substr(0, text.find('='));
   for (std::size_t i = 0; i < input.cameras.size() && name.size() < text.size(); ++i)
@@ -62,12 +61,12 @@ std::optional<std::pair<std::size_t, std::string>> splitReference(const std::str
   report.error("reference-camera",
                fmt::format("--reference {}: which of the cameras is this of?", text),
                "write --reference CAMERA=FILE for each");
-  status = kUsage;
   return std::nullopt;
 }
 
-/// The first view that has no reference.
-void reportMissing(const StudyInput& input, Report& report, int& status) {
+/// Reports each view that has no reference; true: there is none.
+bool hasAllReferences(const StudyInput& input, Report& report) {
+  bool all = true;
   for (std::size_t camera = 0; camera < input.cameras.size(); ++camera) {
     for (const ImageSize size : sizesOf(input.settings)) {
       if (input.references.contains({camera, size})) continue;
@@ -76,25 +75,23 @@ void reportMissing(const StudyInput& input, Report& report, int& status) {
                                size.height, input.cameras[camera].name),
                    fmt::format("orris trace WORLD -o reference.exr --size {}x{} --camera {}",
                                size.width, size.height, input.cameras[camera].name));
-      status = kUsage;
+      all = false;
     }
   }
+  return all;
 }
 
-bool readReferenceFiles(const StudyOptions& options, StudyInput& input, Report& report,
-                        int& status) {
+bool readReferenceFiles(const StudyOptions& options, StudyInput& input, Report& report) {
   Diagnostics diagnostics;
   for (const std::string& text : options.references) {
-    const auto named = splitReference(text, input, report, status);
+    const auto named = splitReference(text, input, report);
     if (!named) return false;
     auto reference = readReference(named->second, diagnostics);
     if (!reference) continue;
     const ImageSize size{reference->mean.width, reference->mean.height};
     input.references[{named->first, size}] = std::move(*reference);
   }
-  if (!takeSetting(diagnostics, report, status)) return false;
-  reportMissing(input, report, status);
-  return status == kClean;
+  return takeSetting(diagnostics, report) && hasAllReferences(input, report);
 }
 
 /// Is it a setting, and not CAMERA=FILE or a file?
@@ -105,19 +102,18 @@ bool isSetting(const std::string& text, const StudyInput& input) {
   return input.cameras.size() == 1 || input.world.camera(name) == nullptr;
 }
 
-bool readReferences(const StudyOptions& options, StudyInput& input, Report& report, int& status) {
+bool readReferences(const StudyOptions& options, StudyInput& input, Report& report) {
   if (options.references.empty()) {
     report.error("reference-missing", "no --reference to measure errors against",
                  "give a picture of orris trace, or a setting: --reference NAME=VALUE,...");
-    status = kUsage;
     return false;
   }
   const std::string& first = options.references.front();
   if (options.references.size() > 1 || !isSetting(first, input))
-    return readReferenceFiles(options, input, report, status);
+    return readReferenceFiles(options, input, report);
   Diagnostics diagnostics;
   input.reference = parseSetting(first, *input.pack, {}, diagnostics);
-  return takeSetting(diagnostics, report, status);
+  return takeSetting(diagnostics, report);
 }
 
 /// Brings the first setting that --baseline names to the front.
@@ -138,8 +134,7 @@ void chooseBaseline(const std::string& text, StudyInput& study, Diagnostics& dia
   diagnostic.hint = "name values of the axes";
 }
 
-bool readStudySettings(const StudyOptions& options, StudyInput& study, Report& report,
-                       int& status) {
+bool readStudySettings(const StudyOptions& options, StudyInput& study, Report& report) {
   Diagnostics diagnostics;
   std::vector<Axis> axes;
   for (const std::string& text : options.axes) axes.push_back(parseAxis(text));
@@ -152,10 +147,10 @@ bool readStudySettings(const StudyOptions& options, StudyInput& study, Report& r
   for (const std::string& text : options.marks)
     if (auto mark = parseMark(text, *study.pack, diagnostics))
       study.marks.push_back(std::move(*mark));
-  return takeSetting(diagnostics, report, status);
+  return takeSetting(diagnostics, report);
 }
 
-bool readCameras(const StudyOptions& options, StudyInput& input, Report& report, int& status) {
+bool readCameras(const StudyOptions& options, StudyInput& input, Report& report) {
   std::vector<std::string> names;
   for (const std::string& name : options.cameras)
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
@@ -163,29 +158,29 @@ bool readCameras(const StudyOptions& options, StudyInput& input, Report& report,
   if (names.empty()) names = {options.scene.camera};
   if (names == std::vector<std::string>{"all"}) {
     input.cameras = input.world.cameras;
-  } else {
-    for (const std::string& name : names)
-      if (const auto camera = chooseCamera(input.world, name, report, status, flag))
-        input.cameras.push_back(*camera);
+    return true;
   }
-  return status == kClean;
+  for (const std::string& name : names)
+    if (const auto camera = chooseCamera(input.world, name, report, flag))
+      input.cameras.push_back(*camera);
+  return input.cameras.size() == names.size();
 }
 
 }  // namespace
 
-std::optional<StudyInput> readStudyInput(const StudyOptions& options, Report& report, int& status) {
-  auto world = loadScene(options.scene, options.pack.dimension, report, status);
+std::optional<StudyInput> readStudyInput(const StudyOptions& options, Report& report) {
+  auto world = loadScene(options.scene, options.pack.dimension, report);
   if (!world) return std::nullopt;
-  const auto files = openPackFiles(options.pack.path, report, status);
+  const auto files = openPackFiles(options.pack.path, report);
   if (!files) return std::nullopt;
   PackOptions packOptions = options.pack;
   if (packOptions.dimension.empty()) packOptions.dimension = world->environment.dimension;
   const MacroDefinitions environment = standardMacros({.versions = options.pack.versions});
-  const auto load = makeLoadRequest(files, packOptions, environment, report, status);
+  const auto load = makeLoadRequest(files, packOptions, environment, report);
   if (!load) return std::nullopt;
   LoadRequest optionsOnly = *load;
   optionsOnly.buildSources = false;
-  auto pack = loadPack(files, optionsOnly, report, status);
+  auto pack = loadPack(files, optionsOnly, report);
   if (!pack) return std::nullopt;
 
   StudyInput input;
@@ -195,11 +190,11 @@ std::optional<StudyInput> readStudyInput(const StudyOptions& options, Report& re
   input.request.openPack = [files](Diagnostics&) { return files; };
   input.request.load = *load;
   input.request.versions = options.pack.versions;
-  if (!readCameras(options, input, report, status)) return std::nullopt;
+  if (!readCameras(options, input, report)) return std::nullopt;
   input.request.camera = input.cameras.front();
   input.request.seed = options.scene.seed;
-  if (!readStudySettings(options, input, report, status)) return std::nullopt;
-  if (!readReferences(options, input, report, status)) return std::nullopt;
+  if (!readStudySettings(options, input, report)) return std::nullopt;
+  if (!readReferences(options, input, report)) return std::nullopt;
   return input;
 }
 

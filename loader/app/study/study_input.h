@@ -32,8 +32,8 @@ struct StudyInput {
   std::optional<Setting> reference;             ///< the setting that is to be drawn instead
 };
 
-/// nullopt: reported, `status` is set.
-std::optional<StudyInput> readStudyInput(const StudyOptions& options, Report& report, int& status);
+/// nullopt: reported.
+std::optional<StudyInput> readStudyInput(const StudyOptions& options, Report& report);
 
 /// The request of one setting.
 SessionRequest requestFor(const SessionRequest& base, const Setting& setting);

@@ -32,12 +32,9 @@ LivePack::LivePack(const PackOptions& options, gl::Context& context, Report& rep
     : options_(options), context_(context), report_(report), optionFile_(optionFileOf(options)) {}
 
 bool LivePack::open(const SceneOptions& scene, const ImageOptions& image, World world,
-                    const Camera& camera, int& status) {
+                    const Camera& camera) {
   const auto load = readChoices(true);
-  if (!load) {
-    status = kUsage;
-    return false;
-  }
+  if (!load) return false;
   SessionRequest request;
   request.openPack = [path = options_.path](Diagnostics& diagnostics) {
     return std::shared_ptr<const FileSource>(openPack(path, diagnostics));
@@ -51,10 +48,7 @@ bool LivePack::open(const SceneOptions& scene, const ImageOptions& image, World 
   Diagnostics diagnostics;
   session_ = RenderSession::create(context_, std::move(request), std::move(world), diagnostics);
   report_.add(diagnostics);
-  if (session_) return true;
-  const auto files = openPackFiles(options_.path, report_, status);
-  status = files ? loadFailureStatus(files, *load) : kUsage;
-  return false;
+  return session_ != nullptr;
 }
 
 // The command line's choices with those of the option file as it is now; a pack need not have one.
@@ -65,11 +59,10 @@ std::optional<LoadRequest> LivePack::readChoices(bool withOptionFile) {
   const bool wanted =
       withOptionFile && (!pack.settingsFile.empty() || liesBelow(folder, optionFile_));
   pack.settingsFile = wanted ? optionFile_ : "";
-  int status = kClean;
-  const auto files = openPackFiles(pack.path, report_, status);
+  const auto files = openPackFiles(pack.path, report_);
   if (!files) return std::nullopt;
   const MacroDefinitions environment = environmentFor(context_.driver(), options_.versions);
-  auto request = makeLoadRequest(files, pack, environment, report_, status);
+  auto request = makeLoadRequest(files, pack, environment, report_);
   if (request) request->name = withoutEndSlash(pack.path).filename().string();
   return request;
 }

@@ -27,9 +27,9 @@ class LivePack {
   /// All three must outlive it.
   LivePack(const PackOptions& options, gl::Context& context, Report& report);
 
-  /// The first load. false: reported, `status` is set.
+  /// The first load. false: reported.
   bool open(const SceneOptions& scene, const ImageOptions& image, World world,
-            const Camera& camera, int& status);
+            const Camera& camera);
 
   RenderSession& session() { return *session_; }
   const RenderSession& session() const { return *session_; }

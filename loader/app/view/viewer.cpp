@@ -47,7 +47,7 @@ fs::path watchedPart(const std::string& packPath) {
 Viewer::Viewer(const ViewOptions& options) : options_(options), report_(options.output) {}
 
 int Viewer::run() {
-  if (!open()) return status_;
+  if (!open()) return report_.status();
   std::signal(SIGINT, onInterrupt);
   std::signal(SIGTERM, onInterrupt);
   while (!ended()) drawFrame();
@@ -64,33 +64,30 @@ bool Viewer::ended() const {
 
 bool Viewer::readScript() {
   if (options_.script.empty()) return true;
-  auto text = readWholeFile(options_.script, report_, status_);
+  auto text = readWholeFile(options_.script, report_);
   if (!text) return false;
   Diagnostics diagnostics;
   auto script = parseViewScript(options_.script, std::move(*text), diagnostics);
   report_.add(diagnostics);
-  if (!script) {
-    status_ = kUsage;
-    return false;
-  }
+  if (!script) return false;
   player_.emplace(std::move(*script));
   return true;
 }
 
 bool Viewer::open() {
-  if (!readScript() || !openPackFiles(options_.pack.path, report_, status_)) return false;
-  std::optional<World> world = loadScene(options_.scene, options_.pack.dimension, report_, status_);
+  if (!readScript() || !openPackFiles(options_.pack.path, report_)) return false;
+  std::optional<World> world = loadScene(options_.scene, options_.pack.dimension, report_);
   if (!world) return false;
   const std::optional<Camera> camera =
-      chooseCamera(*world, options_.scene.camera, report_, status_);
+      chooseCamera(*world, options_.scene.camera, report_);
   if (!camera) return false;
   const std::string& screenshot = options_.screenshot;
-  if (!screenshot.empty() && !checkPicturePath(screenshot, report_, status_)) return false;
+  if (!screenshot.empty() && !checkPicturePath(screenshot, report_)) return false;
   if (!openSurface()) return false;
   pack_ = std::make_unique<LivePack>(options_.pack, *context_, report_);
   watchFiles();
   lastFrame_ = lastPoll_ = titleSince_ = Clock::now();
-  return pack_->open(options_.scene, options_.image, std::move(*world), *camera, status_);
+  return pack_->open(options_.scene, options_.image, std::move(*world), *camera);
 }
 
 bool Viewer::openSurface() {
@@ -105,10 +102,7 @@ bool Viewer::openSurface() {
                                 .title = "Orris"},
                                diagnostics);
   report_.add(diagnostics);
-  if (!context_) {
-    status_ = kHostFailed;
-    return false;
-  }
+  if (!context_) return false;
   if (backend == gl::Backend::Glfw) {
     surface_ = std::make_unique<ViewWindow>(context_->window(), !hasFixedTime());
   } else {

@@ -267,15 +267,15 @@ std::string Viewer::showStep(const JsonNode& value) {
 
 std::string Viewer::shownStep(const JsonNode& value) {
   if (!inspector_ || !inspector_->view()) return "no buffer is shown";
-  return writeShown(value.text, inspector_->asked(), *inspector_->view(), report_, status_)
-             ? ""
-             : value.text + " cannot be written";
+  if (writeShown(value.text, inspector_->asked(), *inspector_->view(), report_)) return "";
+  status_ = kUsage;
+  return value.text + " cannot be written";
 }
 
 std::string Viewer::stateStep(const JsonNode& value) {
-  return writeWholeFile(value.text, jsonText(state()), report_, status_)
-             ? ""
-             : value.text + " cannot be written";
+  if (writeWholeFile(value.text, jsonText(state()), report_)) return "";
+  status_ = kUsage;
+  return value.text + " cannot be written";
 }
 
 }  // namespace orris

@@ -19,6 +19,13 @@ std::vector<Rule> sortedRules() {
   return rules;
 }
 
+ExitStatus causedBy(const Diagnostic& diagnostic) {
+  const Rule* rule = findRule(diagnostic.id);
+  // A profile that a line of the pack asks for is the pack's mistake.
+  const bool ofPack = diagnostic.id == "profile-unknown" && diagnostic.at.line > 0;
+  return rule == nullptr || ofPack ? kProblems : rule->status;
+}
+
 }  // namespace
 
 std::span<const Rule> ruleTable() {
@@ -36,8 +43,7 @@ ExitStatus statusOf(const Diagnostics& diagnostics) {
   ExitStatus status = kClean;
   for (const Diagnostic& diagnostic : diagnostics) {
     if (diagnostic.severity != Severity::Error) continue;
-    const Rule* rule = findRule(diagnostic.id);
-    status = std::max(status, rule == nullptr ? kProblems : rule->status);
+    status = std::max(status, causedBy(diagnostic));
   }
   return status;
 }

@@ -12,7 +12,7 @@ std::span<const Rule> matrixRules() {
        "the compiler or the GL driver does not finish with a program"},
       {"draw-timeout", Severity::Error, "the GL driver does not finish one frame in time"},
       {"driver-died", Severity::Error, "the process that draws died"},
-      {"frame-timeout", Severity::Error, "drawing a frame or compiling a program takes too long"},
+      {"frame-timeout", Severity::Error, "drawing a frame or compiling a program takes too long", kHostFailed},
   };
   return kRules;
 }

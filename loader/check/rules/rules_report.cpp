@@ -7,7 +7,7 @@ namespace orris {
 
 std::span<const Rule> reportRules() {
   static const std::vector<Rule> kRules = {
-      {"baseline-syntax", Severity::Error, "a baseline file cannot be read"},
+      {"baseline-syntax", Severity::Error, "a baseline file cannot be read", kUsage},
       {"ignore-unknown", Severity::Warning, "an ignore comment names an id that does not exist"},
       {"ignore-unused", Severity::Note, "an ignore comment silences nothing"},
       {"log-empty", Severity::Note, "a game log holds no message of a shader compiler"},
