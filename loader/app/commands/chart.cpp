@@ -7,8 +7,8 @@
 
 #include "app/commands/commands.h"
 #include "app/study/chart_output.h"
+#include "app/study/open_study.h"
 #include "app/study/scene_study.h"
-#include "app/study/study.h"
 #include "chart/page/chart_text.h"
 
 namespace orris {
@@ -69,7 +69,7 @@ int runChart(const StudyOptions& options, Report& report, nlohmann::json& result
   }
   if (!options.scenes.names.empty()) return runScenes(options, report, result);
   const StudyFiles files(options.folder);
-  const auto study = Study::open(options, files, report);
+  const auto study = openStudy(options, files, report);
   if (!study) return report.status();
   study->measure(shardOf(study->settings().size(), options.shard));
   const ChartData chart = study->chart();

@@ -1,17 +1,17 @@
 // orris tune: the options that a scene needs, and no more.
+#include "app/study/tune.h"
+
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "app/commands/commands.h"
 #include "app/input/inputs.h"
 #include "app/study/chart_output.h"
-#include "app/study/study.h"
-#include "chart/study/tune_search.h"
+#include "app/study/open_study.h"
 
 namespace orris {
 namespace {
@@ -24,43 +24,6 @@ struct TuneOptions {
 
 TuneGoal goalOf(const TuneOptions& options) {
   return {options.error, options.milliseconds.value_or(0)};
-}
-
-/// What is known of each setting; `attempted` that could not be drawn are NaN.
-std::vector<Tried> triedOf(const Study& study, const ChartData& chart,
-                           const std::vector<bool>& attempted) {
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  std::vector<Tried> tried(study.settings().size());
-  for (std::size_t i = 0; i < tried.size(); ++i)
-    if (attempted[i]) tried[i] = CostError{kNone, kNone};
-  for (const ChartPoint& point : chart.points) {
-    const auto index = std::size_t(point.setting - study.settings().data());
-    if (attempted[index]) tried[index] = CostError{point.milliseconds.value, point.error.value};
-  }
-  return tried;
-}
-
-struct Search {
-  ChartData chart;
-  std::vector<Tried> tried;
-  bool ended = true;  ///< false: the budget did
-};
-
-Search search(Study& study, const TuneGoal& goal) {
-  std::vector<bool> attempted(study.settings().size());
-  Search result;
-  result.tried.resize(attempted.size());
-  for (;;) {
-    const std::vector<std::size_t> next = nextToTry(study.settings(), result.tried, goal);
-    if (next.empty()) break;
-    study.measure(next);
-    for (const std::size_t index : next) attempted[index] = true;
-    result.chart = study.chart();
-    result.tried = triedOf(study, result.chart, attempted);
-    result.ended = study.timeLeft();
-    if (!result.ended) break;
-  }
-  return result;
 }
 
 const ChartPoint* pointOf(const ChartData& chart, const Setting& setting) {
@@ -103,13 +66,14 @@ std::string explanation(const ChartData& chart, const ChartPoint& chosen, const 
 /// All values in force, as the game's option file holds them.
 bool writeSettings(const Study& study, const Setting& setting, const std::string& path,
                    Report& report) {
-  LoadRequest load = requestFor(study.input().request, setting).load;
+  LoadRequest load = requestFor(study.input().session, setting).load;
   load.buildSources = false;
-  const auto pack = loadPack(study.input().files, load, report);
+  const auto pack = loadPack(study.input().asked.files, load, report);
   return pack && writeWholeFile(path, writeOptionFile(pack->options, pack->values), report);
 }
 
-void reportOutOfReach(const Study& study, const Search& found, const TuneGoal& goal, Report& report) {
+void reportOutOfReach(const Study& study, const Tuned& found, const TuneGoal& goal,
+                      Report& report) {
   std::string hint = "no setting could be measured";
   if (const auto nearest = nearestTo(found.tried, goal)) {
     const Setting& setting = study.settings()[*nearest];
@@ -123,7 +87,7 @@ void reportOutOfReach(const Study& study, const Search& found, const TuneGoal& g
                hint);
 }
 
-void noteBudget(const Search& found, Report& report) {
+void noteBudget(const Tuned& found, Report& report) {
   if (found.ended) return;
   Diagnostic diagnostic;
   diagnostic.severity = Severity::Warning;
@@ -138,10 +102,10 @@ int runTune(const TuneOptions& options, Report& report, nlohmann::json& result) 
   if (!checkWritable(options.settings, report)) return report.status();
   const StudyFiles files(options.study.folder.empty() ? options.settings + ".tune"
                                                       : options.study.folder);
-  const auto study = Study::open(options.study, files, report);
+  const auto study = openStudy(options.study, files, report);
   if (!study) return report.status();
   const TuneGoal goal = goalOf(options);
-  const Search found = search(*study, goal);
+  const Tuned found = tune(*study, goal);
   if (!writeChart(found.chart, files, report)) return report.status();
   noteBudget(found, report);
   const auto best = bestOf(found.tried, goal);

@@ -10,8 +10,7 @@
 #include "app/commands/trace_scene_input.h"
 #include "app/input/inputs.h"
 #include "app/report/progress.h"
-#include "app/study/study_files.h"
-#include "app/study/study_input.h"
+#include "app/study/open_study.h"
 #include "chart/scenes/row_meter.h"
 #include "trace/edge_pixels.h"
 #include "trace/film/checkpoint.h"
@@ -74,16 +73,19 @@ RowPlan planOf(const StudyOptions& options) {
 
 /// All settings on one scene. false: reported.
 bool measureOne(const StudyOptions& options, gl::Context& context, std::vector<SceneRow>& rows, Report& report) {
-  const auto input = readStudyInput(options, report);
+  auto request = makeStudyRequest(options, report);
+  if (!request) return false;
+  Diagnostics diagnostics;
+  const auto input = readStudyInput(std::move(*request), diagnostics);
+  report.add(diagnostics);
   if (!input) return false;
   const ReferencePicture& reference = input->references.begin()->second;
   const RowPlan plan = planOf(options);
-  RowMeter meter(context, input->world, reference, plan);
-  Diagnostics diagnostics;
+  RowMeter meter(context, input->asked.world, reference, plan);
   std::vector<SceneRow> own;
   std::vector<SessionRequest> requests;
   for (const Setting& setting : input->settings) {
-    requests.push_back(requestFor(input->request, setting));
+    requests.push_back(requestFor(input->session, setting));
     auto row = meter.row(requests.back(), setting.label, diagnostics);
     if (!row) break;
     own.push_back(std::move(*row));
@@ -143,8 +145,10 @@ int runScenes(const StudyOptions& options, Report& report, nlohmann::json& resul
     return report.status();
   }
   const StudyFiles files(options.folder);
-  if (!files.create(report)) return report.status();
   Diagnostics diagnostics;
+  const bool created = files.create(diagnostics);
+  report.add(diagnostics);
+  if (!created) return report.status();
   const auto context = gl::createContext({.backend = options.image.backend}, diagnostics);
   report.add(diagnostics);
   if (!context) return report.status();

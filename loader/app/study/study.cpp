@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "app/input/inputs.h"
-#include "app/report/progress.h"
 #include "chart/measure/combine.h"
 #include "chart/measure/display.h"
 #include "chart/measure/measure.h"
 #include "chart/study/study_key.h"
+#include "core/named_file.h"
+#include "image/image_io.h"
 #include "pack/files/text.h"
 
 namespace orris {
@@ -18,91 +18,91 @@ namespace {
 
 constexpr const char* kAgain = " (again)";
 
-bool writeStudyPicture(const std::string& path, const Image8& image, Report& report) {
-  Diagnostics diagnostics;
-  const bool written = writeImage(path, image, diagnostics);
-  report.add(diagnostics);
-  return written;
-}
-
-std::string lastName(const std::string& path) {
-  return std::filesystem::weakly_canonical(path).filename().string();
-}
-
 }  // namespace
 
-std::unique_ptr<Study> Study::open(const StudyOptions& options, const StudyFiles& files,
-                                   Report& report) {
-  std::unique_ptr<Study> study(new Study(options, files, report));
-  return study->prepare() ? std::move(study) : nullptr;
+std::unique_ptr<Study> Study::open(StudyRequest request, const StudyFiles& files,
+                                   StudyHooks hooks) {
+  std::unique_ptr<Study> study(new Study(files, std::move(hooks)));
+  return study->prepare(std::move(request)) ? std::move(study) : nullptr;
 }
 
-bool Study::prepare() {
-  auto input = readStudyInput(options_, report_);
-  if (!input || !files_.create(report_)) return false;
-  input_ = std::move(*input);
-  if (const auto budget = parseBudget(options_.budget)) end_ = Measuring::Clock::now() + *budget;
+bool Study::prepare(StudyRequest request) {
   Diagnostics diagnostics;
-  context_ = gl::createContext({.backend = options_.image.backend}, diagnostics);
-  report_.add(diagnostics);
+  auto input = readStudyInput(std::move(request), diagnostics);
+  if (input && files_.create(diagnostics)) {
+    input_ = std::move(*input);
+    if (input_.asked.budget) end_ = Measuring::Clock::now() + *input_.asked.budget;
+    context_ = gl::createContext({.backend = input_.asked.backend}, diagnostics);
+  }
+  hooks_.report(diagnostics);
   if (!context_) return false;
-  digest_ = studyDigest(*input_.files, input_.world, context_->driver());
+  digest_ = studyDigest(*input_.asked.files, input_.asked.world, context_->driver());
   if (!drawReferences()) return false;
   makeJobs();
   return true;
 }
 
+std::function<void(int)> Study::begin(const std::string& what, int total) const {
+  return hooks_.begin ? hooks_.begin(what, total) : [](int) {};
+}
+
 bool Study::timeLeft() const { return !end_ || Measuring::Clock::now() < *end_; }
 
 void Study::measure(const std::vector<std::size_t>& indices) {
-  for (std::size_t camera = 0; camera < input_.cameras.size(); ++camera) {
+  for (std::size_t camera = 0; camera < input_.asked.cameras.size(); ++camera) {
     std::vector<SettingJob*> jobs = {&job(0, camera)};
     for (const std::size_t index : indices)
       if (index != 0) jobs.push_back(&job(index, camera));
     if (camera == 0) jobs.push_back(&again_);
     measure(jobs);
   }
-  const std::vector<std::string> errors = context_->takeErrors();
-  for (const std::string& message : errors) report_.error("gl-error", message);
+  Diagnostics diagnostics;
+  for (const std::string& message : context_->takeErrors())
+    diagnostics.push_back({.id = "gl-error", .message = message});
+  hooks_.report(diagnostics);
 }
 
 void Study::measure(const std::vector<SettingJob*>& jobs) {
-  Progress progress("measuring frames", framesLeft(jobs, options_.plan), report_.output());
+  const auto progress = begin("measuring frames", framesLeft(jobs, input_.asked.plan));
   int drawn = 0;
-  const MeasureHooks hooks = {
-      [&](int frames) { progress.advanceTo(drawn += frames); },
-      [&](const SettingJob& job) { files_.write(job.result, report_); },
-      [&](const SettingJob& job, const ImageF& frame, const ImageF& mean) {
-        writePictures(job, frame, mean);
-      }};
-  Measuring measuring(*context_, input_.world, options_.plan, hooks, end_);
+  const MeasureHooks hooks = {[&](int frames) { progress(drawn += frames); },
+                              [&](const SettingJob& job) {
+                                Diagnostics diagnostics;
+                                files_.write(job.result, diagnostics);
+                                hooks_.report(diagnostics);
+                              },
+                              [&](const SettingJob& job, const ImageF& frame, const ImageF& mean) {
+                                writePictures(job, frame, mean);
+                              }};
+  Measuring measuring(*context_, input_.asked.world, input_.asked.plan, hooks, end_);
   Diagnostics diagnostics;
   measuring.run(jobs, diagnostics);
-  report_.add(diagnostics);
+  hooks_.report(diagnostics);
 }
 
 std::string Study::referenceName(const View& view) const {
   const std::string name = fmt::format("reference-{}x{}", view.size.width, view.size.height);
-  return view.camera == 0 ? name
-                          : fmt::format("{}-{}", name, fileStem(input_.cameras[view.camera].name));
+  return view.camera == 0
+             ? name
+             : fmt::format("{}-{}", name, fileStem(input_.asked.cameras[view.camera].name));
 }
 
 /// The first camera's files bear the setting's name alone.
 std::string Study::jobLabel(const Setting& setting, std::size_t camera) const {
   return camera == 0 ? setting.label
-                     : fmt::format("{} from {}", setting.label, input_.cameras[camera].name);
+                     : fmt::format("{} from {}", setting.label, input_.asked.cameras[camera].name);
 }
 
 SessionRequest Study::request(const Setting& setting, std::size_t camera) const {
-  SessionRequest request = requestFor(input_.request, setting);
-  request.camera = input_.cameras[camera];
+  SessionRequest request = requestFor(input_.session, setting);
+  request.camera = input_.asked.cameras[camera];
   return request;
 }
 
 /// The references that are a setting, from the folder or drawn now; each as people see it.
 bool Study::drawReferences() {
   for (const Setting& setting : settings()) {
-    for (std::size_t camera = 0; camera < input_.cameras.size(); ++camera) {
+    for (std::size_t camera = 0; camera < input_.asked.cameras.size(); ++camera) {
       const View view{camera, setting.size};
       if (input_.references.contains(view)) continue;
       auto drawn = reference(view);
@@ -110,11 +110,13 @@ bool Study::drawReferences() {
       input_.references[view] = std::move(*drawn);
     }
   }
-  bool written = true;
+  Diagnostics unwritten;
   for (const auto& [view, reference] : input_.references) {
-    written &= writeStudyPicture(files_.path(referenceName(view), ".png"),
-                      displayed(reference.mean, displayExposure(reference)), report_);
+    writeImage(files_.path(referenceName(view), ".png"),
+               displayed(reference.mean, displayExposure(reference)), unwritten);
   }
+  const bool written = unwritten.empty();
+  hooks_.report(unwritten);
   return written;
 }
 
@@ -125,41 +127,45 @@ std::optional<ReferencePicture> Study::reference(const View& view) {
   const std::string name = referenceName(view), picture = files_.path(name, ".exr");
   const std::string keyFile = files_.path(name, ".key");
   const std::string key =
-      referenceKey(digest_, wanted, options_.plan, options_.referenceFrames) + "\n";
-  if (std::filesystem::exists(keyFile) && readWholeFile(keyFile, report_) == key) {
-    Diagnostics unread;  // it is drawn again
+      referenceKey(digest_, wanted, input_.asked.plan, input_.asked.referenceFrames) + "\n";
+  Diagnostics unread;  // it is drawn again
+  if (std::filesystem::exists(keyFile) && readNamedFile(keyFile, unread) == key) {
     if (auto known = readReference(picture, unread)) return known;
   }
   auto drawn = drawReference(wanted);
   Diagnostics diagnostics;
-  const bool written = drawn && writeReference(picture, *drawn, diagnostics);
-  report_.add(diagnostics);
-  return written && writeWholeFile(keyFile, key, report_) ? drawn : std::nullopt;
+  const bool written = drawn && writeReference(picture, *drawn, diagnostics) &&
+                       writeNamedFile(keyFile, key, diagnostics);
+  hooks_.report(diagnostics);
+  return written ? std::move(drawn) : std::nullopt;
 }
 
 std::optional<ReferencePicture> Study::drawReference(const SessionRequest& request) {
-  const MeasurePlan& plan = options_.plan;
-  Progress progress("drawing the reference", plan.warmUp + plan.frames + options_.referenceFrames,
-                    report_.output());
+  const MeasurePlan& plan = input_.asked.plan;
+  const int total = input_.asked.referenceFrames;
+  const auto progress = begin("drawing the reference", plan.warmUp + plan.frames + total);
   int frames = 0;
-  const MeasureHooks hooks = {[&](int drawn) { progress.advanceTo(frames += drawn); }, {}, {}};
-  Measuring measuring(*context_, input_.world, plan, hooks, end_);
+  const MeasureHooks hooks = {[&](int drawn) { progress(frames += drawn); }, {}, {}};
+  Measuring measuring(*context_, input_.asked.world, plan, hooks, end_);
   Diagnostics diagnostics;
-  auto drawn = measuring.drawReference(request, options_.referenceFrames, diagnostics);
-  report_.add(diagnostics);
-  if (drawn) return drawn;
-  if (report_.status() == kClean)
-    report_.error("budget-short", "the budget ended before the reference was drawn",
-                  "give more time, or fewer --reference-frames");
-  return std::nullopt;
+  auto drawn = measuring.drawReference(request, total, diagnostics);
+  if (!drawn && !hasErrors(diagnostics))
+    diagnostics.push_back({.id = "budget-short",
+                           .message = "the budget ended before the reference was drawn",
+                           .hint = "give more time, or fewer --reference-frames"});
+  hooks_.report(diagnostics);
+  return drawn;
 }
 
 void Study::makeJobs() {
   for (const Setting& setting : settings())
-    for (std::size_t camera = 0; camera < input_.cameras.size(); ++camera) makeJob(setting, camera);
+    for (std::size_t camera = 0; camera < input_.asked.cameras.size(); ++camera)
+      makeJob(setting, camera);
   again_.request = jobs_.front().request;
+  Diagnostics diagnostics;
   again_.result = files_.read(settings().front().label + kAgain,
-                              settingKey(digest_, again_, options_.plan), report_);
+                              settingKey(digest_, again_, input_.asked.plan), diagnostics);
+  hooks_.report(diagnostics);
 }
 
 void Study::makeJob(const Setting& setting, std::size_t camera) {
@@ -167,25 +173,29 @@ void Study::makeJob(const Setting& setting, std::size_t camera) {
   job.request = request(setting, camera);
   job.reference = &referenceOf(setting, camera);
   job.exposure = displayExposure(*job.reference);
-  job.result =
-      files_.read(jobLabel(setting, camera), settingKey(digest_, job, options_.plan), report_);
+  Diagnostics diagnostics;
+  job.result = files_.read(jobLabel(setting, camera), settingKey(digest_, job, input_.asked.plan),
+                           diagnostics);
+  hooks_.report(diagnostics);
 }
 
 void Study::writePictures(const SettingJob& job, const ImageF& frame, const ImageF& mean) {
   const auto path = [&](const char* ending) {
     return files_.settingPath(job.result.label, ending);
   };
-  writeStudyPicture(path(".png"), displayed(frame, job.exposure), report_);
-  writeStudyPicture(path(".mean.png"), displayed(mean, job.exposure), report_);
-  writeStudyPicture(path(".error.png"), signedDifference(mean, job.reference->mean), report_);
+  Diagnostics diagnostics;
+  writeImage(path(".png"), displayed(frame, job.exposure), diagnostics);
+  writeImage(path(".mean.png"), displayed(mean, job.exposure), diagnostics);
+  writeImage(path(".error.png"), signedDifference(mean, job.reference->mean), diagnostics);
+  hooks_.report(diagnostics);
 }
 
 std::size_t Study::measured() const {
-  const std::size_t cameras = input_.cameras.size();
+  const std::size_t cameras = input_.asked.cameras.size();
   std::size_t count = 0;
   for (auto first = jobs_.begin(); first != jobs_.end(); first += std::ptrdiff_t(cameras)) {
     count += std::size_t(std::all_of(first, first + std::ptrdiff_t(cameras),
-                                     [&](const auto& job) { return job.done(options_.plan); }));
+                                     [&](const auto& job) { return job.done(input_.asked.plan); }));
   }
   return count;
 }
@@ -193,17 +203,17 @@ std::size_t Study::measured() const {
 ChartData Study::chart() {
   ChartRequest request;
   std::vector<std::string> names;
-  for (const Camera& camera : input_.cameras) names.push_back(camera.name);
+  for (const Camera& camera : input_.asked.cameras) names.push_back(camera.name);
   request.title =
-      fmt::format("{} on {}, camera{} {}", lastName(options_.pack.path),
-                  lastName(options_.scene.path), names.size() > 1 ? "s" : "", joinNames(names));
-  request.metric = findErrorMetric(options_.metric);
-  request.accumulated = options_.accumulate;
+      fmt::format("{} on {}, camera{} {}", input_.asked.packName, input_.asked.worldName,
+                  names.size() > 1 ? "s" : "", joinNames(names));
+  request.metric = input_.asked.metric;
+  request.accumulated = input_.asked.accumulate;
   request.marks = input_.marks;
   request.again = &again_.result;
   for (const auto& [view, reference] : input_.references)
     request.noiseFloor = std::max(request.noiseFloor, noiseFloor(reference));
-  const MeasurePlan& plan = options_.plan;
+  const MeasurePlan& plan = input_.asked.plan;
   request.facts = {
       {"driver", context_->driver().renderer},
       {"clock", plan.clock == FrameClock::Wall ? "passing time" : "processor time of all threads"},
@@ -213,7 +223,7 @@ ChartData Study::chart() {
   combined_.clear();
   for (std::size_t setting = 0; setting < settings().size(); ++setting) {
     std::vector<const SettingResult*> cameras;
-    for (std::size_t camera = 0; camera < input_.cameras.size(); ++camera)
+    for (std::size_t camera = 0; camera < input_.asked.cameras.size(); ++camera)
       cameras.push_back(&job(setting, camera).result);
     combined_.push_back(combine(cameras));
   }

@@ -2,12 +2,11 @@
 // from.
 #pragma once
 
-#include <map>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
 
-#include "app/report/report.h"
 #include "app/study/study_files.h"
 #include "app/study/study_input.h"
 #include "chart/page/chart_data.h"
@@ -15,12 +14,19 @@
 
 namespace orris {
 
+/// What the owner of a study sees while it goes on. Both may be called often.
+struct StudyHooks {
+  std::function<void(Diagnostics& diagnostics)> report;  ///< must be set
+  /// Work of so many frames begins: what is called with the number done; may be empty.
+  std::function<std::function<void(int done)>(const std::string& what, int total)> begin;
+};
+
 class Study {
  public:
-  /// Everything but measuring: pack, world, references, what the folder holds already. nullptr:
-  /// reported. All arguments must outlive it.
-  static std::unique_ptr<Study> open(const StudyOptions& options, const StudyFiles& files,
-                                     Report& report);
+  /// Everything but measuring: pack, references, a context, what the folder holds already. nullptr:
+  /// reported. `files` must outlive it.
+  static std::unique_ptr<Study> open(StudyRequest request, const StudyFiles& files,
+                                     StudyHooks hooks);
 
   const StudyInput& input() const { return input_; }
   const std::vector<Setting>& settings() const { return input_.settings; }
@@ -34,16 +40,15 @@ class Study {
   ChartData chart();
 
  private:
-  Study(const StudyOptions& options, const StudyFiles& files, Report& report)
-      : options_(options), files_(files), report_(report) {}
-  bool prepare();
+  Study(const StudyFiles& files, StudyHooks hooks) : files_(files), hooks_(std::move(hooks)) {}
+  bool prepare(StudyRequest request);
   bool drawReferences();
   std::optional<ReferencePicture> reference(const View& view);
   std::string referenceName(const View& view) const;
   std::string jobLabel(const Setting& setting, std::size_t camera) const;
   SessionRequest request(const Setting& setting, std::size_t camera) const;
   SettingJob& job(std::size_t setting, std::size_t camera) {
-    return jobs_[setting * input_.cameras.size() + camera];
+    return jobs_[setting * input_.asked.cameras.size() + camera];
   }
   const ReferencePicture& referenceOf(const Setting& setting, std::size_t camera) const {
     return input_.references.at({camera, setting.size});
@@ -54,9 +59,10 @@ class Study {
   void makeJobs();
   void writePictures(const SettingJob& job, const ImageF& frame, const ImageF& mean);
 
-  const StudyOptions& options_;
+  std::function<void(int)> begin(const std::string& what, int total) const;
+
   const StudyFiles& files_;
-  Report& report_;
+  StudyHooks hooks_;
   StudyInput input_;
   std::unique_ptr<gl::Context> context_;
   Digest digest_;

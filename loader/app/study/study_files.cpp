@@ -4,35 +4,33 @@
 
 #include <filesystem>
 
-#include "app/input/inputs.h"
 #include "chart/measure/setting.h"
+#include "core/named_file.h"
 #include "core/read_file.h"
 
 namespace orris {
 namespace {
 
-void note(Report& report, Severity severity, const std::string& path, std::string message) {
-  Diagnostic diagnostic;
-  diagnostic.severity = severity;
-  diagnostic.id = "study-file";
-  diagnostic.at.file = path;
-  diagnostic.message = std::move(message);
-  Diagnostics diagnostics = {std::move(diagnostic)};
-  report.add(diagnostics);
+void noteFile(const std::string& path, std::string message, Diagnostics& diagnostics) {
+  diagnostics.push_back({.severity = Severity::Warning,
+                         .id = "study-file",
+                         .at = {.file = path},
+                         .message = std::move(message)});
 }
 
 }  // namespace
 
-bool StudyFiles::create(Report& report) const {
+bool StudyFiles::create(Diagnostics& diagnostics) const {
   std::error_code error;
   const std::string settings = (std::filesystem::path(folder_) / "settings").string();
   std::filesystem::create_directories(settings, error);
   const bool outside = !error && !liesBelow(folder_, settings);
   if (!error && !outside) return true;
-  report.error("file-unwritable",
-               outside ? "its folder settings is a link that leads out of it"
-                       : "the folder cannot be made: " + error.message(),
-               "name a folder in a place that may be written", folder_);
+  diagnostics.push_back({.id = "file-unwritable",
+                         .at = {.file = folder_},
+                         .message = outside ? "its folder settings is a link that leads out of it"
+                                            : "the folder cannot be made: " + error.message(),
+                         .hint = "name a folder in a place that may be written"});
   return false;
 }
 
@@ -45,26 +43,26 @@ std::string StudyFiles::settingPath(const std::string& label, const std::string&
 }
 
 SettingResult StudyFiles::read(const std::string& label, const std::string& key,
-                               Report& report) const {
+                               Diagnostics& diagnostics) const {
   SettingResult fresh;
   fresh.label = label;
   fresh.key = key;
   const std::string file = settingPath(label, ".json");
   if (!std::filesystem::exists(file)) return fresh;
-  const std::optional<std::string> text = readWholeFile(file, report);
+  const std::optional<std::string> text = readNamedFile(file, diagnostics);
   std::optional<SettingResult> result = text ? parseResult(*text) : std::nullopt;
   if (!result) {
-    note(report, Severity::Warning, file, "is no result; the setting is measured again");
+    noteFile(file, "is no result; the setting is measured again", diagnostics);
     return fresh;
   }
   if (result->label == label && result->key == key) return std::move(*result);
-  note(report, Severity::Warning, file,
-       "was measured with another pack, world, reference or plan; it is measured again");
+  noteFile(file, "was measured with another pack, world, reference or plan; it is measured again",
+           diagnostics);
   return fresh;
 }
 
-bool StudyFiles::write(const SettingResult& result, Report& report) const {
-  return writeWholeFile(settingPath(result.label, ".json"), writeResult(result), report);
+bool StudyFiles::write(const SettingResult& result, Diagnostics& diagnostics) const {
+  return writeNamedFile(settingPath(result.label, ".json"), writeResult(result), diagnostics);
 }
 
 }  // namespace orris

@@ -12,9 +12,9 @@
 #include <optional>
 #include <string>
 
-#include "app/report/report.h"
 #include "chart/measure/reference_picture.h"
 #include "chart/measure/setting_result.h"
+#include "core/diagnostic.h"
 
 namespace orris {
 
@@ -24,7 +24,7 @@ class StudyFiles {
 
   const std::string& folder() const { return folder_; }
   /// Makes the folders. false: reported.
-  bool create(Report& report) const;
+  bool create(Diagnostics& diagnostics) const;
 
   /// Of a setting by label, or of a reference by "reference-320x180".
   std::string path(const std::string& name, const std::string& ending) const;
@@ -32,8 +32,9 @@ class StudyFiles {
 
   /// What is known of the setting, if it was measured under the same key; else an empty result with
   /// that key.
-  SettingResult read(const std::string& label, const std::string& key, Report& report) const;
-  bool write(const SettingResult& result, Report& report) const;
+  SettingResult read(const std::string& label, const std::string& key,
+                     Diagnostics& diagnostics) const;
+  bool write(const SettingResult& result, Diagnostics& diagnostics) const;
 
  private:
   std::string folder_;

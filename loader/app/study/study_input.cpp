@@ -6,16 +6,11 @@
 #include <charconv>
 #include <filesystem>
 
-#include "app/input/inputs.h"
-
 namespace orris {
 namespace {
 
-/// Adds to the report; false when there is an error among them.
-bool takeSetting(Diagnostics& diagnostics, Report& report) {
-  const bool good = !hasErrors(diagnostics);
-  report.add(diagnostics);
-  return good;
+void failStudy(const char* id, std::string message, std::string hint, Diagnostics& diagnostics) {
+  diagnostics.push_back({.id = id, .message = std::move(message), .hint = std::move(hint)});
 }
 
 std::optional<PublishedMark> parseMark(const std::string& text, const ShaderPack& pack,
@@ -27,10 +22,8 @@ std::optional<PublishedMark> parseMark(const std::string& text, const ShaderPack
     const char* end = text.data() + text.size();
     const auto [stop, error] = std::from_chars(text.data() + colon + 1, end, ratio);
     if (error != std::errc() || stop != end || !(ratio > 0)) {
-      Diagnostic& diagnostic = diagnostics.emplace_back();
-      diagnostic.id = "mark-syntax";
-      diagnostic.message = fmt::format("--mark {}: no cost ratio after the colon", text);
-      diagnostic.hint = "write --mark NAME=VALUE,...:1.25";
+      failStudy("mark-syntax", fmt::format("--mark {}: no cost ratio after the colon", text),
+                "write --mark NAME=VALUE,...:1.25", diagnostics);
       return std::nullopt;
     }
     mark.ratio = ratio;
@@ -53,45 +46,44 @@ std::vector<ImageSize> sizesOf(const std::vector<Setting>& settings) {
 /// "CAMERA=FILE", or a file for the only camera. nullopt: reported.
 std::optional<std::pair<std::size_t, std::string>> splitReference(const std::string& text,
                                                                   const StudyInput& input,
-                                                                  Report& report) {
-  if (input.cameras.size() == 1) return std::pair(std::size_t{0}, text);
+                                                                  Diagnostics& diagnostics) {
+  const std::vector<Camera>& cameras = input.asked.cameras;
+  if (cameras.size() == 1) return std::pair(std::size_t{0}, text);
   const std::string name = text.substr(0, text.find('='));
-  for (std::size_t i = 0; i < input.cameras.size() && name.size() < text.size(); ++i)
-    if (input.cameras[i].name == name) return std::pair(i, text.substr(name.size() + 1));
-  report.error("reference-camera",
-               fmt::format("--reference {}: which of the cameras is this of?", text),
-               "write --reference CAMERA=FILE for each");
+  for (std::size_t i = 0; i < cameras.size() && name.size() < text.size(); ++i)
+    if (cameras[i].name == name) return std::pair(i, text.substr(name.size() + 1));
+  failStudy("reference-camera",
+            fmt::format("--reference {}: which of the cameras is this of?", text),
+            "write --reference CAMERA=FILE for each", diagnostics);
   return std::nullopt;
 }
 
-/// Reports each view that has no reference; true: there is none.
-bool hasAllReferences(const StudyInput& input, Report& report) {
-  bool all = true;
-  for (std::size_t camera = 0; camera < input.cameras.size(); ++camera) {
+/// Each view that has no reference.
+void reportMissing(const StudyInput& input, Diagnostics& diagnostics) {
+  for (std::size_t camera = 0; camera < input.asked.cameras.size(); ++camera) {
+    const std::string& name = input.asked.cameras[camera].name;
     for (const ImageSize size : sizesOf(input.settings)) {
       if (input.references.contains({camera, size})) continue;
-      report.error("reference-size",
-                   fmt::format("no --reference is {}x{} pixels large, from camera {}", size.width,
-                               size.height, input.cameras[camera].name),
-                   fmt::format("orris trace WORLD -o reference.exr --size {}x{} --camera {}",
-                               size.width, size.height, input.cameras[camera].name));
-      all = false;
+      failStudy("reference-size",
+                fmt::format("no --reference is {}x{} pixels large, from camera {}", size.width,
+                            size.height, name),
+                fmt::format("orris trace WORLD -o reference.exr --size {}x{} --camera {}", size.width,
+                            size.height, name),
+                diagnostics);
     }
   }
-  return all;
 }
 
-bool readReferenceFiles(const StudyOptions& options, StudyInput& input, Report& report) {
-  Diagnostics diagnostics;
-  for (const std::string& text : options.references) {
-    const auto named = splitReference(text, input, report);
-    if (!named) return false;
+void readReferenceFiles(StudyInput& input, Diagnostics& diagnostics) {
+  for (const std::string& text : input.asked.references) {
+    const auto named = splitReference(text, input, diagnostics);
+    if (!named) return;
     auto reference = readReference(named->second, diagnostics);
     if (!reference) continue;
     const ImageSize size{reference->mean.width, reference->mean.height};
     input.references[{named->first, size}] = std::move(*reference);
   }
-  return takeSetting(diagnostics, report) && hasAllReferences(input, report);
+  if (!hasErrors(diagnostics)) reportMissing(input, diagnostics);
 }
 
 /// Is it a setting, and not CAMERA=FILE or a file?
@@ -99,21 +91,18 @@ bool isSetting(const std::string& text, const StudyInput& input) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || std::filesystem::exists(text)) return false;
   const std::string name = text.substr(0, equals);
-  return input.cameras.size() == 1 || input.world.camera(name) == nullptr;
+  return input.asked.cameras.size() == 1 || input.asked.world.camera(name) == nullptr;
 }
 
-bool readReferences(const StudyOptions& options, StudyInput& input, Report& report) {
-  if (options.references.empty()) {
-    report.error("reference-missing", "no --reference to measure errors against",
-                 "give a picture of orris trace, or a setting: --reference NAME=VALUE,...");
-    return false;
-  }
-  const std::string& first = options.references.front();
-  if (options.references.size() > 1 || !isSetting(first, input))
-    return readReferenceFiles(options, input, report);
-  Diagnostics diagnostics;
-  input.reference = parseSetting(first, *input.pack, {}, diagnostics);
-  return takeSetting(diagnostics, report);
+void readReferences(StudyInput& input, Diagnostics& diagnostics) {
+  const std::vector<std::string>& references = input.asked.references;
+  if (references.empty())
+    return failStudy("reference-missing", "no --reference to measure errors against",
+                     "give a picture of orris trace, or a setting: --reference NAME=VALUE,...",
+                     diagnostics);
+  if (references.size() > 1 || !isSetting(references.front(), input))
+    return readReferenceFiles(input, diagnostics);
+  input.reference = parseSetting(references.front(), *input.pack, {}, diagnostics);
 }
 
 /// Brings the first setting that --baseline names to the front.
@@ -128,74 +117,49 @@ void chooseBaseline(const std::string& text, StudyInput& study, Diagnostics& dia
     std::rotate(settings.begin(), found, found + 1);
     return;
   }
-  Diagnostic& diagnostic = diagnostics.emplace_back();
-  diagnostic.id = "baseline-unknown";
-  diagnostic.message = fmt::format("--baseline {}: none of the settings is that", text);
-  diagnostic.hint = "name values of the axes";
+  failStudy("baseline-unknown", fmt::format("--baseline {}: none of the settings is that", text),
+            "name values of the axes", diagnostics);
 }
 
-bool readStudySettings(const StudyOptions& options, StudyInput& study, Report& report) {
-  Diagnostics diagnostics;
+void readStudySettings(StudyInput& study, Diagnostics& diagnostics) {
   std::vector<Axis> axes;
-  for (const std::string& text : options.axes) axes.push_back(parseAxis(text));
+  for (const std::string& text : study.asked.axes) axes.push_back(parseAxis(text));
   const bool good = resolveAxes(axes, *study.pack, diagnostics);
-  const ImageSize size{options.image.width, options.image.height};
-  if (auto settings = good ? combine(axes, size, diagnostics) : std::nullopt)
+  if (auto settings = good ? combine(axes, study.asked.size, diagnostics) : std::nullopt)
     study.settings = std::move(*settings);
-  if (!options.baseline.empty() && !study.settings.empty())
-    chooseBaseline(options.baseline, study, diagnostics);
-  for (const std::string& text : options.marks)
+  if (!study.asked.baseline.empty() && !study.settings.empty())
+    chooseBaseline(study.asked.baseline, study, diagnostics);
+  for (const std::string& text : study.asked.marks)
     if (auto mark = parseMark(text, *study.pack, diagnostics))
       study.marks.push_back(std::move(*mark));
-  return takeSetting(diagnostics, report);
 }
 
-bool readCameras(const StudyOptions& options, StudyInput& input, Report& report) {
-  std::vector<std::string> names;
-  for (const std::string& name : options.cameras)
-    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-  const char* flag = names.empty() ? "--camera" : "--cameras";
-  if (names.empty()) names = {options.scene.camera};
-  if (names == std::vector<std::string>{"all"}) {
-    input.cameras = input.world.cameras;
-    return true;
-  }
-  for (const std::string& name : names)
-    if (const auto camera = chooseCamera(input.world, name, report, flag))
-      input.cameras.push_back(*camera);
-  return input.cameras.size() == names.size();
+SessionRequest sessionOf(const StudyRequest& asked) {
+  SessionRequest session;
+  session.openPack = [files = asked.files](Diagnostics&) { return files; };
+  session.load = asked.load;
+  session.versions = asked.versions;
+  session.camera = asked.cameras.front();
+  session.seed = asked.seed;
+  return session;
 }
 
 }  // namespace
 
-std::optional<StudyInput> readStudyInput(const StudyOptions& options, Report& report) {
-  auto world = loadScene(options.scene, options.pack.dimension, report);
-  if (!world) return std::nullopt;
-  const auto files = openPackFiles(options.pack.path, report);
-  if (!files) return std::nullopt;
-  PackOptions packOptions = options.pack;
-  if (packOptions.dimension.empty()) packOptions.dimension = world->environment.dimension;
-  const MacroDefinitions environment = standardMacros({.versions = options.pack.versions});
-  const auto load = makeLoadRequest(files, packOptions, environment, report);
-  if (!load) return std::nullopt;
-  LoadRequest optionsOnly = *load;
+std::optional<StudyInput> readStudyInput(StudyRequest request, Diagnostics& diagnostics) {
+  LoadRequest optionsOnly = request.load;
   optionsOnly.buildSources = false;
-  auto pack = loadPack(files, optionsOnly, report);
+  auto pack = loadShaderPack(request.files, optionsOnly, diagnostics);
   if (!pack) return std::nullopt;
-
-  StudyInput input;
-  input.world = std::move(*world);
-  input.files = files;
+  StudyInput input{.asked = std::move(request)};
+  input.session = sessionOf(input.asked);
   input.pack = std::make_shared<const ShaderPack>(std::move(*pack));
-  input.request.openPack = [files](Diagnostics&) { return files; };
-  input.request.load = *load;
-  input.request.versions = options.pack.versions;
-  if (!readCameras(options, input, report)) return std::nullopt;
-  input.request.camera = input.cameras.front();
-  input.request.seed = options.scene.seed;
-  if (!readStudySettings(options, input, report)) return std::nullopt;
-  if (!readReferences(options, input, report)) return std::nullopt;
-  return input;
+  Diagnostics found;
+  readStudySettings(input, found);
+  if (!hasErrors(found)) readReferences(input, found);
+  const bool good = !hasErrors(found);
+  diagnostics.insert(diagnostics.end(), found.begin(), found.end());
+  return good ? std::optional(std::move(input)) : std::nullopt;
 }
 
 SessionRequest requestFor(const SessionRequest& base, const Setting& setting) {

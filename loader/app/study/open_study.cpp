@@ -1,0 +1,76 @@
+#include "app/study/open_study.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "app/input/inputs.h"
+#include "app/report/progress.h"
+
+namespace orris {
+namespace {
+
+std::string lastName(const std::string& path) {
+  return std::filesystem::weakly_canonical(path).filename().string();
+}
+
+/// Empty: reported.
+std::vector<Camera> chooseCameras(const StudyOptions& options, const World& world, Report& report) {
+  std::vector<std::string> names;
+  for (const std::string& name : options.cameras)
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  const char* flag = names.empty() ? "--camera" : "--cameras";
+  if (names.empty()) names = {options.scene.camera};
+  if (names == std::vector<std::string>{"all"}) return world.cameras;
+  std::vector<Camera> cameras;
+  for (const std::string& name : names)
+    if (const auto camera = chooseCamera(world, name, report, flag)) cameras.push_back(*camera);
+  return cameras.size() == names.size() ? cameras : std::vector<Camera>();
+}
+
+}  // namespace
+
+std::optional<StudyRequest> makeStudyRequest(const StudyOptions& options, Report& report) {
+  auto world = loadScene(options.scene, options.pack.dimension, report);
+  const auto files = world ? openPackFiles(options.pack.path, report) : nullptr;
+  if (!files) return std::nullopt;
+  PackOptions pack = options.pack;
+  if (pack.dimension.empty()) pack.dimension = world->environment.dimension;
+  const MacroDefinitions environment = standardMacros({.versions = pack.versions});
+  const auto load = makeLoadRequest(files, pack, environment, report);
+  const auto cameras = load ? chooseCameras(options, *world, report) : std::vector<Camera>();
+  if (cameras.empty()) return std::nullopt;
+  return StudyRequest{.files = files,
+                      .load = *load,
+                      .versions = pack.versions,
+                      .world = std::move(*world),
+                      .cameras = cameras,
+                      .seed = options.scene.seed,
+                      .size = {options.image.width, options.image.height},
+                      .packName = lastName(options.pack.path),
+                      .worldName = lastName(options.scene.path),
+                      .axes = options.axes,
+                      .marks = options.marks,
+                      .baseline = options.baseline,
+                      .references = options.references,
+                      .referenceFrames = options.referenceFrames,
+                      .metric = findErrorMetric(options.metric),
+                      .accumulate = options.accumulate,
+                      .plan = options.plan,
+                      .backend = options.image.backend,
+                      .budget = parseBudget(options.budget)};
+}
+
+std::unique_ptr<Study> openStudy(const StudyOptions& options, const StudyFiles& files,
+                                 Report& report) {
+  auto request = makeStudyRequest(options, report);
+  if (!request) return nullptr;
+  const auto begin = [&report](const std::string& what, int total) {
+    return [line = std::make_shared<Progress>(what, total, report.output())](int done) {
+      line->advanceTo(done);
+    };
+  };
+  return Study::open(std::move(*request), files,
+                     {[&report](Diagnostics& diagnostics) { report.add(diagnostics); }, begin});
+}
+
+}  // namespace orris

@@ -1,0 +1,20 @@
+// From the flags of `orris chart` and `orris tune` to a study.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "app/report/report.h"
+#include "app/study/study.h"
+#include "app/study/study_options.h"
+
+namespace orris {
+
+/// Opens the pack and the world. nullopt: reported.
+std::optional<StudyRequest> makeStudyRequest(const StudyOptions& options, Report& report);
+
+/// Study::open() of what the flags ask for, with a progress line. `files` and `report` must outlive it.
+std::unique_ptr<Study> openStudy(const StudyOptions& options, const StudyFiles& files,
+                                 Report& report);
+
+}  // namespace orris
