@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "app/report/report.h"
-#include "app/study/study.h"
 #include "app/study/study_options.h"
+#include "chart/study/study.h"
 
 namespace orris {
 

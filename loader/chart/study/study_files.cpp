@@ -1,4 +1,4 @@
-#include "app/study/study_files.h"
+#include "chart/study/study_files.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "app/study/study.h"
+#include "chart/study/study.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include "chart/measure/measure.h"
 #include "chart/study/study_key.h"
 #include "core/named_file.h"
-#include "image/image_io.h"
+#include "image/image.h"
 #include "pack/files/text.h"
 
 namespace orris {

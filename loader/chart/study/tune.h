@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "app/study/study.h"
+#include "chart/study/study.h"
 #include "chart/study/tune_search.h"
 
 namespace orris {

@@ -1,4 +1,4 @@
-#include "app/study/study_input.h"
+#include "chart/study/study_input.h"
 
 #include <fmt/format.h>
 

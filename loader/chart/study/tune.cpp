@@ -1,4 +1,4 @@
-#include "app/study/tune.h"
+#include "chart/study/tune.h"
 
 #include <limits>
 
