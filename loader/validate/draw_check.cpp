@@ -34,9 +34,7 @@ void drawOneFrame(gl::Context& context, const std::shared_ptr<const FileSource>&
   const auto session = RenderSession::create(context, request, std::move(*world), diagnostics);
   if (session) session->renderFrame(diagnostics);
   for (const std::string& message : context.takeErrors()) {
-    Diagnostic& diagnostic = diagnostics.emplace_back();
-    diagnostic.id = "gl-error";
-    diagnostic.message = "drawing one frame: " + message;
+    diagnostics.push_back({.id = "gl-error", .message = "drawing one frame: " + message});
   }
 }
 

@@ -43,14 +43,11 @@ nlohmann::json describeChart(const ChartData& chart, const Study& study) {
 void noteUnfinished(const Study& study, Report& report) {
   const std::size_t measured = study.measured();
   if (measured == study.settings().size() || report.status() != kClean) return;
-  Diagnostic diagnostic;
-  diagnostic.severity = Severity::Warning;
-  diagnostic.id = "study-unfinished";
-  diagnostic.message =
-      fmt::format("{} of {} settings are measured whole", measured, study.settings().size());
-  diagnostic.hint = "run the same command again to go on, without --shard to see all";
-  Diagnostics diagnostics = {std::move(diagnostic)};
-  report.add(diagnostics);
+  report.add({.severity = Severity::Warning,
+              .id = "study-unfinished",
+              .message = fmt::format("{} of {} settings are measured whole", measured,
+                                     study.settings().size()),
+              .hint = "run the same command again to go on, without --shard to see all"});
 }
 
 /// Every n-th setting from the i-th on.

@@ -89,13 +89,10 @@ void reportOutOfReach(const Study& study, const Tuned& found, const TuneGoal& go
 
 void noteBudget(const Tuned& found, Report& report) {
   if (found.ended) return;
-  Diagnostic diagnostic;
-  diagnostic.severity = Severity::Warning;
-  diagnostic.id = "study-unfinished";
-  diagnostic.message = "the budget ended the search";
-  diagnostic.hint = "run the same command again to go on";
-  Diagnostics diagnostics = {std::move(diagnostic)};
-  report.add(diagnostics);
+  report.add({.severity = Severity::Warning,
+              .id = "study-unfinished",
+              .message = "the budget ended the search",
+              .hint = "run the same command again to go on"});
 }
 
 int runTune(const TuneOptions& options, Report& report, nlohmann::json& result) {

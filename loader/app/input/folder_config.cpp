@@ -21,12 +21,10 @@ bool isFolderKey(const CLI::ConfigItem& item) {
 }
 
 Diagnostic configProblem(std::string message, std::string hint) {
-  Diagnostic diagnostic;
-  diagnostic.id = "config-refused";
-  diagnostic.at.file = kFolderConfig;
-  diagnostic.message = std::move(message);
-  diagnostic.hint = std::move(hint);
-  return diagnostic;
+  return {.id = "config-refused",
+          .at = {.file = kFolderConfig},
+          .message = std::move(message),
+          .hint = std::move(hint)};
 }
 
 // The parser keeps no lines; a key that it takes from quotes or a dotted name has none here.

@@ -52,11 +52,14 @@ void Report::add(Diagnostics& diagnostics) {
   for (std::size_t i = known; i < all().size() && prints_; ++i) printer.add(all()[i]);
 }
 
+void Report::add(Diagnostic diagnostic) {
+  Diagnostics one{std::move(diagnostic)};
+  add(one);
+}
+
 void Report::error(const std::string& id, const std::string& message, const std::string& hint,
                    const std::string& path) {
-  Diagnostics one;
-  one.push_back({.id = id, .at = {.file = path}, .message = message, .hint = hint});
-  add(one);
+  add({.id = id, .at = {.file = path}, .message = message, .hint = hint});
 }
 
 void sayWritten(const OutputOptions& output, const std::vector<std::string>& paths,

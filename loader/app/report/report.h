@@ -30,6 +30,7 @@ class Report {
 
   const OutputOptions& output() const { return output_; }
   void add(Diagnostics& diagnostics);
+  void add(Diagnostic diagnostic);
   /// The pack whose files problems name from now on, as on the command line.
   void setPack(const std::string& path) { folder_ = shadersFolderOf(path); }
   /// For another load of the same files: ProblemList::beginAgain().

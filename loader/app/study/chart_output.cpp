@@ -24,13 +24,10 @@ constexpr Form kForms[] = {
 };
 
 void warn(Report& report, std::string id, std::string message, std::string hint) {
-  Diagnostic diagnostic;
-  diagnostic.severity = Severity::Warning;
-  diagnostic.id = std::move(id);
-  diagnostic.message = std::move(message);
-  diagnostic.hint = std::move(hint);
-  Diagnostics diagnostics = {std::move(diagnostic)};
-  report.add(diagnostics);
+  report.add({.severity = Severity::Warning,
+              .id = std::move(id),
+              .message = std::move(message),
+              .hint = std::move(hint)});
 }
 
 /// nullopt: warned.

@@ -112,13 +112,10 @@ nlohmann::json describeRow(const SceneRow& row) {
 }
 
 void warnUnfinished(std::size_t done, std::size_t all, Report& report) {
-  Diagnostic diagnostic;
-  diagnostic.severity = Severity::Warning;
-  diagnostic.id = "study-unfinished";
-  diagnostic.message = fmt::format("the budget ended after {} of {} scenes", done, all);
-  diagnostic.hint = "give more time, or fewer scenes";
-  Diagnostics diagnostics = {std::move(diagnostic)};
-  report.add(diagnostics);
+  report.add({.severity = Severity::Warning,
+              .id = "study-unfinished",
+              .message = fmt::format("the budget ended after {} of {} scenes", done, all),
+              .hint = "give more time, or fewer scenes"});
 }
 
 }  // namespace

@@ -125,8 +125,7 @@ void Viewer::sayCounters() {
   if (session().frame() == 0) return;
   for (Diagnostic& diagnostic : counterWarnings(session().renderer())) {
     if (!saidCounters_.insert(diagnostic.at.line).second) continue;
-    Diagnostics one{std::move(diagnostic)};
-    report_.add(one);
+    report_.add(std::move(diagnostic));
   }
 }
 

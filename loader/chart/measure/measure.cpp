@@ -32,12 +32,10 @@ void addVisit(SettingResult& result, const Visit& visit) {
 
 void noBuffer(const std::string& buffer, const SettingJob& job, const FrameRenderer& renderer,
               Diagnostics& diagnostics) {
-  Diagnostic diagnostic;
-  diagnostic.id = "dump-unknown";
-  diagnostic.message =
-      fmt::format("{} has no buffer {} as large as the screen", job.result.label, buffer);
-  diagnostic.hint = "buffers: " + renderer.bufferNames();
-  diagnostics.push_back(std::move(diagnostic));
+  diagnostics.push_back({.id = "dump-unknown",
+                         .message = fmt::format("{} has no buffer {} as large as the screen",
+                                                job.result.label, buffer),
+                         .hint = "buffers: " + renderer.bufferNames()});
 }
 
 }  // namespace

@@ -34,12 +34,8 @@ bool isMeanOfHalves(const ImageF& image) {
 
 void fail(const char* id, const std::string& path, std::string message, std::string hint,
           Diagnostics& diagnostics) {
-  Diagnostic diagnostic;
-  diagnostic.id = id;
-  diagnostic.at.file = path;
-  diagnostic.message = std::move(message);
-  diagnostic.hint = std::move(hint);
-  diagnostics.push_back(std::move(diagnostic));
+  diagnostics.push_back(
+      {.id = id, .at = {.file = path}, .message = std::move(message), .hint = std::move(hint)});
 }
 
 }  // namespace

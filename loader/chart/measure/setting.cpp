@@ -14,11 +14,7 @@ namespace {
 constexpr std::size_t kLongestStem = 80;
 
 void failSetting(const char* id, std::string message, std::string hint, Diagnostics& diagnostics) {
-  Diagnostic diagnostic;
-  diagnostic.id = id;
-  diagnostic.message = std::move(message);
-  diagnostic.hint = std::move(hint);
-  diagnostics.push_back(std::move(diagnostic));
+  diagnostics.push_back({.id = id, .message = std::move(message), .hint = std::move(hint)});
 }
 
 std::vector<std::string> profileNames(const ShaderPack& pack) {

@@ -167,10 +167,10 @@ bool RowMeter::run(SessionRequest request, int number, Sums& sums, SceneRow& row
     if (frame < plan_.warmUp) continue;
     const std::optional<ImageF> picture = session->picture(plan_.buffer);
     if (!picture || picture->pixels.size() != reference_.mean.pixels.size()) {
-      Diagnostic& diagnostic = diagnostics.emplace_back();
-      diagnostic.id = "dump-unknown";
-      diagnostic.message = fmt::format("{} has no buffer {} as large as the screen", row.setting, plan_.buffer);
-      diagnostic.hint = "buffers: " + session->renderer().bufferNames();
+      diagnostics.push_back({.id = "dump-unknown",
+                             .message = fmt::format("{} has no buffer {} as large as the screen",
+                                                    row.setting, plan_.buffer),
+                             .hint = "buffers: " + session->renderer().bufferNames()});
       return false;
     }
     sums.brightness[std::size_t(frame - plan_.warmUp)] += brightnessOf(*picture);
