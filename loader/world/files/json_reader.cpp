@@ -42,7 +42,7 @@ void JsonReader::error(std::size_t offset, std::string message, std::string hint
   if (++errors_ > limits::kWorldErrors + 1) return;
   if (errors_ == limits::kWorldErrors + 1) message = "there are more errors from here on";
   Diagnostic diagnostic =
-      source_.error(offset, source_.ids + "-value", std::move(message), std::move(hint));
+      source_.error(offset, source_.rules->valueId, std::move(message), std::move(hint));
   budget_.take(diagnostic);
   diagnostics_.push_back(std::move(diagnostic));
 }

@@ -109,7 +109,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     JsonNode& object = *open_.back();
     if (!keys_.back().insert(value).second) {
       diagnostics_.push_back(
-          source_.error(offset, source_.ids + "-syntax", fmt::format("the key \"{}\" is given twice", value)));
+          source_.error(offset, source_.rules->syntaxId, fmt::format("the key \"{}\" is given twice", value)));
       return false;
     }
     object.members.push_back({std::move(value), offset, {}});
@@ -119,7 +119,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   bool parse_error(std::size_t position, const std::string&,
                    const nlohmann::detail::exception& problem) override {
     Diagnostic error =
-        source_.error(position > 0 ? position - 1 : 0, source_.ids + "-syntax", withoutPrefix(problem.what()));
+        source_.error(position > 0 ? position - 1 : 0, source_.rules->syntaxId, withoutPrefix(problem.what()));
     MessageBudget().take(error);  // it quotes what was read last, however long
     diagnostics_.push_back(std::move(error));
     return false;
@@ -142,7 +142,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   bool fits() {
     if (++values_ <= limits::kWorldJsonValues) return true;
     diagnostics_.push_back(source_.error(
-        last_, source_.ids + "-syntax", fmt::format("more than {} values up to here", limits::kWorldJsonValues)));
+        last_, source_.rules->syntaxId, fmt::format("more than {} values up to here", limits::kWorldJsonValues)));
     return false;
   }
 
@@ -150,7 +150,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     JsonNode* node = add(kind);
     if (open_.size() >= limits::kWorldJsonDepth) {
       diagnostics_.push_back(
-          source_.error(node->offset, source_.ids + "-syntax",
+          source_.error(node->offset, source_.rules->syntaxId,
                         fmt::format("nested deeper than {} levels", limits::kWorldJsonDepth)));
       return false;
     }
@@ -177,6 +177,10 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
 
 }  // namespace
 
+const JsonRules kWorldJson = {"world-json-syntax", "world-json-value", Severity::Error, true};
+const JsonRules kResourceJson = {"resource-json-syntax", "resource-json-value", Severity::Warning,
+                                 false};
+
 const JsonNode* JsonNode::find(std::string_view key) const {
   for (const JsonMember& member : members) {
     if (member.key == key) return &member.value;
@@ -193,7 +197,7 @@ Diagnostic JsonText::error(std::size_t offset, std::string id, std::string messa
   std::string_view line = text.substr(lineStart, text.find('\n', offset) - lineStart);
   if (line.ends_with('\r')) line.remove_suffix(1);
   Diagnostic diagnostic;
-  diagnostic.severity = severity;
+  diagnostic.severity = rules->severity;
   diagnostic.id = std::move(id);
   diagnostic.at = {file, int(std::count(before.begin(), before.end(), '\n')) + 1,
                    int(offset - lineStart) + 1};
@@ -206,7 +210,7 @@ Diagnostic JsonText::error(std::size_t offset, std::string id, std::string messa
 std::optional<JsonNode> parseLocatedJson(const JsonText& source, Diagnostics& diagnostics) {
   JsonNode root;
   TreeBuilder builder(source, root, diagnostics);
-  if (!nlohmann::json::sax_parse(source.text, &builder, nlohmann::json::input_format_t::json, source.alone)) return std::nullopt;
+  if (!nlohmann::json::sax_parse(source.text, &builder, nlohmann::json::input_format_t::json, source.rules->alone)) return std::nullopt;
   return root;
 }
 

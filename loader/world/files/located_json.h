@@ -36,14 +36,19 @@ struct JsonMember {
   JsonNode value;
 };
 
+/// How mistakes in a kind of file are reported.
+struct JsonRules {
+  const char *syntaxId, *valueId;
+  Severity severity;
+  bool alone;  ///< nothing may stand behind the value; in files of the game anything may
+};
+extern const JsonRules kWorldJson, kResourceJson;
+
 /// Text and its name, to locate diagnostics in.
 struct JsonText {
   std::string_view text;
   std::string file;
-  /// How ids of messages begin ("-syntax" and "-value" follow), and how bad a mistake is.
-  std::string ids = "world-json";
-  Severity severity = Severity::Error;
-  bool alone = true;  ///< nothing may stand behind the value; the game does not look there
+  const JsonRules* rules = &kWorldJson;
   /// A message at the line and column of `offset`, with its source line.
   Diagnostic error(std::size_t offset, std::string id, std::string message,
                    std::string hint = "") const;

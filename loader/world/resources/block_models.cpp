@@ -76,7 +76,7 @@ ModelFaces BlockModels::facesOfUse(const BlockStateFile& file, const ModelUse& u
   const ModelTurn turn{turnOf(use.x), turnOf(use.y), use.uvLock};
   const auto [entry, fresh] = faces_.try_emplace({use.model, turn.x, turn.y, turn.uvLock});
   if (!fresh) return entry->second;
-  const JsonText source{file.text, file.place, "resource", Severity::Warning};
+  const JsonText source{file.text, file.place, &kResourceJson};
   const ResolvedModel* model = library_.find(use.model, source.error(use.offset, "", "").at);
   if (!model) return nullptr;
   std::vector<ModelFace> faces = facesOf(*model, turn);

@@ -196,7 +196,7 @@ const ModelUses* BlockStateFile::variantFor(const Properties& properties) const 
 }
 
 std::optional<BlockStateFile> parseBlockStates(ResourceFile file, Diagnostics& diagnostics) {
-  const JsonText source{file.bytes, file.place, "resource-json", Severity::Warning, false};
+  const JsonText source{file.bytes, file.place, &kResourceJson};
   JsonReader reader(source, diagnostics);
   if (file.bytes.size() > limits::kResourceJsonBytes) {
     reader.error(0, fmt::format("the file has {} bytes: expected at most {}", file.bytes.size(),

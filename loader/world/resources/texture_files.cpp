@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 
 #include "core/limits.h"
 #include "world/files/json_reader.h"
@@ -65,7 +66,7 @@ std::optional<FramePart> readAnimation(const ResourceStack& resources, const Res
                                        const Image8& image, Diagnostics& diagnostics) {
   const auto meta = resources.read(name, kTextureMeta, diagnostics);
   if (!meta) return std::nullopt;
-  const JsonText source{meta->bytes, meta->place, "resource-json", Severity::Warning, false};
+  const JsonText source{meta->bytes, meta->place, &kResourceJson};
   JsonReader reader(source, diagnostics);
   if (meta->bytes.size() > limits::kResourceJsonBytes) {
     reader.error(0, fmt::format("the file has {} bytes: expected at most {}", meta->bytes.size(),
