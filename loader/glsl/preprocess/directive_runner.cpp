@@ -1,14 +1,14 @@
+#include "glsl/preprocess/directive_runner.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
 
 #include "core/limits.h"
 #include "core/message_limits.h"
-#include "glsl/preprocess/condition.h"
-#include "glsl/preprocess/directive_runner.h"
 #include "glsl/syntax/directive_slip.h"
-#include <algorithm>
-#include <charconv>
-#include <fmt/format.h>
-#include <iterator>
-#include <utility>
 
 namespace orris {
 namespace {
@@ -16,14 +16,13 @@ namespace {
 // A broken source can be wrong on every line; more than this says nothing new.
 constexpr std::size_t kMaxReports = 100;
 
-// Iris: JcppProcessor logs what its preprocessor complains about and goes on.
-constexpr const char* kTolerated = "Iris goes on after this, other hosts refuse the program";
-
 std::size_t firstCode(const std::vector<Token>& tokens) {
   std::size_t i = 0;
   while (i < tokens.size() && tokens[i].kind == TokenKind::Comment) ++i;
   return i;
 }
+
+}  // namespace
 
 // A comment counts as one blank.
 void removeComments(std::vector<Token>& tokens) {
@@ -41,8 +40,6 @@ void removeComments(std::vector<Token>& tokens) {
   }
   tokens.resize(kept);
 }
-
-}  // namespace
 
 std::string joinTokens(const std::vector<Token>& tokens, std::size_t from) {
   std::string text;
@@ -179,195 +176,6 @@ void DirectiveRunner::warnTrailing(const std::vector<Token>& tokens, std::size_t
          fmt::format("text after the end of #{} is ignored: '{}'", name, joinTokens(tokens, from)),
          "some hosts refuse this; put it into a comment");
 }
-
-// Replaces "defined X" and "defined(X)" by 1 or 0.
-bool DirectiveRunner::replaceDefined(const std::vector<Token>& tokens, std::vector<Token>& out) {
-  for (std::size_t i = 1; i < tokens.size(); ++i) {
-    if (tokens[i].kind != TokenKind::Identifier || tokens[i].text != "defined") {
-      out.push_back(tokens[i]);
-      continue;
-    }
-    const Token& operatorToken = tokens[i];
-    const bool parenthesis = i + 1 < tokens.size() && isPunctuator(tokens[i + 1], "(");
-    i += parenthesis ? 2 : 1;
-    const bool named = i < tokens.size() && tokens[i].kind == TokenKind::Identifier;
-    const bool closed = !parenthesis || (i + 1 < tokens.size() && isPunctuator(tokens[i + 1], ")"));
-    if (!named || !closed) {
-      report(Severity::Warning, "directive-malformed", operatorToken.origin,
-             "expected 'defined NAME' or 'defined(NAME)'", kTolerated);
-      return false;
-    }
-    Token value = operatorToken;
-    value.kind = TokenKind::Number;
-    value.text.assign(1, macros_.find(tokens[i].text) ? '1' : '0');
-    value.painted = true;
-    out.push_back(std::move(value));
-    i += parenthesis;
-  }
-  return true;
-}
-
-bool DirectiveRunner::isTrue(const std::vector<Token>& tokens) {
-  const unsigned char purpose = macros_.setPurpose(NameWatch::kCondition);
-  const bool result = tokens.front().text.ends_with("def") ? macroNamed(tokens) : evaluate(tokens);
-  macros_.setPurpose(purpose);
-  return result;
-}
-
-// The condition of #if or #elif; a malformed one is false.
-bool DirectiveRunner::evaluate(const std::vector<Token>& tokens) {
-  const std::string& name = tokens.front().text;
-  std::vector<Token> expression;
-  if (!replaceDefined(tokens, expression)) return false;
-  if (expression.empty()) {
-    report(Severity::Warning, "condition-empty", tokens.front().origin,
-           fmt::format("#{} without a condition counts as false", name), kTolerated);
-    return false;
-  }
-  expression = expandTokens(std::move(expression), expansion_);
-  removeComments(expression);
-  if (expression.empty()) {
-    report(Severity::Warning, "condition-empty", tokens[1].origin,
-           fmt::format("the condition '{}' expands to nothing and counts as false",
-                       joinTokens(tokens, 1)),
-           "use #ifdef to ask whether a macro without a value is defined");
-    return false;
-  }
-  const ConditionResult result = evaluateCondition(expression);
-  if (!result.problem.empty()) {
-    const Token& at =
-        result.problemAt < expression.size() ? expression[result.problemAt] : expression.back();
-    report(Severity::Warning, "condition-malformed", at.origin,
-           fmt::format("condition of #{}: {}", name, result.problem), kTolerated);
-    return result.value != 0;
-  }
-  warnTrailing(expression, result.used, name);
-  return result.value != 0;
-}
-
-// Is the macro named by #ifdef or #ifndef defined?
-bool DirectiveRunner::macroNamed(const std::vector<Token>& tokens) {
-  const std::string& name = tokens.front().text;
-  if (tokens.size() < 2 || tokens[1].kind != TokenKind::Identifier) {
-    report(Severity::Warning, "directive-malformed", tokens.front().origin,
-           fmt::format("expected a macro name after #{}", name), kTolerated);
-    return false;
-  }
-  warnTrailing(tokens, 2, name);
-  return macros_.find(tokens[1].text) != nullptr;
-}
-
-void DirectiveRunner::reportUnbalanced(const Origin& at, std::string problem) {
-  report(Severity::Warning, "conditional-unbalanced", at, std::move(problem), kTolerated);
-}
-
-void DirectiveRunner::reportUnbalanced(const UnbalancedConditional& found) {
-  Diagnostic d = describeUnbalanced(found, sites_[std::size_t(found.at.site)].file);
-  d.includedFrom = includedFrom(sites_, found.at.site);
-  d.sourceLine = reader_.textOf({found.at.site, d.at.line, d.at.column});
-  d.hint = kTolerated;
-  diagnostics_.push_back(std::move(d));
-}
-
-bool DirectiveRunner::reportInFiles() {
-  if (unbalanced_) return !unbalanced_->empty();
-  unbalanced_ = findUnbalancedConditionals(source_);
-  for (const UnbalancedConditional& found : *unbalanced_) {
-    if (found.kind == UnbalancedConditional::Kind::Misspelt) {
-      reportUnknown(found.directive, found.meant, found.at);
-    } else {
-      reportUnbalanced(found);
-    }
-  }
-  return !unbalanced_->empty();
-}
-
-void DirectiveRunner::onIf(const std::vector<Token>& tokens) {
-  const bool condition = conditionals_.active() && isTrue(tokens);
-  conditionals_.open(tokens.front().origin, tokens.front().text, condition);
-}
-
-void DirectiveRunner::onIfdef(const std::vector<Token>& tokens) {
-  bool condition = false;
-  if (conditionals_.active()) condition = isTrue(tokens) == (tokens.front().text == "ifdef");
-  conditionals_.open(tokens.front().origin, tokens.front().text, condition);
-}
-
-void DirectiveRunner::onElif(const std::vector<Token>& tokens) {
-  const bool condition = conditionals_.wantsElif() && isTrue(tokens);
-  const std::string problem = conditionals_.elif (condition);
-  if (problem.empty()) return;
-  reportUnbalanced(tokens.front().origin, problem);
-}
-
-void DirectiveRunner::onElse(const std::vector<Token>& tokens) {
-  const std::string problem = conditionals_.otherwise();
-  if (problem.empty()) return;
-  reportUnbalanced(tokens.front().origin, problem);
-}
-
-void DirectiveRunner::onEndif(const std::vector<Token>& tokens) {
-  const std::string problem = conditionals_.close(tokens.front().origin);
-  if (problem.empty() || reportInFiles()) return;
-  reportUnbalanced(conditionals_.strayClose(tokens.front().origin), problem);
-}
-
-void DirectiveRunner::onDefine(const std::vector<Token>& tokens) {
-  const std::vector<Token> definition(tokens.begin() + 1, tokens.end());
-  const std::string problem = macros_.define(definition, tokens.front().origin);
-  if (problem.empty()) return;
-  report(Severity::Warning, "directive-malformed", tokens.front().origin, problem, kTolerated);
-}
-
-void DirectiveRunner::onUndef(const std::vector<Token>& tokens) {
-  if (tokens.size() < 2 || tokens[1].kind != TokenKind::Identifier) {
-    report(Severity::Warning, "directive-malformed", tokens.front().origin,
-           "expected a macro name after #undef", kTolerated);
-    return;
-  }
-  warnTrailing(tokens, 2, "undef");
-  macros_.undefine(tokens[1].text);
-}
-
-void DirectiveRunner::onVersion(const std::vector<Token>& tokens) {
-  int version = 0;
-  if (tokens.size() > 1 && tokens[1].kind == TokenKind::Number) {
-    const std::string& text = tokens[1].text;
-    std::from_chars(text.data(), text.data() + text.size(), version);
-  }
-  if (version <= 0 || version > 999) {
-    report(Severity::Error, "version-malformed", tokens.front().origin,
-           "expected a number after #version, such as '#version 330 compatibility'");
-    return;
-  }
-  if (stream_.version > 0) {
-    report(Severity::Error, "version-repeated", tokens.front().origin,
-           "a second active #version; exactly one is allowed");
-    return;
-  }
-  stream_.version = version;
-  stream_.profile = tokens.size() > 2 ? tokens[2].text : "";
-  stream_.versionOrigin = tokens.front().origin;
-}
-
-void DirectiveRunner::onExtension(const std::vector<Token>& tokens) {
-  const bool wellFormed = tokens.size() >= 4 && tokens[1].kind == TokenKind::Identifier &&
-                          isPunctuator(tokens[2], ":") && tokens[3].kind == TokenKind::Identifier;
-  if (!wellFormed) {
-    report(Severity::Error, "directive-malformed", tokens.front().origin,
-           "expected '#extension NAME : enable', 'require', 'warn' or 'disable'");
-    return;
-  }
-  stream_.extensions.push_back({tokens[1].text, tokens[3].text, tokens.front().origin});
-}
-
-void DirectiveRunner::onError(const std::vector<Token>& tokens) {
-  const std::string& name = tokens.front().text;
-  report(name == "error" ? Severity::Error : Severity::Warning, fmt::format("directive-{}", name),
-         tokens.front().origin, fmt::format("#{} {}", name, joinTokens(tokens, 1)));
-}
-
-void DirectiveRunner::onIgnored(const std::vector<Token>&) {}
 
 // A comment of one line ends with it; one whose text begins below goes on to a blank line or directive.
 void DirectiveRunner::reportUnclosedComment(const Origin& at) {

@@ -14,6 +14,9 @@
 
 namespace orris {
 
+/// Iris: JcppProcessor logs what its preprocessor complains about and goes on.
+inline constexpr const char* kTolerated = "Iris goes on after this, other hosts refuse the program";
+
 class DirectiveRunner : public TokenSource {
  public:
   /// `stream` takes the version, the extensions and the names of used macros.
@@ -79,6 +82,8 @@ class DirectiveRunner : public TokenSource {
   int pendingNewlines_ = 0;
 };
 
+/// A comment counts as one blank.
+void removeComments(std::vector<Token>& tokens);
 /// The author's words of a token list, one blank where there was white space.
 std::string joinTokens(const std::vector<Token>& tokens, std::size_t from);
 
