@@ -7,9 +7,8 @@
 #include <optional>
 #include <set>
 
-#include "check/compile/stage_files.h"
 #include "check/hints/glsl_functions.h"
-#include "check/interface/glsl_types.h"
+#include "check/hints/include_hints.h"
 #include "check/interface/known_names.h"
 #include "check/interface/stage_interface.h"
 #include "check/interface/unused_declarations.h"
@@ -22,30 +21,12 @@ namespace {
 
 // One missing #include leaves many names unknown: a few tell it all.
 constexpr std::size_t kMostExplained = 8;
-constexpr const char* kMain = "main";
-
-bool contains(const std::vector<std::string>& files, const std::string& file) {
-  return std::find(files.begin(), files.end(), file) != files.end();
-}
-
-/// No word of the language.
-bool isOwnName(std::string_view word) {
-  constexpr std::string_view kWords[] = {"void", "struct", "return", "if",    "else",
-                                         "for",  "while",  "true",   "false", "main"};
-  return word.size() > 2 && !isQualifier(word) && !isNumeric(word) &&
-         opaqueType(word).component == 0 &&
-         std::find(std::begin(kWords), std::end(kWords), word) == std::end(kWords);
-}
 
 std::string declarationOf(std::string_view name) {
   if (const KnownName* uniform = findKnownName(NameKind::Uniform, name);
       uniform && !uniform->type.empty())
     return fmt::format("uniform {} {};", uniform->type, name);
   return "";
-}
-
-bool isOfContract(const std::string& name) {
-  return findKnownName(NameKind::Uniform, name) || findKnownName(NameKind::Sampler, name);
 }
 
 bool isCall(const Diagnostic& error) {
@@ -60,29 +41,19 @@ class StageHints {
         stages_(stages),
         stage_(stage),
         found_(found),
-        files_(filesOf(index, stage)) {}
+        includes_(index, stage, found) {}
 
-  bool isOf(const Diagnostic& diagnostic) const {
-    if (diagnostic.includedFrom.empty()) return contains(files_, diagnostic.at.file);
-    return !files_.empty() && files_.front() == diagnostic.includedFrom.back().file;
-  }
+  IncludeHints& includes() { return includes_; }
 
   void explain(std::size_t index) {
     const std::string name = unknownName(found_[index].message);
     if (!name.empty()) {
       explainName(index, name);
     } else if (found_[index].message.find("syntax error") != std::string::npos) {
-      explainSyntax(index);
+      includes_.explainSyntax(index);
     } else if (found_[index].message.find("Missing entry point") != std::string::npos) {
-      explainEntry(index);
+      includes_.explainEntry(index);
     }
-  }
-
-  /// Adds where #include lines seem to be missing that would make known what explain() met.
-  void locateIncludes(const IncludeTrial& trial) {
-    const std::vector<std::string> before = filesOf(index_, stage_, firstUse_);
-    for (const MissingInclude& missing : findMissingIncludes(index_, before, unknown_, trial))
-      addMissing(missing);
   }
 
  private:
@@ -93,7 +64,7 @@ class StageHints {
     if (const std::string declaration = declarationOf(name); !declaration.empty()) {
       found_[index].hint = "it must be declared: " + declaration;
     }
-    explainInclude(index, name);
+    includes_.explainName(index, name);
     if (found_[index].hint.empty()) call ? suggestFunction(index, name) : suggestKnown(index, name);
   }
 
@@ -149,7 +120,7 @@ class StageHints {
 
   /// "float shade(" at the start of a line: functions that nothing calls are not in the text.
   void addWrittenFunctions() {
-    for (const std::string& file : files_) {
+    for (const std::string& file : includes_.files()) {
       const auto lines = index_.files().find(file);
       if (lines == index_.files().end()) continue;
       for (std::size_t i = 0; i < lines->second.size(); ++i) {
@@ -157,7 +128,7 @@ class StageHints {
         const std::string_view type = leadingWord(trim(line));
         const std::string_view rest = trim(trim(line).substr(type.size()));
         const std::string_view name = leadingWord(rest);
-        if (type.empty() || name.empty() || type == "return" || type == "else" || name == kMain ||
+        if (type.empty() || name.empty() || type == "return" || type == "else" || name == "main" ||
             !trim(rest.substr(name.size())).starts_with('('))
           continue;
         functions_->try_emplace(
@@ -198,7 +169,7 @@ class StageHints {
       return true;
     }
     // One name against several: the slip is in the declaration.
-    std::string line = sourceLine(at);
+    std::string line = sourceLineOf(index_, at);
     const std::size_t column = std::size_t(std::max(at.column - 1, 0));
     std::optional<LineEdit> repair;
     if (line.compare(std::min(column, line.size()), meant.size(), meant) == 0)
@@ -209,7 +180,7 @@ class StageHints {
          .message =
              fmt::format("nothing uses '{}', and '{}' is used without being declared", meant, name),
          .includedFrom = stage_.text.includedFrom(place.line, place.column),
-         .sourceLine = sourceLine(at),
+         .sourceLine = sourceLineOf(index_, at),
          .repair = std::move(repair)});
     return true;
   }
@@ -225,112 +196,6 @@ class StageHints {
   const std::map<std::string_view, TextPlace>& unusedDeclarations() {
     if (!unused_) unused_ = readUnusedDeclarations(stage_.text.text);
     return *unused_;
-  }
-
-  /// Is the name defined, and only in other files than these?
-  std::optional<SourceLocation> definedElsewhere(const std::string& name,
-                                                 const std::vector<std::string>& files) {
-    const auto& all = index_.definitionsOf(name);
-    const bool here = std::ranges::any_of(
-        all, [&](const SourceLocation& definition) { return contains(files, definition.file); });
-    if (here || all.empty()) return std::nullopt;
-    // Entry files are not included by others.
-    const auto shared = std::find_if(all.begin(), all.end(), [&](const SourceLocation& definition) {
-      return !definition.file.ends_with("sh");
-    });
-    return shared == all.end() ? all.front() : *shared;
-  }
-
-  // Programs declare contract names for themselves; only a file made for many is worth including.
-  bool isShared(const std::string& file) {
-    constexpr std::size_t kMany = 3, kMostFiles = 64;
-    std::set<std::string> users = {file};
-    std::vector<std::string> open = {file};
-    while (!open.empty() && users.size() < kMostFiles) {
-      const auto& includers = index_.includersOf(open.back());
-      open.pop_back();
-      for (const SourceLocation& includer : includers) {
-        if (users.insert(includer.file).second) open.push_back(includer.file);
-      }
-    }
-    return users.size() > kMany;
-  }
-
-  bool isInShared(const std::string& name) {
-    return std::ranges::any_of(
-        index_.definitionsOf(name),
-        [this](const SourceLocation& definition) { return isShared(definition.file); });
-  }
-
-  bool explainInclude(std::size_t index, const std::string& name) {
-    const std::size_t use = lineOf(stage_, found_[index].at);
-    const auto definition = definedElsewhere(name, use > 0 ? filesOf(index_, stage_, use) : files_);
-    if (!definition) return false;
-    const bool uniform = sourceLine(*definition).find("uniform") != std::string::npos;
-    if (uniform && isOfContract(name) && !isInShared(name)) return false;
-    const std::string where = fmt::format("defined at {}:{}, which is not included here",
-                                          definition->file, definition->line);
-    Diagnostic& error = found_[index];
-    error.hint += (error.hint.empty() ? "" : "; ") + where;
-    unknown_.push_back({name, error.at, error.includedFrom});
-    if (use > 0) firstUse_ = firstUse_ > 0 ? std::min(firstUse_, use) : use;
-    return true;
-  }
-
-  void addMissing(const MissingInclude& missing) {
-    const UnknownName& name = unknown_[missing.first];
-    const std::string problem =
-        name.name == kMain
-            ? "the stage has no main()"
-            : fmt::format("'{}' is unknown at {}:{}", name.name, name.at.file, name.at.line);
-    Diagnostic companion{.severity = Severity::Error,
-                         .id = "include-probably-missing",
-                         .at = missing.at,
-                         .message = problem + ": an #include seems to be missing here",
-                         .sourceLine = sourceLine(missing.at),
-                         .hint = fmt::format("#include \"{}\"", missing.target),
-                         .repair = LineEdit{missing.at.file, missing.at.line,
-                                            fmt::format("#include \"{}\"", missing.target)}};
-    if (missing.model.line > 0) {
-      companion.notes.push_back(
-          fmt::format("as {}:{} does", missing.model.file, missing.model.line));
-    }
-    add(std::move(companion));
-  }
-
-  // A type or macro that is not there reads as a syntax error: some word of the line is the cause, and
-  // none that the text has before, as a compiler ends at the first syntax error.
-  void explainSyntax(std::size_t index) {
-    if (!found_[index].hint.empty()) return;
-    const std::string line = found_[index].sourceLine;
-    std::set<std::string, std::less<>> before;
-    forEachWord(textBefore(lineOf(stage_, found_[index].at)),
-                [&](std::string_view word) { before.emplace(word); });
-    bool done = false;
-    forEachWord(line, [&](std::string_view word) {
-      if (!done && isOwnName(word) && !before.contains(word))
-        done = explainInclude(index, std::string(word));
-    });
-  }
-
-  std::string_view textBefore(std::size_t line) const {
-    std::size_t end = 0;
-    for (std::size_t i = 1; i < line && end != std::string::npos; ++i)
-      end = stage_.text.text.find('\n', end + 1);
-    return std::string_view(stage_.text.text).substr(0, end);
-  }
-
-  // A stage without main is a stub whose only #include is missing.
-  void explainEntry(std::size_t index) {
-    if (files_.empty()) return;
-    const auto lines = index_.files().find(files_.front());
-    if (lines == index_.files().end() || found_[index].at.line > 0) return;
-    const auto& includes = index_.includesOf(files_.front());
-    const int last = static_cast<int>(lines->second.size());
-    found_[index].at.line = std::max(1, includes.empty() ? last : includes.back().line + 1);
-    found_[index].hint = "write void main() here, or #include the file that does";
-    if (definedElsewhere(kMain, files_))
-      unknown_.push_back({kMain, {files_.front(), last + 1, 0}, {}});
   }
 
   void suggestKnown(std::size_t index, const std::string& name) {
@@ -350,29 +215,15 @@ class StageHints {
         fmt::format("did you mean {}? It must be declared: {}", known, declaration);
   }
 
-  std::string sourceLine(const SourceLocation& at) {
-    const auto file = index_.files().find(at.file);
-    const bool exists = file != index_.files().end() && at.line > 0 &&
-                        static_cast<std::size_t>(at.line) <= file->second.size();
-    return exists ? file->second[static_cast<std::size_t>(at.line) - 1] : "";
-  }
-
-  void add(Diagnostic diagnostic) {
-    const bool known = std::any_of(found_.begin(), found_.end(), [&](const Diagnostic& d) {
-      return d.id == diagnostic.id && d.at == diagnostic.at;
-    });
-    if (!known) found_.push_back(std::move(diagnostic));
-  }
+  void add(Diagnostic diagnostic) { addNewPlace(std::move(diagnostic), found_); }
 
   DefinitionIndex& index_;
   const std::vector<const StageText*>& stages_;  ///< of the program
   const StageText& stage_;
   Diagnostics& found_;
-  std::vector<std::string> files_;
-  std::vector<UnknownName> unknown_;
+  IncludeHints includes_;
   std::optional<std::map<std::string_view, TextPlace>> unused_;
   std::optional<std::map<std::string, SourceLocation>> functions_;  ///< that the text defines
-  std::size_t firstUse_ = 0;  ///< the line of the text that uses the first of these, 0: not known
 };
 
 }  // namespace
@@ -392,13 +243,13 @@ void explainUnknownNames(DefinitionIndex& index, const std::vector<const StageTe
     StageHints hints(index, stages, *stage, found);
     std::size_t explained = 0;
     for (std::size_t i = 0; i < count && explained < kMostExplained; ++i) {
-      if (found[i].severity != Severity::Error || !hints.isOf(found[i])) continue;
+      if (found[i].severity != Severity::Error || !hints.includes().covers(found[i])) continue;
       // What another version or profile of GLSL has, no declaration is missing for.
       if (!found[i].hint.empty() && !unknownName(found[i].message).empty()) continue;
       hints.explain(i);
       ++explained;
     }
-    hints.locateIncludes(trial);
+    hints.includes().locate(trial);
   }
 }
 
