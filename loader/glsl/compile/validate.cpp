@@ -121,7 +121,11 @@ void describeBrace(const MissingBrace& missing, const StageText& stage, const So
 // the missing one follows from it.
 bool reportMissingBrace(const std::vector<LogEntry>& entries, const StageText& stage,
                         const SourceLines& lines, Diagnostics& diagnostics) {
-  if (entries.empty()) return false;
+  const auto isOfSyntax = [](const LogEntry& entry) {
+    return entry.message.find("syntax error") != std::string::npos;
+  };
+  // To read all of the text takes as long as a good part of compiling it.
+  if (std::ranges::none_of(entries, isOfSyntax)) return false;
   const auto missing = findMissingBrace(stage.text, lines);
   if (!missing) return false;
   Diagnostic d;

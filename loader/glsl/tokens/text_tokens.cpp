@@ -86,6 +86,18 @@ bool isHeadThatGoesOn(std::span<const Token> tokens, const Token& parenthesis) {
          isOneOf(below->text, {"||", "&&", "==", "!=", "<", ">", "+", "-", "*", "/"});
 }
 
+/// Does the line before, blank ones left out, end a statement or a block?
+bool beginsStatement(std::string_view text, int line) {
+  std::size_t begin = 0;
+  for (int i = 1; i < line; ++i) {
+    const std::size_t end = text.find('\n', begin);
+    if (end == text.npos) return false;
+    begin = end + 1;
+  }
+  const std::size_t last = text.substr(0, begin).find_last_not_of(" \t\r\n");
+  return last != text.npos && isOneOf(text.substr(last, 1), {";", "{", "}"});
+}
+
 }  // namespace
 
 std::vector<Token> tokensOf(const MappedText& text) {
@@ -128,7 +140,7 @@ std::optional<Token> unclosedParenthesis(const MappedText& text, int line,
   const bool maybe = message.find("syntax error") != std::string_view::npos ||
                      message.find("too many arguments") != std::string_view::npos ||
                      message.find("no matching overloaded function") != std::string_view::npos;
-  if (!maybe) return std::nullopt;
+  if (!maybe || beginsStatement(text.text, line)) return std::nullopt;
   const std::vector<Token> tokens = tokensOf(text);
   const auto ends = [](const Token& token) { return isOneOf(token.text, {";", "{", "}"}); };
   const auto end = std::ranges::find_if(
