@@ -390,6 +390,13 @@ ONCE = [
                "shaders.properties": "screen=MODE\nsliders=MODE\n", "lang/en_us.lang": "option.MODE=m\n"}),
          [r"^/final\.fsh:2:\d+: error: \"/\.\./shaders/lib/settings\.glsl\" leads out of the shaders folder"],
          stderr=["hint: write \"/lib/settings\\.glsl\""], stdout=["^  1 error$"]),
+    Case("one_advice_for_several_lines_is_given_once", ["validate pack"], 1,
+         pack({"final.vsh": "#version 330 compatibility\nout vec2 a, b;\n"
+                            "void main() { a = b = vec2(0.0); gl_Position = ftransform(); }\n",
+               "final.fsh": "#version 420\nvarying vec2 a;\nvarying vec2 b;\nlayout(location = 0) out vec4 color;\n"
+                            "void main() { color = vec4(a, b); }\n"}),
+         [r"^/final\.fsh:2:\d+: error: 'varying' : no longer supported"],
+         stderr=FOLLOW, stdout=["^  1 error$"]),
     Case("options_of_a_file_that_is_not_read", ["validate pack"], 1,
          pack({"final.fsh": FINAL.replace("\n", '\n#include "/lib/main.glsl" all\n', 1),
                "lib/main.glsl": "#define STEPS 1 // [1 2]\nfloat f() { return float(STEPS); }\n"
