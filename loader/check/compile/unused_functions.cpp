@@ -178,7 +178,7 @@ class UnusedFunctions {
         [this](const std::string& file, int line) {
           return folders_.front().sourceLine(file, line);
         },
-        found);
+        found, CompileErrors::First);
     const auto error = std::find_if(found.begin(), found.end(), [](const Diagnostic& d) {
       return d.severity == Severity::Error;
     });

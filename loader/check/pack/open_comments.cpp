@@ -6,6 +6,7 @@
 #include <set>
 
 #include "check/hints/compile_hints.h"
+#include "check/hints/glsl_functions.h"
 #include "check/hints/line_trial.h"
 #include "check/pack/pack_texts.h"
 #include "check/workers/diagnostic_codec.h"
@@ -19,6 +20,7 @@ namespace {
 // Packs are untrusted; each trial compiles up to this many programs.
 constexpr std::size_t kMostComments = 8, kMostSamples = 2;
 constexpr const char* kNested = "comment-nested";
+constexpr const char* kUnbalanced = "conditional-unbalanced";
 
 bool startsParagraph(std::string_view line) {
   const std::string_view text = trim(line);
@@ -111,7 +113,11 @@ class Lacking {
  public:
   explicit Lacking(const Diagnostics& diagnostics) {
     for (const Diagnostic& d : diagnostics) {
-      if (const std::string name = unknownName(d.message); !name.empty()) names_.insert(name);
+      if (d.severity != Severity::Error && d.id != kUnbalanced) continue;
+      const std::string name = unknownName(d.message);
+      if (isOfLanguage(d.message, name)) continue;
+      anything_ = true;
+      if (!name.empty()) names_.insert(name);
       if (d.message.find("Missing entry point") != std::string::npos) names_.insert("main");
       braces_ = braces_ || d.id == "brace-unbalanced";
     }
@@ -120,6 +126,7 @@ class Lacking {
   /// May the lines of the comment hold it? A directive may be anything's.
   bool isIn(const OpenComment& comment, const FileLines& lines) const {
     bool found = false;
+    if (!anything_) return found;
     for (int number = comment.line; number < comment.nestedLine && !found; ++number) {
       const std::string& line = lines[std::size_t(number) - 1];
       found = braces_ && line.find_first_of("{}") != std::string::npos;
@@ -131,8 +138,14 @@ class Lacking {
   }
 
  private:
+  /// A built-in function called with other types, or a constant that is none: no line is missing.
+  static bool isOfLanguage(const std::string& message, const std::string& name) {
+    return std::ranges::binary_search(builtInFunctions(), name) ||
+           message.find("initializers must be constant") != std::string::npos;
+  }
+
   std::set<std::string, std::less<>> names_;
-  bool braces_ = false;
+  bool anything_ = false, braces_ = false;
 };
 
 std::vector<CommentInFile> commentsOfFailing(const ShaderPack& folder, const Verdicts& verdicts,
@@ -170,7 +183,7 @@ std::ptrdiff_t problemsWith(const ShaderPack& folder, const CommentInFile& in,
   for (const ProgramUnit& unit : in.samples) {
     const auto left = diagnosticsWith(folder, unit, added, CompileErrors::First);
     problems += std::ranges::count_if(left ? *left : unit.program->diagnostics, [](const auto& d) {
-      return d.severity == Severity::Error || d.id == "conditional-unbalanced";
+      return d.severity == Severity::Error || d.id == kUnbalanced;
     });
   }
   return problems;
