@@ -43,9 +43,14 @@ FolderBuild::FolderBuild(const FolderBuild& host, const ModFamily& mod,
       mod_(&mod),
       edited_(host.edited_) {
   // Packs ask for the mod in shaders.properties too, often to enable its programs.
-  MacroDefinitions macros = environment;
-  macros.emplace_back(mod.macro, "");
-  readProperties(macros, similar);
+  const auto asks = [&](const std::string& macro) { return macro == mod.macro; };
+  if (std::ranges::any_of(host.properties().modMacros, asks)) {
+    MacroDefinitions macros = environment;
+    macros.emplace_back(mod.macro, "");
+    readProperties(macros, similar);
+  } else {
+    properties_ = std::make_shared<const PackProperties>(withMacro(host.properties(), mod.macro));
+  }
   if (mod.group == ProgramGroup::Voxy) {
     listVoxy(uniformTypes);
   } else {

@@ -1,11 +1,13 @@
 #include "pack/properties/pack_properties.h"
 
 #include <algorithm>
+#include <set>
 
 #include "core/text_file.h"
 #include "glsl/preprocess/name_watch.h"
 #include "pack/files/text.h"
 #include "pack/ids/legacy_ids.h"
+#include "pack/mods/mods.h"
 #include "pack/options/auto_properties.h"
 #include "pack/properties/counter_warning.h"
 #include "pack/properties/latin_text.h"
@@ -31,6 +33,17 @@ MacroDefinitions propertyMacros(const PackFiles& files, const OptionValues& valu
     for (const auto& [name, body] : *more) macros.emplace_back(name, body.empty() ? "1" : body);
   }
   return macros;
+}
+
+bool isModMacro(std::string_view name) {
+  return std::ranges::find(modFamilies(), name, &ModFamily::macro) != modFamilies().end();
+}
+
+/// Sorted, each once.
+std::vector<std::string> watchedNames(const PackFiles& files) {
+  std::set<std::string> names(files.optionNames.begin(), files.optionNames.end());
+  for (const ModFamily& mod : modFamilies()) names.emplace(mod.macro);
+  return {names.begin(), names.end()};
 }
 
 void readIds(const PackFiles& files, const MacroDefinitions& macros, NameWatch& watch,
@@ -62,7 +75,8 @@ void readIds(const PackFiles& files, const MacroDefinitions& macros, NameWatch& 
 PackProperties readPackProperties(const PackFiles& files, const OptionValues& values,
                                   const MacroDefinitions& environment) {
   PackProperties out;
-  NameWatch watch(files.optionNames);
+  const std::vector<std::string> watched = watchedNames(files);
+  NameWatch watch(watched);
   const MacroDefinitions macros = propertyMacros(files, values, environment);
   if (files.properties) {
     out.shader = parseShaderProperties(kPropertiesFile, *files.properties, macros, files.options,
@@ -81,9 +95,18 @@ PackProperties readPackProperties(const PackFiles& files, const OptionValues& va
       out.shaderMacros.push_back(std::move(macro));
   }
   readIds(files, macros, watch, out);
-  out.options = watch.used();
+  for (std::string& name : watch.used()) {
+    if (isModMacro(name)) out.modMacros.push_back(name);
+    if (files.options.find(name)) out.options.push_back(std::move(name));
+  }
   out.macros = macros;
   return out;
+}
+
+PackProperties withMacro(PackProperties properties, std::string_view macro) {
+  properties.macros.emplace_back(macro, "1");
+  properties.shaderMacros.emplace_back(macro, "");
+  return properties;
 }
 
 }  // namespace orris
