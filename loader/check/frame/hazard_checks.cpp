@@ -159,8 +159,12 @@ bool readsLevel(std::string_view text, const WordPlace& place) {
 void checkLevelsOf(const FrameView& frame, const FramePass& pass, Diagnostics& diagnostics) {
   for (const BufferUse& use : pass.uses) {
     if (use.buffer.image || !use.isColor(false)) continue;
-    for (const WordPlace& place : findUses(*pass.program, pass.kind == Kind::Compute, use.name)) {
-      if (!readsLevel(place.stage->text.text, place)) continue;
+    const bool computes = pass.kind == Kind::Compute;
+    const auto reads = [](const WordPlace& at) { return readsLevel(at.stage->text.text, at); };
+    // Few texts have such a call: whether it is reached is costlier to find out.
+    if (std::ranges::none_of(findWord(*pass.program, computes, use.name), reads)) continue;
+    for (const WordPlace& place : findUses(*pass.program, computes, use.name)) {
+      if (!reads(place)) continue;
       if (frame.mentions().mipmapped.contains(use.buffer.index)) break;
       diagnostics.push_back(diagnosticAt(
           frame.pack, Severity::Warning, "mipmap-missing", place,
