@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "check/compile/link_errors.h"
 #include "check/hints/conditional_place.h"
+#include "check/interface/declaration_checks.h"
 #include "check/pack/open_comments.h"
 #include "check/pack/pack_checks.h"
 #include "check/rules/rules.h"
@@ -50,10 +52,14 @@ void checkPrograms(const ShaderPack& pack, Checker& checker, Diagnostics& diagno
 // The size decides nothing that the checks look at but sizes given in pixels.
 constexpr int kScheduleWidth = 1920, kScheduleHeight = 1080;
 
-void checkFrame(const ShaderPack& pack, const TargetLimits& target, Diagnostics& diagnostics) {
+/// Names of programs whose stages do not link, though each compiles.
+std::set<std::string> checkFrame(const ShaderPack& pack, const TargetLimits& target,
+                                 Diagnostics& diagnostics) {
   const Schedule schedule = buildSchedule(pack, kScheduleWidth, kScheduleHeight, {}, diagnostics);
-  const Diagnostics found = checkFolder({.pack = pack, .schedule = schedule, .target = target});
+  const FolderInput input{.pack = pack, .schedule = schedule, .target = target};
+  const Diagnostics found = checkFolder(input);
   diagnostics.insert(diagnostics.end(), found.begin(), found.end());
+  return hasErrors(found) ? programsThatDoNotLink(input) : std::set<std::string>();
 }
 
 /// The folders under the values of `request`, from the files that `outline` was loaded from.
@@ -100,7 +106,7 @@ void checkOne(const ShaderPack& pack, const LoadRequest& request, Checker& check
               PackVerdict& verdict, ProblemList& problems) {
   Diagnostics diagnostics = ruleNotes(pack);
   checkPrograms(pack, checker, diagnostics);
-  checkFrame(pack, checker.target, diagnostics);
+  const std::set<std::string> unlinked = checkFrame(pack, checker.target, diagnostics);
   checkCandidates(pack, request, checker, diagnostics);
   verdict.dimensions.insert(pack.folder);
   verdict.profiles.insert(request.profile);
@@ -108,7 +114,8 @@ void checkOne(const ShaderPack& pack, const LoadRequest& request, Checker& check
     ProgramVerdicts& programs =
         unit.mod.empty() ? verdict.programs : verdict.modPrograms[std::string(unit.mod)];
     programs.all.insert(unit.name);
-    if (!checker.passed(unit.hash)) programs.failed.insert(unit.name);
+    if (!checker.passed(unit.hash) || unlinked.contains(unit.name))
+      programs.failed.insert(unit.name);
   }
   reportSwallowedCode(pack, checker.glslang, checker.jobs, diagnostics);
   if (checker.gpu && checker.draw && !hasErrors(diagnostics)) {

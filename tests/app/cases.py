@@ -439,6 +439,10 @@ ONCE = [
          pack({"final.fsh": FINAL.replace("in vec2 texcoord;", "in vec2 texcorod;")
                .replace("texcoord)", "texcoord + texcoord)")}),
          [r"^/final\.fsh:2:9: error: nothing uses 'texcorod', and 'texcoord' is used "]),
+    Case("a_block_that_the_stage_before_lacks", ["validate pack"], 1,
+         pack({"final.fsh": VERSION + "in Lost { vec2 a; } lost;\nvoid main() { gl_FragColor = lost.a.xyxy; }\n"}),
+         [r"^/final\.fsh:2:4: error: 'Lost' is read here, and the vertex stage does not declare it \[varying-missing\]$"],
+         stdout=[r"^pack: 0/1 programs$", "failed: /final"]),
     Case("comment_never_closed", ["validate pack"], 1,
          two_programs("#define EXPOSURE 1.0\n/* what it does\n" + SHADE, MORE),
          [r"^/lib/all\.glsl:2:1: error: block comment is not closed: .* \[comment-unclosed\]$", OWN],

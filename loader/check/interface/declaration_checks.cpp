@@ -41,6 +41,15 @@ void check(const ProgramInterface& program, DeclarationReport& report) {
   for (const ProgramCheck run : kChecks) run(program, report);
 }
 
+/// Calls `visit` for each set of stages that link together.
+template <typename Visit>
+void forEachInterface(const ShaderPack& pack, const Visit& visit) {
+  for (const ProgramSource& program : pack.programs) {
+    for (const ComputeSource& compute : program.computes) visit(interfaceOf(program, compute));
+    if (!program.stages.empty()) visit(interfaceOf(program));
+  }
+}
+
 }  // namespace
 
 std::string ProgramInterface::name() const {
@@ -131,13 +140,20 @@ std::string DeclarationReport::placeName(const StageInterface& stage, const Text
 
 void checkDeclarations(const FolderInput& input, Diagnostics& diagnostics) {
   DeclarationReport report(input, diagnostics);
-  for (const ProgramSource& program : input.pack.programs) {
-    for (const ComputeSource& compute : program.computes) {
-      check(interfaceOf(program, compute), report);
-    }
-    if (!program.stages.empty()) check(interfaceOf(program), report);
-  }
+  forEachInterface(input.pack, [&](const ProgramInterface& program) { check(program, report); });
   report.finishPairs();
+}
+
+std::set<std::string> programsThatDoNotLink(const FolderInput& input) {
+  std::set<std::string> names;
+  forEachInterface(input.pack, [&](const ProgramInterface& program) {
+    Diagnostics found;
+    DeclarationReport report(input, found);
+    checkVaryings(program, report);
+    report.finishPairs();
+    if (hasErrors(found)) names.insert(program.name());
+  });
+  return names;
 }
 
 }  // namespace orris

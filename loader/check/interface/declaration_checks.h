@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -65,6 +66,9 @@ class DeclarationReport {
 };
 
 void checkDeclarations(const FolderInput& input, Diagnostics& diagnostics);
+
+/// Names, as ProgramUnit has them, of the programs in whose varyings checkDeclarations() finds an error.
+std::set<std::string> programsThatDoNotLink(const FolderInput& input);
 
 /// varying-*: what a stage hands to the next.
 void checkVaryings(const ProgramInterface& program, DeclarationReport& report);
