@@ -122,7 +122,9 @@ def render_targets(view):
         digits = match.group(1) == "DRAWBUFFERS"
         listed = set(match.group(2).replace(" ", "") if digits else
                      re.findall(r"\d+", match.group(2)))
-        spare = next(str(i) for i in range(7, 0, -1) if str(i) not in listed)
+        spare = next((str(i) for i in range(7, 0, -1) if str(i) not in listed), None)
+        if spare is None:
+            continue
         yield edit("render-target-too-many", file, source, number, match.end(2), match.end(2),
                    spare if digits else "," + spare)
 
