@@ -260,11 +260,11 @@ bool Context::initialise(const GetProcAddress& getProcAddress, Diagnostics& diag
 
 std::vector<std::string> Context::takeErrors() {
   // A driver reports the same error twice, in words and by number; the words suffice.
-  const bool told = !errors_.empty();
+  const bool reported = !errors_.empty();
   for (int i = 0; i < int(kMaxErrors); ++i) {
     const GLenum error = GetError();
     if (error == GL_NO_ERROR) break;
-    if (!told) addOnce(errors_, errorName(error));
+    if (!reported) addOnce(errors_, errorName(error));
   }
   return std::exchange(errors_, {});
 }

@@ -20,9 +20,9 @@ std::set<std::string> quantitiesOf(const std::vector<AutoCandidate>& candidates)
 std::vector<AutoCandidate> autoCandidates(const ShaderPack& pack) {
   const PackFiles& files = pack.builds.front()->files();
   if (!files.properties || !asksForAuto(pack.properties)) return {};
-  Diagnostics told;  // when the pack was loaded
+  Diagnostics reported;  // when the pack was loaded
   return parseAutoOptions(kPropertiesFile, *files.properties, pack.propertyMacros, pack.options,
-                          told);
+                          reported);
 }
 
 std::vector<std::string> optionsAtAuto(const ShaderPack& pack) {
@@ -51,8 +51,9 @@ void AutoChoices::choose(const ShaderPack& asked, const LoadRequest& request,
   chosen.buildSources = false;
   for (const std::string& option : options) {
     // The pack's costs of one option may depend on what was chosen for another.
-    Diagnostics told;
-    const auto outline = choices.empty() ? std::nullopt : rebuildShaderPack(asked, chosen, told);
+    Diagnostics reported;
+    const auto outline =
+        choices.empty() ? std::nullopt : rebuildShaderPack(asked, chosen, reported);
     const ShaderPack& pack = outline ? *outline : asked;
     AutoChoice choice = chooseAuto(autoCandidates(pack), option, quantities_, present(option));
     if (choice.value.empty()) choice.value = kAutoValue;

@@ -126,9 +126,9 @@ class Measuring {
         const glm::vec4 target =
             view_.gbufferProjectionInverse * glm::vec4((float(column) + 0.5f) / kColumns * 2 - 1,
                                                        (float(row) + 0.5f) / kRows * 2 - 1, 1, 1);
-        const glm::vec3 way =
+        const glm::vec3 direction =
             glm::mat3(view_.gbufferModelViewInverse) * (glm::vec3(target) / target.w);
-        if (const auto found = firstBlock(glm::normalize(glm::dvec3(way))))
+        if (const auto found = firstBlock(glm::normalize(glm::dvec3(direction))))
           seen_->push_back(*found);
       }
     return *seen_;
@@ -140,15 +140,16 @@ class Measuring {
   }
 
   /// Cell by cell (Amanatides and Woo 1987). The cell of the eye does not stop the ray.
-  std::optional<Seen> firstBlock(const glm::dvec3& way) const {
+  std::optional<Seen> firstBlock(const glm::dvec3& direction) const {
     const glm::dvec3& eye = view_.cameraPosition;
     glm::ivec3 cell(glm::floor(eye)), step;
     glm::dvec3 next, each;
     for (int i = 0; i < 3; ++i) {
-      step[i] = way[i] < 0 ? -1 : 1;
-      each[i] = way[i] != 0 ? std::abs(1 / way[i]) : std::numeric_limits<double>::infinity();
-      const double rest = way[i] < 0 ? eye[i] - cell[i] : cell[i] + 1 - eye[i];
-      next[i] = way[i] != 0 ? rest * each[i] : each[i];
+      step[i] = direction[i] < 0 ? -1 : 1;
+      each[i] =
+          direction[i] != 0 ? std::abs(1 / direction[i]) : std::numeric_limits<double>::infinity();
+      const double rest = direction[i] < 0 ? eye[i] - cell[i] : cell[i] + 1 - eye[i];
+      next[i] = direction[i] != 0 ? rest * each[i] : each[i];
     }
     for (;;) {
       const int axis = next.x < next.y ? (next.x < next.z ? 0 : 2) : (next.y < next.z ? 1 : 2);
@@ -157,7 +158,7 @@ class Measuring {
       const glm::ivec3 before = cell;
       cell[axis] += step[axis];
       next[axis] += each[axis];
-      if (stops(cell)) return Seen{distance, eye + way * distance, before};
+      if (stops(cell)) return Seen{distance, eye + direction * distance, before};
     }
   }
 

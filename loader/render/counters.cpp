@@ -12,9 +12,9 @@ namespace {
 std::vector<CounterWarning> warningsOf(const ShaderPack& pack) {
   const PackFiles& files = pack.builds.front()->files();
   if (!files.properties) return {};
-  Diagnostics told;  // when the pack was loaded
+  Diagnostics reported;  // when the pack was loaded
   return parseCounterWarnings(kPropertiesFile, *files.properties, pack.propertyMacros,
-                              pack.properties, told);
+                              pack.properties, reported);
 }
 
 }  // namespace

@@ -25,8 +25,8 @@ gl::Program buildResolve() {
 }
 
 double strengthAt(const MeshLamp& lamp, const glm::dvec3& eye) {
-  const glm::dvec3 way = lamp.place() - eye;
-  return double(lamp.level * lamp.level) / std::max(glm::dot(way, way), 1.0);
+  const glm::dvec3 toLamp = lamp.place() - eye;
+  return double(lamp.level * lamp.level) / std::max(glm::dot(toLamp, toLamp), 1.0);
 }
 
 bool before(const glm::ivec3& a, const glm::ivec3& b) {

@@ -60,7 +60,7 @@ struct PathTracer::Query {
   glm::vec3 value{0};              ///< light, before what filters take
   std::uint32_t target = kNoQuad;  ///< must be met; kNoQuad: the sky
   const LampFace* ball = nullptr;  ///< must be reached, if only the blocks of its lamp
-  float reach = 0;                 ///< the way to it
+  float reach = 0;                 ///< the distance to it
   RayHit hit;
 
   void send(const TraceSurface& from, const glm::vec3& direction, std::uint64_t& count,
@@ -107,7 +107,7 @@ glm::vec3 PathTracer::sunVisibility(const TraceSurface& surface, RayCounts& coun
   return query.arrived();
 }
 
-/// Asks for the direct sun on a matt surface.
+/// Asks for the direct sun on a diffuse surface.
 void PathTracer::askSun(const TraceSurface& surface, Query& query, RayCounts& counts) const {
   query.wanted = false;
   if (scene_.lighting->lightIrradiance().r <= 0 || !scene_.grid.isOpen(surface.cell)) return;

@@ -46,7 +46,7 @@ struct TraceSurface {
 inline constexpr int kMostLayers = 64;
 
 /// What a pixel sees, found once: `constant` needs no sampling (sky, emission, direct sun), each layer
-/// adds weight times what its surface reflects of the light it receives: as a matt one, or as a mirror.
+/// adds weight times what its surface reflects of the light it receives: as a diffuse one, or as a mirror.
 struct PixelView {
   struct Layer {
     TraceSurface surface;

@@ -46,7 +46,7 @@ void PathTracer::seeOpaque(const Look& from, const RayHit& hit, const glm::vec3&
   const glm::vec3 toViewer = -from.ray.direction;
   const float cosine = std::max(glm::dot(surface.normal, toViewer), 0.0f);
   view.layers.push_back(
-      {surface, weight * scene_.lighting->mattShare(surface.gloss, surface.albedo, cosine)});
+      {surface, weight * scene_.lighting->diffuseShare(surface.gloss, surface.albedo, cosine)});
   view.layers.push_back({surface, weight, true, toViewer});
 }
 
@@ -64,9 +64,9 @@ float PathTracer::seeTranslucent(const Look& from, const RayHit& hit, const glm:
   const float mirror =
       quad.water ? kWaterReflectance + (1 - kWaterReflectance) * std::pow(grazing, 5.0f) : 0;
   const float alpha = glm::mix(scene_.grid.texel(quad, hit.at, level).a, 1.0f, mirror);
-  const glm::vec3 matt = weight * (alpha * (1 - mirror));
-  view.constant += matt * drawnSun(surface, toViewer, counts);
-  view.layers.push_back({surface, matt});
+  const glm::vec3 diffuse = weight * (alpha * (1 - mirror));
+  view.constant += diffuse * drawnSun(surface, toViewer, counts);
+  view.layers.push_back({surface, diffuse});
   if (mirror > 0) {
     const glm::vec3 direction = glm::reflect(from.ray.direction, surface.normal);
     const glm::vec3 share = weight * (alpha * mirror);

@@ -56,39 +56,40 @@ std::uint64_t CasterRays::keyOf(const glm::ivec3& cell) {
   return key;
 }
 
-bool CasterRays::blockedIn(const glm::ivec3& cell, const glm::dvec3& from, const glm::dvec3& way,
-                           double end) const {
+bool CasterRays::blockedIn(const glm::ivec3& cell, const glm::dvec3& from,
+                           const glm::dvec3& direction, double end) const {
   const auto found = byCell_.find(keyOf(cell));
   if (found == byCell_.end()) return false;
   return std::any_of(found->second.begin(), found->second.end(), [&](std::uint32_t index) {
     const Quad& quad = quads_[index];
-    const double slope = glm::dot(way, quad.normal);
+    const double slope = glm::dot(direction, quad.normal);
     if (std::abs(slope) < 1e-12) return false;
     const double t = glm::dot(quad.corners[0] - from, quad.normal) / slope;
-    return t > 0 && t < end && covers(quad.corners, quad.normal, from + way * t);
+    return t > 0 && t < end && covers(quad.corners, quad.normal, from + direction * t);
   });
 }
 
 bool CasterRays::blocked(const glm::dvec3& from, const glm::dvec4& toward) const {
-  glm::dvec3 way = glm::dvec3(toward) - toward.w * from;
-  const double end = toward.w == 0 ? std::numeric_limits<double>::infinity() : glm::length(way);
-  way = glm::normalize(way);
+  glm::dvec3 direction = glm::dvec3(toward) - toward.w * from;
+  const double end =
+      toward.w == 0 ? std::numeric_limits<double>::infinity() : glm::length(direction);
+  direction = glm::normalize(direction);
   glm::ivec3 cell(glm::floor(from));
   glm::dvec3 next(std::numeric_limits<double>::infinity()), step = next;
   for (int axis = 0; axis < 3; ++axis) {
-    if (way[axis] == 0) continue;
-    step[axis] = 1 / std::abs(way[axis]);
+    if (direction[axis] == 0) continue;
+    step[axis] = 1 / std::abs(direction[axis]);
     next[axis] =
-        (way[axis] > 0 ? cell[axis] + 1 - from[axis] : from[axis] - cell[axis]) * step[axis];
+        (direction[axis] > 0 ? cell[axis] + 1 - from[axis] : from[axis] - cell[axis]) * step[axis];
   }
   for (double t = 0; t < end;) {
-    if (blockedIn(cell, from, way, end)) return true;
+    if (blockedIn(cell, from, direction, end)) return true;
     const int axis = next.x < next.y ? (next.x < next.z ? 0 : 2) : (next.y < next.z ? 1 : 2);
     t = next[axis];
     next[axis] += step[axis];
-    cell[axis] += way[axis] > 0 ? 1 : -1;
+    cell[axis] += direction[axis] > 0 ? 1 : -1;
     // Past the last caster in this direction nothing follows.
-    if (way[axis] > 0 ? cell[axis] > high_[axis] : cell[axis] + 1 < low_[axis]) return false;
+    if (direction[axis] > 0 ? cell[axis] > high_[axis] : cell[axis] + 1 < low_[axis]) return false;
   }
   return false;
 }

@@ -1,4 +1,4 @@
-// The truth about shadows of one light: for each pixel whether the light reaches what it shows, by a
+// The reference for shadows of one light: for each pixel whether the light reaches what it shows, by a
 // ray to the light past whole caster faces. Shares nothing with shadow volumes but what casts.
 #pragma once
 
@@ -16,7 +16,7 @@ class CasterRays {
  public:
   explicit CasterRays(const CasterSet& casters);
   /// Does any face lie between `from` and `to`? Both in world blocks; with `toward.w` 0 its xyz is a
-  /// direction and the way never ends.
+  /// direction and the ray never ends.
   bool blocked(const glm::dvec3& from, const glm::dvec4& toward) const;
 
  private:
@@ -25,7 +25,7 @@ class CasterRays {
     glm::dvec3 normal;
   };
   static std::uint64_t keyOf(const glm::ivec3& cell);
-  bool blockedIn(const glm::ivec3& cell, const glm::dvec3& from, const glm::dvec3& way,
+  bool blockedIn(const glm::ivec3& cell, const glm::dvec3& from, const glm::dvec3& direction,
                  double end) const;
   std::vector<Quad> quads_;
   std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> byCell_;

@@ -135,7 +135,7 @@ void checkMatrix(const std::vector<ShaderPack>& folders, const LoadRequest& requ
   MatrixResult result = runMatrix({.folders = folders,
                                    .environment = request.environment,
                                    .verdicts = checker.glslang,
-                                   .told = problems.all()},
+                                   .reported = problems.all()},
                                   matrix, [&](std::size_t done, std::size_t total) {
                                     if (options.progress) options.progress(done, total);
                                   });

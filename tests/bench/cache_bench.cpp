@@ -1,5 +1,5 @@
-// bench_caches SAMPLES WORLD...: how far caches of light are from the truth in closed rooms, on the CPU, without a
-// renderer: what is looked up, what it costs in rays, how much it flickers; the truth of so many
+// bench_caches SAMPLES WORLD...: how far caches of light are from the reference in closed rooms, on the CPU, without a
+// renderer: what is looked up, what it costs in rays, how much it flickers; the reference is of so many
 // paths a pixel. One line of JSON a cache and world.
 #include <fmt/format.h>
 
@@ -45,13 +45,13 @@ class Errors {
 
   nlohmann::json result() const {
     double squares = 0, signedSum = 0, mean = 0;
-    for (const RoomPoint& point : room_.points()) mean += luminance(point.truth);
+    for (const RoomPoint& point : room_.points()) mean += luminance(point.reference);
     mean /= double(room_.points().size());
     for (std::size_t i = 0; i < sums_.size(); ++i) {
       const RoomPoint& point = room_.points()[i];
-      const double truth = luminance(point.truth);
+      const double reference = luminance(point.reference);
       const double x = luminance(point.direct) + sums_[i] / (double(frames_) * kLookups);
-      const double error = (x - truth) / (truth + .02 * mean);
+      const double error = (x - reference) / (reference + .02 * mean);
       squares += error * error;
       signedSum += error;
     }

@@ -57,7 +57,7 @@ std::optional<Room> Room::open(const std::string& path, int columns, int samples
       if (view.layers.empty()) continue;
       RoomPoint point{view.layers[0].surface};
       const auto pixel = std::uint32_t(y * columns + x);
-      point.truth = meanIncoming(all, point.surface, pixel, samples);
+      point.reference = meanIncoming(all, point.surface, pixel, samples);
       point.direct = meanIncoming(one, point.surface, pixel, samples);
       room.points_.push_back(point);
     }

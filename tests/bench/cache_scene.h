@@ -1,4 +1,4 @@
-// A closed room for comparing caches of light: its inner faces, points that a picture sees, and the truth
+// A closed room for comparing caches of light: its inner faces, points that a picture sees, and the reference
 // at them.
 #pragma once
 
@@ -13,7 +13,7 @@ glm::vec3 cosineAbout(const glm::vec3& n, SampleRandom& random);
 
 struct RoomPoint {
   TraceSurface surface;
-  glm::vec3 truth{0};   ///< mean incoming radiance, of all bounces
+  glm::vec3 reference{0};  ///< mean incoming radiance, of all bounces
   glm::vec3 direct{0};  ///< of it, what comes from lamps without a bounce
 };
 

@@ -8,7 +8,7 @@ namespace orris {
 namespace {
 
 constexpr int kLevels = 4;
-constexpr float kFirstWay = 1.5f;
+constexpr float kFirstReach = 1.5f;
 
 /// A point of the unit square to a direction: the octahedral map.
 glm::vec3 octahedral(glm::vec2 at) {
@@ -24,9 +24,9 @@ glm::vec3 octahedral(glm::vec2 at) {
 int directionsAlong(int level) { return 4 << level; }
 /// How far a level looks.
 float wayEnds(int level) {
-  float way = 0;
-  for (int i = 0; i <= level; ++i) way += kFirstWay * float(1 << 2 * i);
-  return way;
+  float reach = 0;
+  for (int i = 0; i <= level; ++i) reach += kFirstReach * float(1 << 2 * i);
+  return reach;
 }
 
 class Cascades : public LightCache {

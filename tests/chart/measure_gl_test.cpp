@@ -185,7 +185,7 @@ TEST_F(MeasureTest, TheBudgetLeavesTheRestForLater) {
   EXPECT_TRUE(baseline.done(plan_) && other.done(plan_));
 }
 
-TEST_F(MeasureTest, AnUnknownBufferIsToldWithThoseThatThereAre) {
+TEST_F(MeasureTest, AnUnknownBufferIsReportedWithThoseThatExist) {
   plan_.buffer = "colortex7";
   SettingJob baseline = job("a", {});
   run({&baseline});

@@ -49,7 +49,7 @@ TEST(Axes, MakeEveryCombination) {
   EXPECT_THAT(labels({}), ElementsAre("as it is"));
 }
 
-TEST(Axes, EveryMistakeIsToldWithWhatIsNearest) {
+TEST(Axes, EveryMistakeIsReportedWithWhatIsNearest) {
   EXPECT_THAT(
       labels({"QALITY", "profile=FAT", "SHADOWS=maybe", "size", "QUALITY=LOW", "QUALITY=HIGH",
               "size=0x3"}),

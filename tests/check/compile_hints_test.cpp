@@ -181,7 +181,7 @@ TEST(CompileHints, of_two_gaps_the_one_where_the_program_compiles) {
                               "#include seems to be missing here | #include \"/tint.glsl\""));
 }
 
-TEST(CompileHints, other_places_that_are_nearly_as_likely_are_told_too) {
+TEST(CompileHints, other_places_that_are_nearly_as_likely_are_reported_too) {
   const Lines lines = compile(
       {{"/first.glsl", "const float FIRST = 1.0;\n"},
        {"/second.glsl", "const float SECOND = 1.0;\n"},
@@ -238,7 +238,7 @@ TEST(CompileHints, a_program_of_a_mod_is_nothing_to_include) {
                               "#include seems to be missing here | #include \"/x.glsl\""));
 }
 
-TEST(CompileHints, one_include_that_heals_all_programs_is_told_once) {
+TEST(CompileHints, one_include_that_fixes_all_programs_is_reported_once) {
   const std::string head = kVersion + "#include \"/common.glsl\"\n";
   Files files{{"/common.glsl", "const float A = 1.0;\n\n#include \"/b.glsl\"\n"},
               {"/b.glsl", "const float B = 1.0;\n"},
@@ -263,7 +263,7 @@ TEST(CompileHints, one_include_that_heals_all_programs_is_told_once) {
             1);
 }
 
-TEST(CompileHints, what_one_program_lacks_besides_stays_told) {
+TEST(CompileHints, what_one_program_lacks_besides_stays_reported) {
   const std::string head = kVersion + "#include \"/common.glsl\"\n";
   const Lines lines =
       compile({{"/common.glsl", "const float A = 1.0;\n\n#include \"/b.glsl\"\n"},
@@ -283,7 +283,7 @@ TEST(CompileHints, what_one_program_lacks_besides_stays_told) {
                                         "missing here | #include \"/util.glsl\"")));
 }
 
-TEST(CompileHints, includes_that_no_line_of_a_common_file_replaces_are_told_each) {
+TEST(CompileHints, includes_that_no_line_of_a_common_file_replaces_are_reported_each) {
   Files files{{"/common.glsl", "const float A = 1.0;\n\n#include \"/b.glsl\"\n"},
               {"/b.glsl", "const float B = 1.0;\n"},
               {"/one.glsl", "float one() { return A; }\n"},

@@ -17,8 +17,8 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-/// "line: message" of what is told of conditionals in `file`, over all folders.
-Lines told(const Files& files, const std::vector<std::string>& dimensions, bool settle) {
+/// "line: message" of what is reported of conditionals in `file`, over all folders.
+Lines reported(const Files& files, const std::vector<std::string>& dimensions, bool settle) {
   std::vector<ShaderPack> folders;
   std::vector<Diagnostics> found;
   for (const std::string& dimension : dimensions) {
@@ -63,10 +63,10 @@ std::string lacksEndif(const std::string& head) {
 
 TEST(ConditionalPlace, an_endif_stands_where_the_program_compiles) {
   const Files files{{"/composite.vsh", kVertexStage}, {"/composite.fsh", lacksEndif("\n")}};
-  EXPECT_THAT(told(files, {"/"}, false),
+  EXPECT_THAT(reported(files, {"/"}, false),
               Contains("/composite.fsh:22: expected #endif after this line: nothing closes the "
                        "#ifdef in line 21"));
-  EXPECT_THAT(told(files, {"/"}, true),
+  EXPECT_THAT(reported(files, {"/"}, true),
               AllOf(Contains("/composite.fsh:17: expected #endif after this line: nothing closes "
                              "the #ifdef in line 6"),
                     Contains("/composite.fsh:6: the #ifdef without #endif"),
@@ -82,7 +82,7 @@ TEST(ConditionalPlace, of_places_with_which_not_all_compile_the_one_with_the_few
                     {"/composite1.vsh", kVertexStage},
                     {"/composite1.fsh", kVersion + include},
                     {"/lib.glsl", body.substr(body.find("void main"))}};
-  EXPECT_THAT(told(files, {"/"}, true),
+  EXPECT_THAT(reported(files, {"/"}, true),
               Contains("/lib.glsl:15: expected #endif after this line: nothing closes the #ifdef "
                        "in line 4"));
 }
@@ -99,7 +99,7 @@ TEST(ConditionalPlace, one_place_is_tried_for_all_folders) {
       {"/lib.glsl", shared}};
   for (const std::vector<std::string>& folders :
        {std::vector<std::string>{"world0", "world1"}, {"world1", "world0"}}) {
-    const Lines lines = told(files, folders, true);
+    const Lines lines = reported(files, folders, true);
     EXPECT_THAT(lines, Each(AnyOf(StartsWith("/lib.glsl:4:"), StartsWith("/lib.glsl:15:"),
                                   HasSubstr("or nothing closes"))));
   }
@@ -120,8 +120,8 @@ TEST(ConditionalPlace, an_endif_too_many_is_the_one_without_which_the_program_co
                                "#endif\n"  // to 19
                                "gl_FragColor = vec4(glow);\n}\n";
   const Files files{{"/composite.vsh", kVertexStage}, {"/composite.fsh", fragment}};
-  EXPECT_THAT(told(files, {"/"}, false), Contains("/composite.fsh:19: #endif without #if"));
-  EXPECT_THAT(told(files, {"/"}, true), Contains("/composite.fsh:9: #endif without #if"));
+  EXPECT_THAT(reported(files, {"/"}, false), Contains("/composite.fsh:19: #endif without #if"));
+  EXPECT_THAT(reported(files, {"/"}, true), Contains("/composite.fsh:9: #endif without #if"));
 }
 
 // An #ifdef FSH is missing in line 13; neither always nor never would do for both stages.
@@ -136,17 +136,17 @@ TEST(ConditionalPlace, an_if_of_a_stage_is_that_of_the_stage_that_has_none) {
       {"/composite.vsh", kVersion + "#define VSH\n#include \"/composite.glsl\"\n"},
       {"/composite.fsh", kVersion + "#define LIGHT 0.5\n#include \"/composite.glsl\"\n"},
       {"/composite.glsl", both}};
-  EXPECT_THAT(
-      told(files, {"/"}, true),
-      AllOf(Contains("/composite.glsl:21: #endif without #if"),
-            Contains(AnyOf(StartsWith("/composite.glsl:12: or an #if is missing before this line"),
-                           StartsWith("/composite.glsl:14: or an #if is missing before this line")))));
+  EXPECT_THAT(reported(files, {"/"}, true),
+              AllOf(Contains("/composite.glsl:21: #endif without #if"),
+                    Contains(AnyOf(
+                        StartsWith("/composite.glsl:12: or an #if is missing before this line"),
+                        StartsWith("/composite.glsl:14: or an #if is missing before this line")))));
 }
 
 TEST(ConditionalPlace, a_slip_and_what_pairs_stay_as_they_are) {
   const Files files{{"/composite.vsh", kVertexStage},
                     {"/composite.fsh", kVersion + "#ifdef A\n#endfi\nvoid main() {}\n"}};
-  EXPECT_EQ(told(files, {"/"}, true), told(files, {"/"}, false));
+  EXPECT_EQ(reported(files, {"/"}, true), reported(files, {"/"}, false));
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ TEST(CustomUniforms, those_that_evaluate_are_no_problem) {
               testing::IsEmpty());
 }
 
-TEST(CustomUniforms, names_that_do_not_exist_and_syntax_are_told_at_their_line) {
+TEST(CustomUniforms, names_that_do_not_exist_and_syntax_are_reported_at_their_line) {
   EXPECT_THAT(messagesFor("\nuniform.float.a = sni(1.0)\n"),
               testing::ElementsAre(testing::StartsWith("uniform-dropped /shaders.properties:2:")));
   EXPECT_THAT(messagesFor("\nuniform.float.a = frameTimeConter\n"),

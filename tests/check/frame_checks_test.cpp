@@ -21,7 +21,7 @@ TEST(TargetUnread, a_buffer_that_no_file_names_is_reported_at_the_directive) {
                   "it"));
 }
 
-TEST(TargetUnread, the_first_writer_is_told_and_only_that) {
+TEST(TargetUnread, the_first_writer_is_reported_and_only_that) {
   Files files = cleanPack();
   addProgram(files, "deferred", fragmentStage("5", {"colortex0"}));
   addProgram(files, "composite", fragmentStage("1,5", {"colortex0"}));

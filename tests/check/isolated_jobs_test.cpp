@@ -53,7 +53,7 @@ TEST(IsolatedJobs, each_job_gives_its_result_whatever_the_workers) {
   }
 }
 
-TEST(IsolatedJobs, job_that_kills_its_worker_is_told_and_the_rest_goes_on) {
+TEST(IsolatedJobs, job_that_kills_its_worker_is_reported_and_the_rest_goes_on) {
   const auto outcomes = run({.count = 5, .workers = 2, .work = [](std::size_t i) {
                                if (i == 1) raise(SIGKILL);
                                if (i == 2) _exit(9);

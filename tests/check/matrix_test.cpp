@@ -14,7 +14,7 @@ using testing::IsEmpty;
 /// A pack as the command loads it, and what its matrix says.
 struct Matrix {
   MatrixResult result;
-  Diagnostics told;
+  Diagnostics reported;
   std::vector<std::string> texts() const {
     std::vector<std::string> list;
     for (const Diagnostic& diagnostic : result.diagnostics) {
@@ -35,14 +35,14 @@ Matrix run(const Files& files, MatrixRequest request, OptionValues values = {}) 
   std::vector<std::string> names{"/"};
   for (std::size_t i = 0; i < names.size(); ++i) {
     load.dimension = names[i];
-    auto pack = loadShaderPack(source, load, matrix.told);
+    auto pack = loadShaderPack(source, load, matrix.reported);
     EXPECT_TRUE(pack);
     if (!pack) return matrix;
     names = pack->dimensions;
-    checkWithGlslang(*pack, 2, verdicts, matrix.told);
+    checkWithGlslang(*pack, 2, verdicts, matrix.reported);
     folders.push_back(std::move(*pack));
   }
-  matrix.result = runMatrix({folders, load.environment, verdicts, matrix.told}, request,
+  matrix.result = runMatrix({folders, load.environment, verdicts, matrix.reported}, request,
                             [](std::size_t, std::size_t) {});
   return matrix;
 }
@@ -152,9 +152,9 @@ TEST(Matrix, report_is_the_same_for_any_number_of_processes) {
   EXPECT_FALSE(one.empty());
 }
 
-TEST(Matrix, what_fails_with_the_values_in_force_is_not_told_again) {
+TEST(Matrix, what_fails_with_the_values_in_force_is_not_reported_again) {
   const Matrix matrix = run(kTwoFolders, {.kind = MatrixKind::Each}, {{"WATER", "true"}});
-  EXPECT_TRUE(hasErrors(matrix.told));
+  EXPECT_TRUE(hasErrors(matrix.reported));
   for (const Diagnostic& diagnostic : matrix.result.diagnostics) {
     EXPECT_NE(diagnostic.at.file, "/lib/water.glsl");
   }
@@ -208,9 +208,9 @@ TEST(Matrix, numbers_that_may_decide_are_compiled_each) {
   const Matrix matrix =
       run(sliderPack("float a[SIZE];\na[6] = 1.0;\n"), {.kind = MatrixKind::Each, .jobs = 2});
   EXPECT_EQ(matrix.result.compiled, 19u);
-  // With the values in force it fails as well, which is told there, in other words.
-  ASSERT_EQ(matrix.told.size(), 1u);
-  EXPECT_EQ(matrix.told[0].message, "'[' :  array index out of range '6'");
+  // With the values in force it fails as well, which is reported there, in other words.
+  ASSERT_EQ(matrix.reported.size(), 1u);
+  EXPECT_EQ(matrix.reported[0].message, "'[' :  array index out of range '6'");
 }
 
 TEST(Matrix, numbers_of_which_a_condition_hears_by_another_name_are_all_tried) {
@@ -275,14 +275,14 @@ TEST(Matrix, without_time_it_says_that_it_tried_nothing) {
   EXPECT_EQ(matrix.result.tried, 0u);
 }
 
-TEST(Matrix, cause_that_time_was_too_short_for_is_told_as_not_minimised) {
-  Diagnostics told;
+TEST(Matrix, cause_that_time_was_too_short_for_is_reported_as_not_minimised) {
+  Diagnostics reported;
   auto pack =
-      loadShaderPack(memorySource(plantedPack()), {.environment = standardMacros({})}, told);
+      loadShaderPack(memorySource(plantedPack()), {.environment = standardMacros({})}, reported);
   ASSERT_TRUE(pack);
   const Verdicts verdicts;
   const std::vector<ShaderPack> folders{*pack};
-  const MatrixBase base{folders, standardMacros({}), verdicts, told};
+  const MatrixBase base{folders, standardMacros({}), verdicts, reported};
   MatrixPlan plan = planMatrix(base, {.kind = MatrixKind::Each});
   plan.configurations[plan.jobs[0].configuration] = {{"OPT_7", "true"}, {"VAL_3", "2"}};
   const BaseShapes shapes(base, plan);

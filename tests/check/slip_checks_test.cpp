@@ -63,15 +63,16 @@ TEST(Slips, a_decimal_condition_names_a_value_that_it_takes_for_another) {
   Diagnostics diagnostics;
   const ShaderPack pack = loadFolder(files);
   checkDecimals({&pack, 1}, diagnostics);
-  std::vector<std::string> told;
+  std::vector<std::string> reported;
   for (const Diagnostic& d : diagnostics)
-    told.push_back((d.severity == Severity::Note ? "note " : "") + d.message);
+    reported.push_back((d.severity == Severity::Note ? "note " : "") + d.message);
   const std::string counts = "conditions count in whole numbers: ";
   // 0.5, 1.0 and 2.0 are at least 1.0 or not, whether cut or not.
-  EXPECT_THAT(told, ElementsAre(counts + "with A at 0.5 Iris compares 0 > 0",
-                                "note " + counts + "Iris takes 1.0 for 1",
-                                counts + "Iris takes 1.0 for 1", counts + "Iris takes 1.0 for 1",
-                                counts + "Iris takes 1.0 for 1"));
+  EXPECT_THAT(
+      reported,
+      ElementsAre(counts + "with A at 0.5 Iris compares 0 > 0",
+                  "note " + counts + "Iris takes 1.0 for 1", counts + "Iris takes 1.0 for 1",
+                  counts + "Iris takes 1.0 for 1", counts + "Iris takes 1.0 for 1"));
 }
 
 TEST(Slips, a_macro_that_iris_never_defines) {

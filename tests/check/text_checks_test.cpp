@@ -125,7 +125,7 @@ TEST(StrayLines, follow_a_list_without_a_backslash) {
   EXPECT_THAT(stray("screen = A\nsun = false\nscreen.X = B\n\nA = 2\nsliders = A B\n"), IsEmpty());
 }
 
-TEST(PropertiesTwice, lines_that_are_meant_as_comments_are_told_once) {
+TEST(PropertiesTwice, lines_that_are_meant_as_comments_are_reported_once) {
   const std::string text = "// sun=true\nmoon=true\n// sun = false\n//scale.composite1 = 0.5\n";
   EXPECT_THAT(properties(text), IsEmpty());
   EXPECT_THAT(found(checkStrayLines, {{"/shaders.properties", text}}),

@@ -72,7 +72,7 @@ TEST(diagnostic, has_errors_ignores_warnings_and_notes) {
 
 TEST(diagnostic, repetitions_go_but_differences_stay) {
   Diagnostics all(3, skyError());
-  all[1].notes = {"the same problem, told otherwise"};
+  all[1].notes = {"the same problem in other words"};
   all[2].at.column = 11;
   all.push_back(skyError());
   all.back().severity = Severity::Warning;

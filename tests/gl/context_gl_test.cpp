@@ -186,14 +186,14 @@ TEST(CreateContext, window_is_made_where_there_is_a_display) {
 
 class ErrorsTest : public GlTest {};
 
-TEST_F(ErrorsTest, are_told_once_and_then_forgotten) {
+TEST_F(ErrorsTest, are_reported_once_and_then_forgotten) {
   Enable(0xBAD);
   Enable(0xBAD);
   EXPECT_THAT(context_->takeErrors(), ElementsAre(HasSubstr("glEnable")));
   EXPECT_THAT(context_->takeErrors(), IsEmpty());
 }
 
-TEST_F(ErrorsTest, of_different_calls_are_all_told) {
+TEST_F(ErrorsTest, of_different_calls_are_all_reported) {
   Enable(0xBAD);
   BindTexture(GL_TEXTURE_2D, 12345678);
   UseProgram(4711);
@@ -206,7 +206,7 @@ TEST_F(ErrorsTest, without_debug_output_come_by_number) {
   EXPECT_THAT(context_->takeErrors(), ElementsAre("GL_INVALID_ENUM"));
 }
 
-TEST_F(ErrorsTest, of_low_severity_are_not_told) {
+TEST_F(ErrorsTest, of_low_severity_are_not_reported) {
   DebugMessageInsert(GL_DEBUG_SOURCE_APPLICATION, GL_DEBUG_TYPE_PERFORMANCE, 1,
                      GL_DEBUG_SEVERITY_LOW, -1, "slow");
   EXPECT_THAT(context_->takeErrors(), IsEmpty());

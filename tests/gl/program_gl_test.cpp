@@ -122,7 +122,7 @@ TEST_F(ProgramTest, keeps_the_log_of_each_stage_that_fails) {
   EXPECT_THAT(program.linkLog, IsEmpty());
 }
 
-TEST_F(ProgramTest, a_good_stage_beside_a_failed_one_is_told_apart) {
+TEST_F(ProgramTest, a_good_stage_beside_a_failed_one_is_distinguished) {
   const Program program = buildProgram(
       {{GL_VERTEX_SHADER, kVertex}, {GL_FRAGMENT_SHADER, "#version 330\nnonsense\n"}}, {}, "final");
   EXPECT_THAT(program.stageFailed, ElementsAre(false, true));
@@ -149,7 +149,7 @@ TEST_F(ProgramTest, source_need_not_end_with_a_nul) {
   EXPECT_TRUE(program.linked);
 }
 
-TEST(OpaqueTypes, are_told_apart) {
+TEST(OpaqueTypes, are_distinguished) {
   EXPECT_TRUE(isSampler(GL_SAMPLER_3D));
   EXPECT_TRUE(isSampler(GL_SAMPLER_2D_SHADOW));
   EXPECT_FALSE(isSampler(GL_IMAGE_2D));

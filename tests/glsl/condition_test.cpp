@@ -130,24 +130,24 @@ TEST(conditionals, nested_branches_of_an_inactive_one_stay_inactive) {
       "d\n");
 }
 
-TEST(conditionals, of_two_that_are_as_likely_unclosed_both_are_told) {
-  const auto tells = [](const std::string& source, const std::string& message) {
+TEST(conditionals, of_two_that_are_as_likely_unclosed_both_are_reported) {
+  const auto reports = [](const std::string& source, const std::string& message) {
     return preprocessed(source).find(message) != std::string::npos;
   };
   const std::string even = "#if 1\na\n#if 2\nb\n#endif\n";
-  EXPECT_TRUE(tells(even, "/a.fsh:1:1: the #if without #endif"));
-  EXPECT_TRUE(tells(even, "/a.fsh:2:1: warning: expected #endif after this line"));
-  EXPECT_TRUE(tells(even, "note: /a.fsh:3:1: or nothing closes this one instead of line 1"));
+  EXPECT_TRUE(reports(even, "/a.fsh:1:1: the #if without #endif"));
+  EXPECT_TRUE(reports(even, "/a.fsh:2:1: warning: expected #endif after this line"));
+  EXPECT_TRUE(reports(even, "note: /a.fsh:3:1: or nothing closes this one instead of line 1"));
   const std::string indented = "#if 1\n  a\n  #if 2\n    b\n#endif\n";
-  EXPECT_TRUE(tells(indented, "/a.fsh:3:3: the #if without #endif"));
-  EXPECT_FALSE(tells(indented, "or nothing closes"));
+  EXPECT_TRUE(reports(indented, "/a.fsh:3:3: the #if without #endif"));
+  EXPECT_FALSE(reports(indented, "or nothing closes"));
 }
 
 TEST(conditionals, what_follows_an_else_and_what_it_asks_again_tell_which_is_not_closed) {
   const auto unclosed = [](const std::string& source) {
-    const std::string told = preprocessed(source);
-    if (told.find("or nothing closes") != std::string::npos) return told;
-    return told.substr(told.rfind("/a.fsh:", told.find("the #if without")), 8);
+    const std::string reported = preprocessed(source);
+    if (reported.find("or nothing closes") != std::string::npos) return reported;
+    return reported.substr(reported.rfind("/a.fsh:", reported.find("the #if without")), 8);
   };
   EXPECT_EQ(unclosed("#if 1\na\n#if 2\nb\n#else\nc\n#else\nd\n#endif\n"), "/a.fsh:3");
   EXPECT_EQ(unclosed("#if 1\na\n#if 1\nb\n#endif\n"), "/a.fsh:1");

@@ -91,7 +91,7 @@ std::string fragmentMessages(const std::string& lines, const test::Files& more =
   return validated(files, {"/a.vsh", "/a.fsh"});
 }
 
-TEST(validate, a_missing_semicolon_is_told_where_it_is_missing) {
+TEST(validate, a_missing_semicolon_is_reported_where_it_is_missing) {
   EXPECT_EQ(
       fragmentMessages("void main() {\n  float a = 1.0\n\n  // why\n  float b = a;\n}\n"),
       "/a.fsh:3:16: error: syntax error: expected ';' after '1.0'\n"
@@ -99,7 +99,7 @@ TEST(validate, a_missing_semicolon_is_told_where_it_is_missing) {
       "                 ^\n");
 }
 
-TEST(validate, a_semicolon_missing_at_the_end_of_an_include_is_told_there) {
+TEST(validate, a_semicolon_missing_at_the_end_of_an_include_is_reported_there) {
   EXPECT_EQ(
       fragmentMessages("#include \"/b.glsl\"\nvoid main() {}\n", {{"/b.glsl", "\nfloat b\n"}}),
       "/b.glsl:2:8: error: syntax error: expected ';' after 'b'\n"
@@ -347,7 +347,7 @@ TEST(validate, a_head_inside_an_if_is_closed_as_the_if_is_indented) {
                          "/a.fsh:3\n"));
 }
 
-TEST(validate, the_line_that_lacks_a_parenthesis_is_told_and_not_the_end_of_its_statement) {
+TEST(validate, the_line_that_lacks_a_parenthesis_is_reported_and_not_the_end_of_its_statement) {
   EXPECT_EQ(
       fragmentMessages("float f(float x) {\n"
                        "  return (x + 1.0) *\n"

@@ -71,7 +71,7 @@ TEST(AutoOption, branches_of_the_preprocessor_choose_the_lines) {
   EXPECT_EQ(found[0].value, "MAP");
 }
 
-TEST(AutoOption, cheapest_is_chosen_and_all_are_told) {
+TEST(AutoOption, cheapest_is_chosen_and_all_are_reported) {
   const auto found =
       parseAuto("auto.shadows.map = 1 + 0.01 faces\nauto.shadows.volume = 0.02 faces\n");
   const AutoChoice few = chooseAuto(found, "SHADOWS", {{"faces", 10}}, "");
@@ -100,7 +100,7 @@ TEST(AutoOption, present_value_that_is_not_allowed_gives_way) {
   EXPECT_EQ(chooseAuto(found, "SHADOWS", {{"sun", 1}}, "NONE").value, "MAP");
 }
 
-TEST(AutoOption, mistakes_are_told_at_their_place) {
+TEST(AutoOption, mistakes_are_reported_at_their_place) {
   EXPECT_THAT(messageOf("sun = true\nauto.shadow.map = 1\n"),
               HasSubstr("/shaders.properties:2:1: warning: auto.shadow.map: no such option"));
   EXPECT_THAT(messageOf("auto.q.1 = 1\n"), HasSubstr("no such option has the value AUTO"));
@@ -116,7 +116,7 @@ TEST(AutoOption, mistakes_are_told_at_their_place) {
 }
 
 TEST(AutoOption, mistakes_count_only_with_the_feature_flag) {
-  const auto told = [](const char* flags) {
+  const auto reported = [](const char* flags) {
     Diagnostics diagnostics;
     loadShaderPack(
         memorySource({{"/final.fsh",
@@ -126,8 +126,8 @@ TEST(AutoOption, mistakes_count_only_with_the_feature_flag) {
         {.environment = standardMacros({})}, diagnostics);
     return diagnostics.size();
   };
-  EXPECT_EQ(told(""), 0u);
-  EXPECT_EQ(told("orris.features.optional = AUTO_OPTIONS\n"), 1u);
+  EXPECT_EQ(reported(""), 0u);
+  EXPECT_EQ(reported("orris.features.optional = AUTO_OPTIONS\n"), 1u);
 }
 
 }  // namespace

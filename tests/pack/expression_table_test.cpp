@@ -181,13 +181,13 @@ TEST(ExpressionTable, numbers) {
   }
 }
 
-struct TruthCase {
+struct BoolCase {
   const char* text;
   int value;  ///< -999: the uniform is dropped
 };
 
-TEST(ExpressionTable, truths) {
-  const TruthCase kCases[] = {
+TEST(ExpressionTable, booleans) {
+  const BoolCase kCases[] = {
       {"true", 1},
       {"false", 0},
       {"!true", 0},
@@ -232,13 +232,13 @@ TEST(ExpressionTable, truths) {
       {"between(floor(0.5), ceil(0.5), abs(floor(1.5)))", -999},
       {"toInt(floor(rainStrength)) == ceil(rainStrength)", 0},
   };
-  for (const TruthCase& test : kCases) {
+  for (const BoolCase& test : kCases) {
     EXPECT_EQ(valueOf(test.text, ValueType::Bool).i[0], test.value) << test.text;
   }
 }
 
 TEST(ExpressionTable, whole_numbers) {
-  const TruthCase kCases[] = {
+  const BoolCase kCases[] = {
       // Iris: there is no cast from float to int but toInt().
       {"5 / 2", -999},
       {"-0.9", -999},
@@ -266,7 +266,7 @@ TEST(ExpressionTable, whole_numbers) {
       {"0x", -999},
       {"1_000", -999},
   };
-  for (const TruthCase& test : kCases) {
+  for (const BoolCase& test : kCases) {
     EXPECT_EQ(valueOf(test.text, ValueType::Int).i[0], test.value) << test.text;
   }
 }

@@ -48,7 +48,7 @@ int whole(const std::string& text) {
   return value ? value->i[0] : -999;
 }
 
-bool truth(const std::string& text) {
+bool isTrue(const std::string& text) {
   const auto value = evaluate(text, ValueType::Bool);
   EXPECT_TRUE(value) << text;
   return value && value->i[0] != 0;
@@ -66,13 +66,13 @@ TEST(Expression, operators_bind_as_the_contract_says) {
   EXPECT_EQ(whole("10 - 3 - 2"), 5);
   EXPECT_EQ(whole("-2 * -3"), 6);
   EXPECT_EQ(whole("- -2"), 2);
-  EXPECT_TRUE(truth("1 + 1 == 2 && 3 > 2"));
-  EXPECT_TRUE(truth("!false && !(1 > 2)"));
+  EXPECT_TRUE(isTrue("1 + 1 == 2 && 3 > 2"));
+  EXPECT_TRUE(isTrue("!false && !(1 > 2)"));
 }
 
 TEST(Expression, and_and_or_have_one_precedence) {
-  EXPECT_FALSE(truth("true || true && false"));
-  EXPECT_TRUE(truth("true || (true && false)"));
+  EXPECT_FALSE(isTrue("true || true && false"));
+  EXPECT_TRUE(isTrue("true || (true && false)"));
 }
 
 TEST(Expression, division_is_always_in_floats) {
@@ -138,11 +138,11 @@ TEST(Expression, functions) {
   EXPECT_FLOAT_EQ(number("torad(180)"), 3.14159265f);
   EXPECT_FLOAT_EQ(number("abs(-3)"), 3);
   EXPECT_FLOAT_EQ(number("sign(-3)"), -1);
-  EXPECT_TRUE(truth("between(2, 1, 2)"));
-  EXPECT_TRUE(truth("equals(1.0, 1.05, 0.1)"));
-  EXPECT_TRUE(truth("in(count, 1, 7, 9)"));
-  EXPECT_FALSE(truth("in(count, 1, 9)"));
-  EXPECT_TRUE(truth("2 \u2264 3"));
+  EXPECT_TRUE(isTrue("between(2, 1, 2)"));
+  EXPECT_TRUE(isTrue("equals(1.0, 1.05, 0.1)"));
+  EXPECT_TRUE(isTrue("in(count, 1, 7, 9)"));
+  EXPECT_FALSE(isTrue("in(count, 1, 9)"));
+  EXPECT_TRUE(isTrue("2 \u2264 3"));
 }
 
 TEST(Expression, if_takes_the_first_true_branch_only) {

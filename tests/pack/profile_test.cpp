@@ -150,7 +150,7 @@ struct KeyCase {
   const char *key, *meant;
 };
 
-TEST(PropertyKeys, misspelt_ones_are_told_and_those_of_mods_are_not) {
+TEST(PropertyKeys, misspelt_ones_are_reported_and_those_of_mods_are_not) {
   const KeyCase kCases[] = {
       {"shadow.enable", "shadow.enabled"},
       {"seperateAo", "separateAo"},

@@ -100,7 +100,7 @@ void expectSameAsFresh(const std::shared_ptr<const FileSource>& source, const Sh
   const auto expected = loadShaderPack(source, request, fresh);
   const auto pack = rebuildShaderPack(base, request, again);
   ASSERT_EQ(bool(expected), bool(pack));
-  // What reading the files told is told once, by the first loadValid.
+  // What reading the files found is reported once, by the first loadValid.
   std::erase_if(fresh, [](const Diagnostic& d) { return d.id.starts_with("option-"); });
   if (!pack) return;
   EXPECT_EQ(summary(*pack, again), summary(*expected, fresh));

@@ -22,7 +22,7 @@ void evenGlow(PackTexts& files) {
   replaceOnce(voxel, "return color * (EMISSION_STRENGTH * share * share);", "return vec3(1.0);");
   replaceOnce(voxel, "return is_ball(v.code) ? vec3(0.0) : v.color;",
               "return is_ball(v.code) ? vec3(0.0) : vec3(v.code >= voxel_lamp ? 0.5 : 1.0);");
-  replaceOnce(voxel, "return pow(max(color, vec3(1e-3)), vec3(way));", "return vec3(1.0);");
+  replaceOnce(voxel, "return pow(max(color, vec3(1e-3)), vec3(thickness));", "return vec3(1.0);");
 }
 
 std::string box(const std::string& things) {

@@ -102,7 +102,7 @@ TEST(glossy, metal_shows_what_lamps_reflect) {
   }
 }
 
-TEST(glossy, a_polished_floor_mirrors_a_little_over_its_matt_ground) {
+TEST(glossy, a_polished_floor_mirrors_a_little_over_its_diffuse_base) {
   const auto floor = [](const char* glossy) {
     PackSession pack(hall("polished_diorite"), glossyOptions(glossy));
     pack.look(kEye, kFloor);

@@ -128,12 +128,13 @@ PackSession PackSession::ofWorld(const std::string& name, const OptionValues& op
 }
 
 void PackSession::look(glm::dvec3 from, glm::dvec3 to) {
-  const glm::dvec3 way = to - from;
+  const glm::dvec3 direction = to - from;
   Camera camera;
   camera.name = "test";
   camera.position = from;
-  camera.yaw = static_cast<float>(glm::degrees(std::atan2(-way.x, way.z)));
-  camera.pitch = static_cast<float>(glm::degrees(std::atan2(-way.y, std::hypot(way.x, way.z))));
+  camera.yaw = static_cast<float>(glm::degrees(std::atan2(-direction.x, direction.z)));
+  camera.pitch = static_cast<float>(
+      glm::degrees(std::atan2(-direction.y, std::hypot(direction.x, direction.z))));
   camera.fov = 8;
   session_->setCamera(camera);
 }

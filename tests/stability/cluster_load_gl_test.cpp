@@ -135,9 +135,9 @@ TEST(F6, clusters_list_lights_in_vain_as_often_as_predicted) {
 // Points of a floor 2.6 below the eye; lights a block over it.
 constexpr const char* kFloor = R"(
 vec4 load(ivec2 pixel) {
-    vec3 way = vec3(((vec2(pixel) + 0.5) / 32.0 - 1.0) / tile_scale(), -1.0);
-    float down = -(mat3(gbufferModelViewInverse) * way).y;
-    vec3 view = way * (2.6 / max(down, 0.01));
+    vec3 ray = vec3(((vec2(pixel) + 0.5) / 32.0 - 1.0) / tile_scale(), -1.0);
+    float down = -(mat3(gbufferModelViewInverse) * ray).y;
+    vec3 view = ray * (2.6 / max(down, 0.01));
     if (down < 0.05) return vec4(-1.0);
     vec3 place = to_lamp_space((gbufferModelViewInverse * vec4(view, 1.0)).xyz);
     float reached = 0.0;

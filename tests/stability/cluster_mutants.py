@@ -131,7 +131,7 @@ MUTANTS = [
        "(imageLoad(light_table, table_texel(lamp) + ivec2(1, 0)).w < 0.0 ? 0.3 : 1.0);")]),
     ("spots shine the other way", "lamps.spots*", [(LIGHT, "(positive ? -1.0 : 1.0)", "(positive ? 1.0 : -1.0)")]),
     ("highlights seen from above", "lamps.highlights*",
-     [(LIGHT, "reflect_direct(albedo, n, view, way * inverse)", "reflect_direct(albedo, n, n, way * inverse)")]),
+     [(LIGHT, "reflect_direct(albedo, n, view, to_lamp * inverse)", "reflect_direct(albedo, n, n, to_lamp * inverse)")]),
     ("highlights seen otherwise by each method", "lamps.every_method_gives_the_same_h*",
      [(SUM, "lamp_view = -normalize(player);", "lamp_view = -normalize(player) * float(LIGHT_METHOD);")]),
     ("heat without white", "lamps.views*", [(DEBUG, "count > list_capacity ? vec3(1.0) : ", "")]),

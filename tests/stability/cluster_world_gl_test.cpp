@@ -54,7 +54,7 @@ TEST(lamps, every_method_gives_the_same_picture) {
 }
 
 /// What a spot of floor at (16.5, z) under a roof reflects of one lamp to an eye at z = 24.5, over the same
-/// as by a matt surface.
+/// as by a diffuse surface.
 double glossAt(double z, const char* reflection) {
   const auto light = [&](const char* gloss) {
     PackSession pack = sessionOf(floorWith(R"({"block": "sea_lantern", "at": [16, 4, 12]},
@@ -75,7 +75,7 @@ double glossAt(double z, const char* reflection) {
 TEST(lamps, highlights_are_where_a_mirror_would_show_the_lamp) {
   for (const char* reflection : {"PHONG", "LAMBERT_GGX"})
     EXPECT_GT(glossAt(17.75, reflection), 1.1) << reflection;
-  EXPECT_NEAR(glossAt(10, "PHONG"), 0.9, 0.01) << "what Phong's matt part has";
+  EXPECT_NEAR(glossAt(10, "PHONG"), 0.9, 0.01) << "what Phong's diffuse part has";
 }
 
 TEST(lamps, every_method_gives_the_same_highlights) {

@@ -77,10 +77,10 @@ TEST(A4, front_advances_one_cell_a_step) {
     const CellField light = lab.light();
     for (int axis = 0; axis < 3; ++axis)
       for (const int sign : {-1, 1}) {
-        glm::ivec3 way(0);
-        way[axis] = sign;
-        EXPECT_GT(light.red(kLamp + step * way), 0) << step << ' ' << axis;
-        EXPECT_EQ(light.red(kLamp + (step + 1) * way), 0) << step << ' ' << axis;
+        glm::ivec3 axisStep(0);
+        axisStep[axis] = sign;
+        EXPECT_GT(light.red(kLamp + step * axisStep), 0) << step << ' ' << axis;
+        EXPECT_EQ(light.red(kLamp + (step + 1) * axisStep), 0) << step << ' ' << axis;
       }
   }
 }
@@ -150,7 +150,7 @@ TEST(A6, two_lamps_add_in_the_power_not_in_light) {
   EXPECT_NEAR(two.light().red(kLamp) / one.light().red(kLamp), 1.370, .005);
 }
 
-// The truth in a room whose walls all shine alike is their radiance, whatever its size.
+// The exact value in a room whose walls all shine alike is their radiance, whatever its size.
 TEST(A7, room_with_shining_walls_is_darker_the_larger_it_is) {
   const std::pair<int, double> rooms[] = {{1, .918}, {2, .854}, {4, .609}, {8, .258}, {16, .039}};
   for (const auto& [n, share] : rooms) {

@@ -61,8 +61,8 @@ TEST(LampVolumes, are_those_of_rays) {
       const ImageF drawn = lab.drawn();
       for (const LampCase& lamp : lampsSeenFrom(eye)) {
         Diagnostics diagnostics;
-        const auto difference =
-            compareMasks(channelOf(drawn, lamp.channel), lab.truthOfLamp(lamp.cell), diagnostics);
+        const auto difference = compareMasks(channelOf(drawn, lamp.channel),
+                                             lab.referenceOfLamp(lamp.cell), diagnostics);
         ASSERT_TRUE(difference);
         EXPECT_EQ(difference->interior, 0) << method << " from " << eye.x;
         EXPECT_LE(difference->edgeShare(), kEdgeShare) << method << " from " << eye.x;
@@ -79,7 +79,7 @@ TEST(LampVolumes, by_z_pass_alone_are_wrong_with_the_eye_in_one) {
   lab.look(kEyes[2], {13, 2, 11.01});
   Diagnostics diagnostics;
   const auto difference = compareMasks(channelOf(lab.drawn(), lampsSeenFrom(kEyes[2])[0].channel),
-                                       lab.truthOfLamp({12, 6, 12}), diagnostics);
+                                       lab.referenceOfLamp({12, 6, 12}), diagnostics);
   ASSERT_TRUE(difference);
   EXPECT_GT(difference->interior, difference->pixels / 10);
 }

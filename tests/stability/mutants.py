@@ -187,10 +187,10 @@ MUTANTS = [
      [(GI, "seed_random(pixel, frameCounter);", "seed_random(pixel, 0);")]),
     ("B4 new frames count twice", "B4.weight*",
      [(GI, "mix(before.rgb, radiance, weight)", "mix(before.rgb, radiance, min(2.0 * weight, 1.0))")]),
-    ("B5 light divided by its way squared", "B5.*",
+    ("B5 light divided by its distance squared", "B5.*",
      [(GI, "radiance += throughput * lamp_light(hit.voxel) *",
-       "float way = 0.3 * length(hit.position - origin);\n"
-       "            radiance += throughput * lamp_light(hit.voxel) / max(1.0, way * way) *")]),
+       "float range = 0.3 * length(hit.position - origin);\n"
+       "            radiance += throughput * lamp_light(hit.voxel) / max(1.0, range * range) *")]),
     ("image: updated in place", "image.*", [(POWERS, "lowest.z + other_side", "lowest.z + side")]),
     ("image: cells that came in keep what was there", "image.holds*",
      [(IMAGE_CELLS, "is_opaque_voxel(v.code) || entered(cell)", "is_opaque_voxel(v.code)")]),

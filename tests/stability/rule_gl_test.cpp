@@ -111,7 +111,7 @@ TEST(A19, gain_of_a_room_that_absorbs) {
   }
 }
 
-// The truth in a room whose walls send out E and reflect rho is E / (1 - rho) everywhere.
+// The exact value in a room whose walls send out E and reflect rho is E / (1 - rho) everywhere.
 TEST(A19, furnace_reaches_emission_over_absorption_in_the_predicted_steps) {
   Lab lab(conservingRoom("glowstone", 16, "0.5"));
   lab.step(381 - 4);

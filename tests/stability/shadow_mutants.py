@@ -52,11 +52,11 @@ MUTANTS = [
      [(TRANSLUCENT, "light_irradiance() * light_visibility(player, n, l, shadow_radius, light.y) *",
        "light_irradiance() *")]),
     ("published: albedo twice in ambient light", "Listing.every*",
-     [(LIT, "radiance += matt * indirect_radiance", "radiance += matt * matt * indirect_radiance")]),
+     [(LIT, "radiance += diffuse * indirect_radiance", "radiance += diffuse * diffuse * indirect_radiance")]),
     ("published: albedo twice in ambient light on glass", "Listing.every*",
      [(TRANSLUCENT, "vec3 radiance = albedo * indirect", "vec3 radiance = albedo * albedo * indirect")]),
     ("published: albedo twice in lamplight", "Listing.every*",
-     [(LIT, "float(s.thin), matt);", "float(s.thin), matt * matt);")]),
+     [(LIT, "float(s.thin), diffuse);", "float(s.thin), diffuse * diffuse);")]),
     ("published: albedo twice in lamplight on glass", "Listing.every*",
      [(TRANSLUCENT, "lamps_radiance(player, n, 0.0, albedo);", "lamps_radiance(player, n, 0.0, albedo * albedo);")]),
 ]

@@ -71,25 +71,25 @@ class Pillars {
   }
 
   bool mapped(int x, int y) const { return lab_.at(x, y)[0] > 0.5; }
-  bool truth(const glm::dvec3& point) const {
+  bool lit(const glm::dvec3& point) const {
     return !rays_.blocked(point + 1e-3 * patch_.normal, glm::dvec4(light_, 0));
   }
   bool inBlock(const glm::dvec3& point) const {
     const glm::ivec3 cell(glm::floor(point + 1e-3 * patch_.normal));
     return lab_.pack().session().scene().world.blocks.indexAt(cell) != 0;
   }
-  /// Does the truth change within `radius` of the point, as the light sees it?
+  /// Does that change within `radius` of the point, as the light sees it?
   bool nearEdge(const glm::dvec3& point, double radius) const {
     const glm::dvec3 a = glm::normalize(glm::cross(light_, glm::dvec3(0, 0, 1)));
     const glm::dvec3 b = glm::cross(light_, a);
-    const bool here = truth(point);
+    const bool here = lit(point);
     for (const double share : {0.15, 0.3, 0.45, 0.6, 0.75, 0.9, 1.0})
       for (int turn = 0; turn < 32; ++turn) {
         const double angle = turn * glm::pi<double>() / 16;
         const glm::dvec3 off = radius * share * (std::cos(angle) * a + std::sin(angle) * b);
         // Below the surface: along the light back onto it.
         const double along = glm::dot(off, patch_.normal) / glm::dot(light_, patch_.normal);
-        if (truth(point + off - std::min(along, 0.) * light_) != here) return true;
+        if (lit(point + off - std::min(along, 0.) * light_) != here) return true;
       }
     return false;
   }
@@ -109,7 +109,7 @@ struct Wrong {
   glm::dvec3 last{0};
 };
 
-/// Points on the other side than the truth, farther from its edges than `texels`.
+/// Points whose shadow differs from that by rays, farther from its edges than `texels`.
 Wrong wrongPoints(double sun, const Patch& patch, double texels, OptionValues options = {}) {
   const Pillars world(sun, patch, std::move(options));
   Wrong wrong;
@@ -117,11 +117,11 @@ Wrong wrongPoints(double sun, const Patch& patch, double texels, OptionValues op
     for (int x = 0; x < kSide; ++x) {
       const glm::dvec3 point = patch.at(x, y);
       if (world.inBlock(point)) continue;
-      const bool truth = world.truth(point);
+      const bool lit = world.lit(point);
       ++wrong.points;
-      wrong.shadowed += !truth;
-      if (world.mapped(x, y) == truth || world.nearEdge(point, texels * kTexel)) continue;
-      ++(truth ? wrong.acne : wrong.detached);
+      wrong.shadowed += !lit;
+      if (world.mapped(x, y) == lit || world.nearEdge(point, texels * kTexel)) continue;
+      ++(lit ? wrong.acne : wrong.detached);
       wrong.last = point;
     }
   return wrong;

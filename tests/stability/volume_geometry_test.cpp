@@ -58,16 +58,16 @@ glm::dvec3 finite(const glm::vec4& v) { return v.w != 0 ? glm::dvec3(v) : glm::d
 int crossings(const VolumeMesh& mesh, const glm::dvec3& from, const glm::dvec3& to,
               std::size_t first = 0, std::size_t end = std::size_t(-1)) {
   int count = 0;
-  const glm::dvec3 way = to - from;
+  const glm::dvec3 direction = to - from;
   for (std::size_t i = first; i + 2 < std::min(end, mesh.indices.size()); i += 3) {
     glm::dvec3 p[3];
     for (int k = 0; k < 3; ++k) p[k] = finite(mesh.vertices[mesh.indices[i + std::size_t(k)]]);
     const glm::dvec3 normal = glm::cross(p[1] - p[0], p[2] - p[0]);
-    const double slope = glm::dot(normal, way);
+    const double slope = glm::dot(normal, direction);
     if (slope == 0) continue;
     const double t = glm::dot(normal, p[0] - from) / slope;
     if (t <= 0 || t >= 1) continue;
-    const glm::dvec3 at = from + way * t;
+    const glm::dvec3 at = from + direction * t;
     bool in = true;
     for (int k = 0; k < 3; ++k)
       in = in && glm::dot(glm::cross(p[(k + 1) % 3] - p[k], at - p[k]), normal) >= 0;
@@ -79,13 +79,13 @@ int crossings(const VolumeMesh& mesh, const glm::dvec3& from, const glm::dvec3& 
 /// Faces that make volumes between a point and the light: what a count must be.
 int depthOf(const CasterSet& set, const VolumeLight& light, const glm::dvec3& point) {
   int count = 0;
-  const glm::dvec3 way = light.w == 0 ? glm::dvec3(light) * kFar : glm::dvec3(light) - point;
+  const glm::dvec3 direction = light.w == 0 ? glm::dvec3(light) * kFar : glm::dvec3(light) - point;
   for (const CasterFace& face : set.faces) {
     if (!makesVolume(face, light)) continue;
-    const double slope = glm::dot(glm::dvec3(face.normal), way);
+    const double slope = glm::dot(glm::dvec3(face.normal), direction);
     const double t = glm::dot(glm::dvec3(face.normal), glm::dvec3(face.corners[0]) - point) / slope;
     if (t <= 0 || t >= 1) continue;
-    const glm::dvec3 at = point + way * t;
+    const glm::dvec3 at = point + direction * t;
     bool in = true;
     for (std::size_t k = 0; k < 4; ++k)
       in = in && glm::dot(glm::cross(glm::dvec3(face.corners[(k + 1) % 4] - face.corners[k]),

@@ -63,7 +63,7 @@ TEST(ShadowMask, doubts_few_pixels) {
   VolumeLab lab({.blocks = kScene, .sunPathRotation = "0.0"});
   lab.look({20.3, 4.2, 12.4}, {14, 2, 20});
   int sure = 0, doubted = 0;
-  for (const float value : lab.truth().pixels) {
+  for (const float value : lab.reference().pixels) {
     sure += value == 0;
     doubted += value > 0 && value < 0.5f;
   }

@@ -55,7 +55,7 @@ int VolumeLab::count(int x, int y) {
   return int(std::lround(session_.dump("stenciltex0").at(x, y)[0]));
 }
 
-ReferenceScene VolumeLab::reference() const {
+ReferenceScene VolumeLab::referenceScene() const {
   Diagnostics diagnostics;
   auto world = parseWorldJson({.text = world_, .file = "world.json"}, diagnostics);
   auto& session = const_cast<PackSession&>(session_).session();
@@ -63,15 +63,15 @@ ReferenceScene VolumeLab::reference() const {
                              setup_.size, setup_.size, diagnostics);
 }
 
-ImageF VolumeLab::truth() const {
-  const ReferenceScene scene = reference();
+ImageF VolumeLab::reference() const {
+  const ReferenceScene scene = referenceScene();
   return shadowMask(scene.scene, scene.camera, CasterRays(scene.casters),
                     glm::dvec4(scene.shadowLight, 0));
 }
 
-ImageF VolumeLab::truthOfLamp(const glm::ivec3& cell) const {
+ImageF VolumeLab::referenceOfLamp(const glm::ivec3& cell) const {
   constexpr double kEverywhere = 1e6;
-  const ReferenceScene scene = reference();
+  const ReferenceScene scene = referenceScene();
   return shadowMask(scene.scene, scene.camera,
                     CasterRays(castersOfLamp(scene.casters, cell, kEverywhere)),
                     glm::dvec4(glm::dvec3(cell) + 0.5, 1));
@@ -79,7 +79,7 @@ ImageF VolumeLab::truthOfLamp(const glm::ivec3& cell) const {
 
 MaskDifference VolumeLab::difference() {
   Diagnostics diagnostics;
-  const auto result = compareMasks(drawn(), truth(), diagnostics);
+  const auto result = compareMasks(drawn(), reference(), diagnostics);
   EXPECT_TRUE(result);
   return result.value_or(MaskDifference{});
 }

@@ -30,14 +30,14 @@ class VolumeLab {
   ImageF drawn();
   /// The stencil at a pixel, (0, 0) top left.
   int count(int x, int y);
-  ImageF truth() const;
+  ImageF reference() const;
   /// Of a lamp in the middle of a block.
-  ImageF truthOfLamp(const glm::ivec3& cell) const;
+  ImageF referenceOfLamp(const glm::ivec3& cell) const;
   MaskDifference difference();
   PackSession& session() { return session_; }
 
  private:
-  ReferenceScene reference() const;
+  ReferenceScene referenceScene() const;
   VolumeSetup setup_;
   std::string world_;
   PackSession session_;

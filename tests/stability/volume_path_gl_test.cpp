@@ -53,11 +53,12 @@ Camera cameraAt(const Path& path, double t) {
   const auto i = std::min(std::size_t(place), path.looks.size() - 2);
   const auto& [a, b] = std::pair(path.looks[i], path.looks[i + 1]);
   const glm::dvec3 from = glm::mix(a.first, b.first, place - double(i));
-  const glm::dvec3 way = glm::mix(a.second, b.second, place - double(i)) - from;
+  const glm::dvec3 direction = glm::mix(a.second, b.second, place - double(i)) - from;
   Camera camera;
   camera.position = from;
-  camera.yaw = float(glm::degrees(std::atan2(-way.x, way.z)));
-  camera.pitch = float(glm::degrees(std::atan2(-way.y, std::hypot(way.x, way.z))));
+  camera.yaw = float(glm::degrees(std::atan2(-direction.x, direction.z)));
+  camera.pitch =
+      float(glm::degrees(std::atan2(-direction.y, std::hypot(direction.x, direction.z))));
   return camera;
 }
 
@@ -71,9 +72,9 @@ TraceCamera traceCamera(RenderSession& session) {
           kWidth, kHeight};
 }
 
-std::string interiorPixels(const ImageF& drawn, const ImageF& truth) {
+std::string interiorPixels(const ImageF& drawn, const ImageF& reference) {
   std::string places;
-  const ImageF wrong = maskDifferenceImage(drawn, truth);
+  const ImageF wrong = maskDifferenceImage(drawn, reference);
   for (int y = 0; y < kHeight; ++y)
     for (int x = 0; x < kWidth; ++x)
       if (wrong.at(x, y)[0] == 1 && wrong.at(x, y)[1] == 0)
@@ -92,10 +93,10 @@ TEST_P(VolumePath, equals_rays_inside_of_lit_and_dark) {
       kHeight);
   RenderSession& session = pack.session();
   Diagnostics diagnostics;
-  const ReferenceScene truth =
+  const ReferenceScene reference =
       buildReferenceScene(*loadWorld(file, 0, diagnostics), session.renderer().pack(),
                           session.camera(), kWidth, kHeight, diagnostics);
-  const CasterRays casters(truth.casters);
+  const CasterRays casters(reference.casters);
   long long edge = 0, interior = 0, pixels = 0, others = 0;
   int inShadow = 0;
   for (int frame = 0; frame < kFrames; ++frame) {
@@ -105,8 +106,8 @@ TEST_P(VolumePath, equals_rays_inside_of_lit_and_dark) {
     pack.renderFrames(1);
     inShadow += session.renderer().facesAtEye() > 0;
     ShownFrame shown{pack.dump("depthtex0")};
-    const ImageF mask = shadowMask(truth.scene, traceCamera(session), casters,
-                                   glm::dvec4(truth.shadowLight, 0), &shown);
+    const ImageF mask = shadowMask(reference.scene, traceCamera(session), casters,
+                                   glm::dvec4(reference.shadowLight, 0), &shown);
     const ImageF drawn = pack.dump("colortex0");
     const auto difference = compareMasks(drawn, mask, diagnostics);
     ASSERT_TRUE(difference);

@@ -201,8 +201,8 @@ TEST(Lamps, small_ones_light_as_balls) {
     const Estimate found = lit("air", floor);
     const double squared =
         2.5 * 2.5 + (floor.x - 4) * (floor.x - 4) + (floor.z - 4) * (floor.z - 4);
-    const double truth = 5 * 16 / 16.0 / squared * 2.5 / std::sqrt(squared);
-    EXPECT_NEAR(found.mean, truth, 0.003 * truth + 4 * found.error) << floor.x;
+    const double expected = 5 * 16 / 16.0 / squared * 2.5 / std::sqrt(squared);
+    EXPECT_NEAR(found.mean, expected, 0.003 * expected + 4 * found.error) << floor.x;
     EXPECT_GT(found.mean, 0.01);
   }
   EXPECT_LT(lit("stone", {4, 0, 4}).mean, 1e-3);
@@ -225,9 +225,9 @@ TEST(Lamps, are_drawn_with_the_probability_they_tell) {
       ASSERT_NEAR(draw.probability, scene.lamps.probability(cell, std::uint32_t(index)), 1e-6);
     }
     for (std::size_t i = 0; i < drawn.size(); ++i) {
-      const double told = scene.lamps.probability(cell, std::uint32_t(i));
-      sum += told;
-      ASSERT_NEAR(drawn[i], told, 1e-4) << i;
+      const double stated = scene.lamps.probability(cell, std::uint32_t(i));
+      sum += stated;
+      ASSERT_NEAR(drawn[i], stated, 1e-4) << i;
     }
     EXPECT_NEAR(sum, 1, 1e-4);
   }

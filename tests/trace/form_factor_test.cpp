@@ -68,18 +68,18 @@ Estimate floorReceives(const TraceScene& scene, const TraceSettings& settings) {
 TEST(FormFactors, of_every_wall_as_seen_from_the_floor) {
   const double x = kRoom.x, y = kRoom.y, z = kRoom.z;
   // By FaceDirection: down up north south west east.
-  const std::array<double, 6> truth{0,
-                                    facing(x / y, z / y),
-                                    adjoining(z / x, y / x),
-                                    adjoining(z / x, y / x),
-                                    adjoining(x / z, y / z),
-                                    adjoining(x / z, y / z)};
+  const std::array<double, 6> expected{0,
+                                       facing(x / y, z / y),
+                                       adjoining(z / x, y / x),
+                                       adjoining(z / x, y / x),
+                                       adjoining(x / z, y / z),
+                                       adjoining(x / z, y / z)};
   double sum = 0;
-  for (const double factor : truth) sum += factor;
+  for (const double factor : expected) sum += factor;
   ASSERT_NEAR(sum, 1, 1e-9) << "the formulas of the test itself";
   for (int wall = 1; wall < 6; ++wall) {
     const Estimate result = floorReceives(roomLitBy(wall), {});
-    EXPECT_NEAR(result.mean, truth[std::size_t(wall)], 4 * result.error) << "wall " << wall;
+    EXPECT_NEAR(result.mean, expected[std::size_t(wall)], 4 * result.error) << "wall " << wall;
     EXPECT_LT(result.error, 0.002 * result.mean + 1e-4);
   }
 }
@@ -132,11 +132,11 @@ TEST(DirectLight, of_a_lamp_is_the_analytic_picture) {
   double squares = 0, noise = 0;
   for (int y = 0; y < camera.height; ++y) {
     for (int x = 0; x < camera.width; ++x) {
-      const double truth = 0.5 * 16 * lampFactor(1.5 + x, 1.5 + y, kRoom.y, 6, 10, 5, 9);
+      const double expected = 0.5 * 16 * lampFactor(1.5 + x, 1.5 + y, kRoom.y, 6, 10, 5, 9);
       const double a = film.half(0, x, y).g, b = film.half(1, x, y).g;
-      EXPECT_NEAR((a + b) / 2, truth, 0.03 * truth) << x << "," << y;
-      squares += std::pow(((a + b) / 2 - truth) / truth, 2);
-      noise += std::pow((a - b) / 2 / truth, 2);
+      EXPECT_NEAR((a + b) / 2, expected, 0.03 * expected) << x << "," << y;
+      squares += std::pow(((a + b) / 2 - expected) / expected, 2);
+      noise += std::pow((a - b) / 2 / expected, 2);
     }
   }
   const double pixels = camera.width * camera.height;

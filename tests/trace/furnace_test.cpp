@@ -30,9 +30,9 @@ TEST_P(ClosedBox, holds_e_over_one_less_rho) {
   const glm::ivec3 size(5, 3, 4);
   const TraceScene scene = test::sceneOf(test::roomOf(size, {glm::vec3(rho), glm::vec3(1)}));
   const Estimate result = gathered(scene, {}, size);
-  const double truth = 1 / (1 - double(rho));
-  EXPECT_NEAR(result.mean, truth, 4 * result.error + 1e-6);
-  EXPECT_LT(result.error / truth, 0.005);
+  const double expected = 1 / (1 - double(rho));
+  EXPECT_NEAR(result.mean, expected, 4 * result.error + 1e-6);
+  EXPECT_LT(result.error / expected, 0.005);
 }
 
 INSTANTIATE_TEST_SUITE_P(Albedo, ClosedBox, testing::Values(0.0f, 0.25f, 0.5f, 0.8f, 0.9f));
@@ -58,11 +58,11 @@ TEST(WhiteFurnace, hides_a_white_block) {
 TEST(WhiteFurnace, cut_off_bounces_lose_the_light_of_the_rest) {
   const glm::ivec3 size(4, 4, 4);
   const TraceScene scene = test::sceneOf(test::roomOf(size, {glm::vec3(0.5f), glm::vec3(1)}));
-  for (const auto& [bounces, truth] : {std::pair(0, 0.0), {1, 1.0}, {2, 1.5}, {4, 1.875}}) {
+  for (const auto& [bounces, expected] : {std::pair(0, 0.0), {1, 1.0}, {2, 1.5}, {4, 1.875}}) {
     TraceSettings settings;
     settings.bounces = bounces;
     const Estimate result = gathered(scene, settings, size);
-    EXPECT_NEAR(result.mean, truth, 4 * result.error + 1e-6) << bounces << " bounces";
+    EXPECT_NEAR(result.mean, expected, 4 * result.error + 1e-6) << bounces << " bounces";
   }
 }
 

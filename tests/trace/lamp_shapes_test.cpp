@@ -92,15 +92,15 @@ TEST_P(LampShape, sends_out_the_power_of_its_cube) {
   const double radiance = kWhiteGreen * GetParam().level * GetParam().level / 225.0;
   const BlockScene scene = roomWith(GetParam().block);
   const Estimate result = traced(scene.scene);
-  const double truth = 6 * radiance / (6.0 * kSide * kSide);
-  EXPECT_NEAR(result.mean, truth, 0.005 * truth + 4 * result.error);
-  EXPECT_LT(result.error, 0.01 * truth);
+  const double expected = 6 * radiance / (6.0 * kSide * kSide);
+  EXPECT_NEAR(result.mean, expected, 0.005 * expected + 4 * result.error);
+  EXPECT_LT(result.error, 0.01 * expected);
 }
 
 TEST_P(LampShape, lights_as_a_search_through_all_quads_finds) {
   const BlockScene scene = roomWith(GetParam().block);
   const Estimate found = traced(scene.scene);
-  const Estimate truth = test::estimate(60000, [&](std::uint32_t i) {
+  const Estimate expected = test::estimate(60000, [&](std::uint32_t i) {
     SampleRandom random(5, 1, i);
     const TraceSurface at = onWalls(random, scene.scene);
     const glm::vec2 u = random.pair();
@@ -112,8 +112,8 @@ TEST_P(LampShape, lights_as_a_search_through_all_quads_finds) {
                                  r * std::sin(angle) * glm::cross(side, at.normal));
     return searched(scene.scene, ray);
   });
-  EXPECT_NEAR(found.mean, truth.mean, 4 * std::hypot(found.error, truth.error));
-  EXPECT_GT(truth.mean, 10 * truth.error);
+  EXPECT_NEAR(found.mean, expected.mean, 4 * std::hypot(found.error, expected.error));
+  EXPECT_GT(expected.mean, 10 * expected.error);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -186,9 +186,9 @@ TEST(LavaFloor, lights_the_ceiling_as_a_rectangle_does) {
     return double(tracer.incoming(at, random, counts).g);
   });
   const double height = 5 - 1 - 8.0 / 9, half = 3.5 / height;
-  const double truth = kWhiteGreen * 4 * cornerShare(half, half);
-  EXPECT_NEAR(result.mean, truth, 0.002 * truth + 4 * result.error);
-  EXPECT_LT(result.error, 0.005 * truth);
+  const double expected = kWhiteGreen * 4 * cornerShare(half, half);
+  EXPECT_NEAR(result.mean, expected, 0.002 * expected + 4 * result.error);
+  EXPECT_LT(result.error, 0.005 * expected);
 }
 
 /// Lamps grey, all else white and without colour.
@@ -220,7 +220,7 @@ TEST(ClosedBoxOfBlocks, holds_e_over_one_less_rho_with_lava_water_and_glass_in_i
       strengthOne(), greyLamps);
   const PathTracer tracer(scene.scene, {}, {});
   RayCounts counts;
-  const double rho = std::pow(kGreyByte / 255.0, 2.2), truth = kWhiteGreen / (1 - rho);
+  const double rho = std::pow(kGreyByte / 255.0, 2.2), expected = kWhiteGreen / (1 - rho);
   const Estimate result = test::estimate(60000, [&](std::uint32_t i) {
     SampleRandom random(2, 0, i);
     const glm::vec2 at = random.pair() * 7.0f;
@@ -229,8 +229,8 @@ TEST(ClosedBoxOfBlocks, holds_e_over_one_less_rho_with_lava_water_and_glass_in_i
                         FaceDirection::Down, glm::fract(at));
     return double(tracer.incoming(ceiling, random, counts).g);
   });
-  EXPECT_NEAR(result.mean, truth, 4 * result.error + 0.002 * truth);
-  EXPECT_LT(result.error, 0.005 * truth);
+  EXPECT_NEAR(result.mean, expected, 4 * result.error + 0.002 * expected);
+  EXPECT_LT(result.error, 0.005 * expected);
 }
 
 }  // namespace

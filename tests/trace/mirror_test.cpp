@@ -52,7 +52,7 @@ TEST(Mirror, samples_reflect_what_the_formula_does) {
   const PackLighting light = mirrors();
   for (const float degrees : {0.0f, 45.0f, 75.0f, 85.0f}) {
     const glm::vec3 v = viewAt(degrees);
-    // A black polished block has no matt ground, a metal never.
+    // A black polished block has no diffuse base, a metal never.
     EXPECT_NEAR(
         sampled(light, kPolished, glm::vec3(0), v) / summed(light, kPolished, glm::vec3(0), v), 1,
         .01)
@@ -70,7 +70,7 @@ TEST(Mirror, white_reflects_at_most_what_it_receives) {
     const glm::vec3 v = viewAt(degrees);
     for (const int gloss : {kPolished, kMetal}) {
       const float all =
-          sampled(light, gloss, glm::vec3(1), v) + light.mattShare(gloss, glm::vec3(1), v.y).g;
+          sampled(light, gloss, glm::vec3(1), v) + light.diffuseShare(gloss, glm::vec3(1), v.y).g;
       EXPECT_LE(all, 1.002f) << gloss << ' ' << degrees;
       if (degrees < 70) {
         EXPECT_GT(all, .97f) << gloss << ' ' << degrees;
@@ -95,7 +95,7 @@ TEST(Mirror, a_ray_sees_the_light_of_a_closed_box) {
   EXPECT_LT(result.error, .01);
 }
 
-TEST(Mirror, blocks_are_matt_without_the_option) {
+TEST(Mirror, blocks_are_diffuse_without_the_option) {
   LightingInput input;
   EXPECT_EQ(PackLighting(input).gloss(31), 0);
   EXPECT_EQ(mirrors().gloss(31), kMetal);

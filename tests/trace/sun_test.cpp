@@ -109,14 +109,14 @@ TEST(Sky, lights_a_plain_by_the_mean_over_the_hemisphere) {
     return double(tracer.incoming(top, random, counts).b);
   });
   // Integral of sky_radiance over the hemisphere, weighed by the cosine.
-  double truth = 0;
+  double expected = 0;
   constexpr int kSteps = 4000;
   for (int i = 0; i < kSteps; ++i) {
     const double height = std::sqrt((i + 0.5) / kSteps);
     const glm::vec3 direction(std::sqrt(1 - height * height), height, 0);
-    truth += scene.lighting->skyRadiance(direction).b / kSteps;
+    expected += scene.lighting->skyRadiance(direction).b / kSteps;
   }
-  EXPECT_NEAR(result.mean, truth, 4 * result.error);
+  EXPECT_NEAR(result.mean, expected, 4 * result.error);
 }
 
 // Light loses nothing on its way: the same point, from wherever it is seen along one line.

@@ -48,18 +48,18 @@ TEST(VoxelGrid, meets_what_a_search_through_all_quads_finds) {
       ray.cell = glm::ivec3(glm::floor(ray.origin));
       const bool inside = scene.grid.contains(ray.cell);
       if (cubes.count(ray.cell) != 0) continue;
-      const float truth = nearestByFar(scene.grid, ray);
+      const float expected = nearestByFar(scene.grid, ray);
       const glm::vec3 start = ray.origin;
       if (!inside && !scene.grid.enter(ray)) {
-        wrong += std::isfinite(truth);
+        wrong += std::isfinite(expected);
         continue;
       }
       const RayHit hit = scene.grid.intersect(ray);
       const float found = hit.distance + glm::distance(start, ray.origin);
       hidden += hit.quad == kHiddenQuad;
-      (std::isfinite(truth) ? met : left) += 1;
-      wrong += std::isfinite(truth) != std::isfinite(found) ||
-               (std::isfinite(truth) && std::abs(truth - found) > 1e-2f);
+      (std::isfinite(expected) ? met : left) += 1;
+      wrong += std::isfinite(expected) != std::isfinite(found) ||
+               (std::isfinite(expected) && std::abs(expected - found) > 1e-2f);
     }
     EXPECT_GT(met, 50);
     EXPECT_GT(left, 20);

@@ -39,7 +39,7 @@ TEST_F(FileWatchTest, quiet_files_tell_nothing) {
   EXPECT_THAT(watch.poll(), IsEmpty());
 }
 
-TEST_F(FileWatchTest, an_edit_is_told_once_after_it_has_settled) {
+TEST_F(FileWatchTest, an_edit_is_reported_once_after_it_has_settled) {
   FileWatch watch({root_});
   write("shaders/lib/sky.glsl", "longer");
   EXPECT_THAT(watch.poll(), IsEmpty());
@@ -56,7 +56,7 @@ TEST_F(FileWatchTest, an_edit_of_equal_length_is_seen_by_its_time) {
   EXPECT_THAT(watch.poll(), ElementsAre(path("shaders/final.fsh")));
 }
 
-TEST_F(FileWatchTest, edits_in_progress_are_told_together) {
+TEST_F(FileWatchTest, edits_in_progress_are_reported_together) {
   FileWatch watch({root_});
   write("shaders/final.fsh", "first of two");
   EXPECT_THAT(watch.poll(), IsEmpty());

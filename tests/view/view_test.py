@@ -253,7 +253,7 @@ def edited_shader_changes_the_picture(test):
     assert abs(red - mean(before)[0]) < 1
 
 
-def broken_edit_changes_nothing_and_is_told_once(test):
+def broken_edit_changes_nothing_and_is_reported_once(test):
     before = test.picture()
     path = test.folder / "after.png"
     view = View(test, "--screenshot", path)
@@ -422,7 +422,7 @@ def ends_by_the_window_needing_a_display(test):
 
 CASES = [shows_what_render_draws, window_shows_the_screenshot,
          edited_shader_changes_the_picture,
-         broken_edit_changes_nothing_and_is_told_once, repaired_edit_is_taken_over,
+         broken_edit_changes_nothing_and_is_reported_once, repaired_edit_is_taken_over,
          missing_include_is_located_and_changes_nothing, option_file_takes_effect,
          fifty_edits_leave_no_error_and_no_growth, events_of_the_world_happen,
          keys_reload_step_profiles_and_take_screenshots, keys_and_mouse_fly,

@@ -179,7 +179,7 @@ TEST(BlockAtlas, specular_follows_labpbr) {
   }
 }
 
-TEST(BlockAtlas, dyes_are_told_apart) {
+TEST(BlockAtlas, dyes_are_distinguished) {
   const char* const kDyes[] = {"white", "orange", "magenta",    "light_blue", "yellow", "lime",
                                "pink",  "gray",   "light_gray", "cyan",       "purple", "blue",
                                "brown", "green",  "red",        "black"};

@@ -128,7 +128,7 @@ TEST(Schematic, what_is_no_schematic_says_so) {
   EXPECT_EQ(errorOf(parts), "schematic version 0: expected 1, 2 or 3");
 }
 
-TEST(Schematic, damaged_and_truncated_gzip_are_told_apart) {
+TEST(Schematic, damaged_and_truncated_gzip_are_distinguished) {
   const std::string file = SchematicParts().file();
   EXPECT_EQ(errorOf(file.substr(0, 40)),
             "the file is cut off: its compressed data ends after 40 bytes");

@@ -118,7 +118,7 @@ TEST(WorldJsonErrors, wrong_operations) {
       "world.json:2:15: error: unknown key \"city\" in \"generate\": expected one of terrain");
 }
 
-TEST(WorldJsonErrors, files_stay_inside_the_folder_and_their_errors_are_told) {
+TEST(WorldJsonErrors, files_stay_inside_the_folder_and_their_errors_are_reported) {
   const auto message = [](const std::string& path) {
     const WorldFileReader files = [](const std::string& name) {
       return name == "bad.schem" ? std::optional<std::string>("oops") : std::nullopt;

@@ -94,7 +94,7 @@ TEST(Worlds, corridor_hides_its_lamp_from_the_corner_camera) {
   }
 }
 
-TEST(Worlds, folder_file_and_schematic_are_told_apart) {
+TEST(Worlds, folder_file_and_schematic_are_distinguished) {
   Diagnostics diagnostics;
   EXPECT_TRUE(loadWorld(ORRIS_SOURCE_DIR "/worlds/cornell/world.json", 0, diagnostics));
   EXPECT_EQ(joined(diagnostics), "");

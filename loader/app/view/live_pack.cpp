@@ -87,11 +87,12 @@ bool LivePack::attempt(const std::string& cause, const Change& change) {
 
 bool LivePack::reload(const std::string& cause, bool withOptionFile) {
   return attempt(cause, [&](Diagnostics& diagnostics) {
-    const std::size_t told = report_.all().size();
+    const std::size_t reported = report_.all().size();
     const auto choices = readChoices(withOptionFile);
     if (!choices) {
-      diagnostics.assign(report_.all().begin() + std::ptrdiff_t(std::min(told, report_.all().size())),
-                         report_.all().end());
+      diagnostics.assign(
+          report_.all().begin() + std::ptrdiff_t(std::min(reported, report_.all().size())),
+          report_.all().end());
       return false;
     }
     LoadRequest& request = session_->loadRequest();

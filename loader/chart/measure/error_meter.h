@@ -1,4 +1,4 @@
-// How far the pictures of one setting are from the truth: what stays however many frames are averaged
+// How far the pictures of one setting are from the reference: what stays however many frames are averaged
 // (bias), and what changes from frame to frame (noise).
 #pragma once
 

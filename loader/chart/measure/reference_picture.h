@@ -16,7 +16,7 @@ namespace orris {
 struct ReferencePicture {
   ImageF mean, first, second;
   bool hasHalves = false;  ///< false: both are `mean`, its noise is unknown
-  /// 1 for pixels that lie on an edge, whose truth is one surface or the other: they are no error.
+  /// 1 for pixels that lie on an edge, whose reference is one surface or the other: they are no error.
   /// Empty: not known.
   std::vector<std::uint8_t> edges{};
 };

@@ -172,7 +172,7 @@ void checkWithGlslang(const ShaderPack& pack, int jobs, Verdicts& verdicts, Diag
       if (units[i].judged != units[i].stages) explainVersions(units[i].judged, lines, messages);
       const Diagnostics errors = messages;
       const IncludeTrial trial = [&](const MissingInclude& added) {
-        return healsWith(pack, units[i], added, errors);
+        return fixedBy(pack, units[i], added, errors);
       };
       explainUnknownNames(index, units[i].judged, trial, messages);
     }

@@ -19,7 +19,7 @@ constexpr GroupStyle kStyles[] = {{"setup", "#eceff1"},     {"begin", "#f3e5f5"}
                                   {"deferred", "#e3f2fd"},  {"translucent", "#e0f7fa"},
                                   {"composite", "#ede7f6"}, {"final", "#fce4ec"}};
 
-// Told apart on white; a buffer keeps its colour over the whole picture.
+// Distinct on white; a buffer keeps its colour over the whole picture.
 constexpr std::string_view kEdgeColors[] = {
     "#1565c0", "#c62828", "#2e7d32", "#ef6c00", "#6a1b9a", "#00838f", "#ad1457", "#558b2f",
     "#4e342e", "#283593", "#d84315", "#00695c", "#9e9d24", "#5d4037", "#455a64", "#7b1fa2"};

@@ -47,31 +47,31 @@ class CommonInclude {
   /// The one line that repairs a unit of each place, first, and then others that do; else of each place
   /// the others.
   Diagnostics find() {
-    Diagnostics told;
+    Diagnostics reported;
     Samples ofAll;
     for (const auto& [place, units] : places_) {
       if (ofAll.size() < kMostSamples) ofAll.push_back(units.front());
     }
-    if (ofAll.size() > 1) tellAll(ofAll, told);
-    if (!told.empty()) return told;
+    if (ofAll.size() > 1) reportAll(ofAll, reported);
+    if (!reported.empty()) return reported;
     std::size_t tried = 0;
     for (auto& [place, units] : places_) {
       if (tried++ == kMostPlaces) break;
       Samples alike = units;
       alike.resize(std::min(alike.size(), kMostAlike));
-      told.push_back(*missingOf(found_[alike.front()]));
-      addOthers(healing(alike), told.back());
+      reported.push_back(*missingOf(found_[alike.front()]));
+      addOthers(fixing(alike), reported.back());
     }
-    return told;
+    return reported;
   }
 
  private:
-  void tellAll(const Samples& samples, Diagnostics& told) {
-    const std::vector<MissingInclude> places = healing(samples);
+  void reportAll(const Samples& samples, Diagnostics& reported) {
+    const std::vector<MissingInclude> places = fixing(samples);
     if (places.empty()) return;
     const MissingInclude& first = places.front();
     const UnknownName name = unknownNames(samples)[first.first];
-    told.push_back(
+    reported.push_back(
         {.severity = Severity::Error,
          .id = kMissing,
          .at = first.at,
@@ -82,7 +82,7 @@ class CommonInclude {
          .sourceLine = pack_.sourceLine(first.at.file, first.at.line),
          .hint = hintOf(first),
          .repair = LineEdit{first.at.file, first.at.line, hintOf(first)}});
-    addOthers(places, told.back());
+    addOthers(places, reported.back());
   }
 
   void addOthers(const std::vector<MissingInclude>& places, Diagnostic& first) const {
@@ -99,25 +99,25 @@ class CommonInclude {
   }
 
   /// The places, the likeliest first, where one line repairs all of them; no more than are reported.
-  std::vector<MissingInclude> healing(const Samples& samples) {
+  std::vector<MissingInclude> fixing(const Samples& samples) {
     std::vector<MissingInclude> places;
     const IncludeTrial trial = [&](const MissingInclude& added) {
       const bool known = std::ranges::any_of(places, [&](const MissingInclude& place) {
         return place.at == added.at && place.target == added.target;
       });
       const bool likely = places.empty() || added.share >= kAsLikely;
-      if (!known && likely && healsAll(samples, added)) places.push_back(added);
+      if (!known && likely && fixesAll(samples, added)) places.push_back(added);
       return places.size() > kMostOthers;
     };
     findMissingIncludes(index_, commonFiles(samples), unknownNames(samples), trial);
     return places;
   }
 
-  bool healsAll(const Samples& samples, const MissingInclude& added) const {
+  bool fixesAll(const Samples& samples, const MissingInclude& added) const {
     return std::ranges::all_of(samples, [&](std::size_t i) {
       Diagnostics errors = found_[i];
       std::erase_if(errors, [](const Diagnostic& d) { return d.id == kMissing; });
-      return healsWith(pack_, units_[i], added, errors);
+      return fixedBy(pack_, units_[i], added, errors);
     });
   }
 
@@ -187,23 +187,23 @@ void mergeMissingIncludes(const ShaderPack& pack, const std::vector<ProgramUnit>
                           std::vector<Diagnostics>& found) {
   const auto first = std::ranges::find_if(found, missingOf);
   if (first == found.end()) return;
-  Diagnostics told;
+  Diagnostics reported;
   const auto work = [&](std::size_t) {
     return encodeDiagnostics(CommonInclude(pack, units, found).find());
   };
   runIsolated({.count = 1, .workers = 1, .work = work}, [&](std::size_t, JobOutcome outcome) {
-    if (outcome.kind == JobOutcome::Kind::Done) told = decodeDiagnostics(outcome.result);
+    if (outcome.kind == JobOutcome::Kind::Done) reported = decodeDiagnostics(outcome.result);
     return true;
   });
-  if (told.empty()) return;
-  if (replaceEqual(told, found)) return;
+  if (reported.empty()) return;
+  if (replaceEqual(reported, found)) return;
   for (Diagnostics& diagnostics : found) {
     // What else a program lacks stays.
     std::erase_if(diagnostics, [&](const Diagnostic& d) {
-      return d.id == kMissing && d.hint == told.front().hint;
+      return d.id == kMissing && d.hint == reported.front().hint;
     });
   }
-  first->insert(first->end(), told.begin(), told.end());
+  first->insert(first->end(), reported.begin(), reported.end());
 }
 
 }  // namespace orris

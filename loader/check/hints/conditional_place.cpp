@@ -36,12 +36,12 @@ class Collector {
   explicit Collector(const std::vector<Diagnostics>& found) {
     for (const Diagnostics& diagnostics : found) {
       for (const Diagnostic& diagnostic : diagnostics) {
-        if (diagnostic.id == kUnbalanced) told_.insert(diagnostic.at.file);
+        if (diagnostic.id == kUnbalanced) reported_.insert(diagnostic.at.file);
       }
     }
   }
 
-  bool none() const { return told_.empty(); }
+  bool none() const { return reported_.empty(); }
 
   /// The files, each with at most `most` more samples.
   void add(const ShaderPack& folder, std::size_t most) {
@@ -71,18 +71,19 @@ class Collector {
                                                             const StageText& stage) const {
     std::map<std::string, UnbalancedConditional> result;
     if (stage.text.sites.empty()) return result;
-    Diagnostics ignored;  // told when the program was made
+    Diagnostics ignored;  // reported when the program was made
     const FileLookup lookup = [&](const std::string& file) { return build.lines(file); };
     const FlatSource source =
         flatten(build.files().graph, lookup, stage.text.sites.front().file, ignored);
     for (UnbalancedConditional& what : findUnbalancedConditionals(source)) {
       const std::string& file = source.sites[std::size_t(what.at.site)].file;
-      if (!what.repairs.empty() && told_.contains(file)) result.try_emplace(file, std::move(what));
+      if (!what.repairs.empty() && reported_.contains(file))
+        result.try_emplace(file, std::move(what));
     }
     return result;
   }
 
-  std::set<std::string> told_;
+  std::set<std::string> reported_;
   std::map<std::string, Unbalanced> files_;
 };
 

@@ -43,8 +43,8 @@ std::optional<Diagnostics> diagnosticsWith(const ShaderPack& pack, const Program
   return left;
 }
 
-bool healsWith(const ShaderPack& pack, const ProgramUnit& unit, const MissingInclude& added,
-               const Diagnostics& errors) {
+bool fixedBy(const ShaderPack& pack, const ProgramUnit& unit, const MissingInclude& added,
+             const Diagnostics& errors) {
   const auto left = diagnosticsWith(pack, unit, {added.at.file, added.at.line, added.target},
                                     CompileErrors::All);
   if (!left) return false;

@@ -18,7 +18,7 @@ std::optional<Diagnostics> diagnosticsWith(const ShaderPack& pack, const Program
                                            const AddedLine& added, CompileErrors wanted);
 
 /// Does the unit, which has `errors`, have fewer with the #include, and none that is new?
-bool healsWith(const ShaderPack& pack, const ProgramUnit& unit, const MissingInclude& added,
-               const Diagnostics& errors);
+bool fixedBy(const ShaderPack& pack, const ProgramUnit& unit, const MissingInclude& added,
+             const Diagnostics& errors);
 
 }  // namespace orris

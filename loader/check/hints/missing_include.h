@@ -28,7 +28,7 @@ struct MissingInclude {
 /// Would the program compile with this line, or at least with fewer errors and no new ones?
 using IncludeTrial = std::function<bool(const MissingInclude&)>;
 
-/// As few #include lines as make all names known. Each goes into the file whose likes (files of its
+/// As few #include lines as make all names known. Each goes into the file whose similar files (those of its
 /// folder, files with nearly the same #include lines, files of the same name) include the target,
 /// before the name is used. Of the likeliest places the first one where `trial` succeeds, else the
 /// likeliest. `reached` are the files of the stage in the order of their text, up to

@@ -28,8 +28,8 @@ struct IdFile {
 
 IdFile readIdFile(const ShaderPack& pack, const std::string& file, std::string_view prefix) {
   const std::string text = readText(*pack.source, file).value_or("");
-  Diagnostics told;
-  const std::string active = preprocessProperties(file, text, pack.propertyMacros, told);
+  Diagnostics reported;
+  const std::string active = preprocessProperties(file, text, pack.propertyMacros, reported);
   IdFile read{parseIdLines(file, active, text, nullptr), Branches(text)};
   std::erase_if(read.entries, [&](auto& entry) { return !entry.key.starts_with(prefix); });
   return read;
@@ -74,8 +74,8 @@ class BlockCheck {
     for (const PropertyWord& word : locatedWords(entry)) {
       // Words of a line that its author took for a comment, swallowed by the line before.
       if (trim(word.sourceLine).starts_with("//")) continue;
-      std::vector<std::string> told;
-      BlockFilter filter = parseBlockFilter(word.text, 0, told);
+      std::vector<std::string> reported;
+      BlockFilter filter = parseBlockFilter(word.text, 0, reported);
       checkStates(filter, word);
       if (!filter.isTag) checkBlockName(filter.name, word, entry);
       ListedBlock listed{&entry, word.text, word.at, !filter.properties.empty()};

@@ -29,13 +29,13 @@ std::string lineList(const Group& group) {
   constexpr size_t kMost = 12;
   std::set<int> lines;
   for (const LostBlock* lost : group) lines.insert(lost->word.at.line);
-  std::vector<std::string> told;
+  std::vector<std::string> listed;
   for (const int line : lines) {
-    if (told.size() < kMost) told.push_back(std::to_string(line));
+    if (listed.size() < kMost) listed.push_back(std::to_string(line));
   }
   const std::string more =
       lines.size() > kMost ? fmt::format(" and {} more", lines.size() - kMost) : "";
-  return (lines.size() == 1 ? "in line " : "in lines ") + joinNames(told) + more;
+  return (lines.size() == 1 ? "in line " : "in lines ") + joinNames(listed) + more;
 }
 
 /// One entry before many that it leaves nothing for.
@@ -55,13 +55,13 @@ void reportGreedy(const Group& group, Diagnostics& diagnostics) {
 
 std::string names(const Group& group) {
   constexpr size_t kMost = 3;
-  std::vector<std::string> told;
+  std::vector<std::string> listed;
   for (const LostBlock* lost : group) {
-    if (told.size() < kMost) told.push_back(lost->word.text);
+    if (listed.size() < kMost) listed.push_back(lost->word.text);
   }
   const std::string more =
       group.size() > kMost ? fmt::format(" and {} more", group.size() - kMost) : "";
-  return joinNames(told) + more;
+  return joinNames(listed) + more;
 }
 
 /// Entries of one line that another line has already.
@@ -106,9 +106,9 @@ void reportLostBlocks(const std::vector<LostBlock>& lost, Diagnostics& diagnosti
   std::erase_if(byFirst, [](const auto& group) { return !isGreedy(group.second); });
   for (const auto& [place, group] : byFirst) reportGreedy(group, diagnostics);
   for (const LostBlock& one : lost) {
-    const bool told =
+    const bool listed =
         one.first.entry->key != one.word.entry->key && byFirst.contains(blockPlace(one.first.at));
-    if (!told) byLines[{one.word.at.line, one.first.at.line}].push_back(&one);
+    if (!listed) byLines[{one.word.at.line, one.first.at.line}].push_back(&one);
   }
   for (const auto& [lines, group] : byLines) reportLine(group, diagnostics);
 }

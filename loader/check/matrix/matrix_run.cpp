@@ -157,12 +157,12 @@ class Run {
   }
 
   std::vector<MatrixFailure> group() {
-    std::set<ProblemKey> told;
-    for (const Diagnostic& diagnostic : base_.told) told.insert(keyOf(diagnostic));
+    std::set<ProblemKey> reported;
+    for (const Diagnostic& diagnostic : base_.reported) reported.insert(keyOf(diagnostic));
     std::map<ProblemKey, MatrixFailure> failures;
     const auto add = [&](const Diagnostic& diagnostic, std::size_t job, bool lost) {
       const ProblemKey key = keyOf(diagnostic);
-      if (told.contains(key)) return;
+      if (reported.contains(key)) return;
       MatrixFailure& failure = failures[key];
       if (failure.jobs.empty()) failure.diagnostic = diagnostic;
       failure.lost = lost;

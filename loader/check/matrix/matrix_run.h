@@ -28,7 +28,7 @@ struct MatrixBase {
   std::span<const ShaderPack> folders;  ///< loaded with the same values, with their sources
   MacroDefinitions environment;
   const Verdicts& verdicts;
-  const Diagnostics& told;  ///< what was reported is not reported again
+  const Diagnostics& reported;  ///< what was reported is not reported again
 };
 
 struct MatrixResult {

@@ -124,8 +124,8 @@ void checkPropertiesTwice(std::span<const ShaderPack> folders, Diagnostics& diag
   const ShaderPack& pack = folders.front();
   const auto text = readText(*pack.source, kFile);
   if (!text) return;
-  Diagnostics told;
-  const std::string active = preprocessProperties(kFile, *text, pack.propertyMacros, told);
+  Diagnostics reported;
+  const std::string active = preprocessProperties(kFile, *text, pack.propertyMacros, reported);
   const Branches branches(*text);
   reportTwice(parseProperties(kFile, active, Continuation::Preprocessed, *text), branches, false,
               diagnostics);

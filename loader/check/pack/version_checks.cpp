@@ -195,8 +195,9 @@ void checkNewProperties(const FolderInput& input, Diagnostics& diagnostics) {
   const auto host = checkedHost(input.pack);
   const auto text = host ? input.pack.source->read(kFile) : std::nullopt;
   if (!text) return;
-  Diagnostics told;
-  const std::string active = preprocessProperties(kFile, *text, input.pack.propertyMacros, told);
+  Diagnostics reported;
+  const std::string active =
+      preprocessProperties(kFile, *text, input.pack.propertyMacros, reported);
   NewWords words(*host, diagnostics);
   for (const PropertyEntry& entry :
        parseProperties(kFile, active, Continuation::Preprocessed, *text))

@@ -27,7 +27,7 @@ struct PackFiles {
   std::vector<Profile> profiles;
   std::map<std::string, std::map<std::string, std::string>> languages;
   std::set<std::string> broken;  ///< files with an #include in error
-  bool complete = true;          ///< false: Iris refuses the pack, for what `diagnostics` told
+  bool complete = true;          ///< false: Iris refuses the pack, for what `diagnostics` hold
 };
 
 inline constexpr const char* kPropertiesFile = "/shaders.properties";

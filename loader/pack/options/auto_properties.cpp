@@ -154,8 +154,8 @@ bool asksForAuto(const ShaderProperties& properties) {
 std::vector<AutoCandidate> parseAutoOptions(const std::string& file, const std::string& text,
                                             const MacroDefinitions& macros,
                                             const OptionSet& options, Diagnostics& diagnostics) {
-  Diagnostics told;  // by whoever read the file for its other keys
-  const std::string active = preprocessProperties(file, text, macros, told);
+  Diagnostics reported;  // by whoever read the file for its other keys
+  const std::string active = preprocessProperties(file, text, macros, reported);
   std::vector<AutoCandidate> candidates;
   for (const PropertyEntry& entry :
        lastValues(parseProperties(file, active, Continuation::Preprocessed, text))) {

@@ -126,7 +126,7 @@ class OptionLimit {
     const bool many = line.values.size() > limits::kOptionValues;
     if (!many && names_.size() < limits::kOptions) names_.insert(line.name);
     if (!many && names_.contains(line.name)) return true;
-    if (!std::exchange(told_, true)) {
+    if (!std::exchange(reported_, true)) {
       diagnostics_.push_back(
           {.severity = Severity::Error,
            .id = "property-limit",
@@ -143,7 +143,7 @@ class OptionLimit {
  private:
   Diagnostics& diagnostics_;
   std::set<std::string, std::less<>> names_;
-  bool told_ = false;
+  bool reported_ = false;
 };
 
 /// Why a line that defines `name` makes no option. Iris: OptionAnnotatedSource

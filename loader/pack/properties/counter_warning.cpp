@@ -38,8 +38,8 @@ std::vector<CounterWarning> parseCounterWarnings(const std::string& file, const 
                                                  const MacroDefinitions& macros,
                                                  const ShaderProperties& properties,
                                                  Diagnostics& diagnostics) {
-  Diagnostics told;  // by whoever read the file for its other keys
-  const std::string active = preprocessProperties(file, text, macros, told);
+  Diagnostics reported;  // by whoever read the file for its other keys
+  const std::string active = preprocessProperties(file, text, macros, reported);
   std::vector<CounterWarning> warnings;
   for (const PropertyEntry& entry :
        lastValues(parseProperties(file, active, Continuation::Preprocessed, text))) {

@@ -19,7 +19,7 @@ struct ExportMaterial {
   std::uint8_t emission = 0;  ///< light level 0..15
   bool doubleSided = false;   ///< two quads of one place, each seen from its side
   bool thin = false, water = false;
-  bool filters = false;            ///< tints light at its faces and not by the way inside
+  bool filters = false;            ///< tints light at its faces and not by the distance inside
   glm::vec3 emissionTint{1};       ///< linear, times the texture; of a lamp
   glm::vec3 radiance{0};           ///< that its fronts send to other surfaces
   auto key() const {

@@ -147,7 +147,7 @@ glm::vec4 VoxelGrid::texel(const TraceQuad& quad, const glm::vec2& at,
          tint;
 }
 
-// As GL 4.5, section 8.14: log2 of the longer of the ways in texels to the pixel beside and to the one below.
+// As GL 4.5, section 8.14: log2 of the longer of the distances in texels to the pixel beside and to the one below.
 // Mesa's software rasteriser takes the logarithm of the square by exponent and mantissa alone.
 TextureLevel VoxelGrid::textureLevel(std::uint32_t quad, const PixelFootprint* footprint) const {
   if (footprint == nullptr) return {};

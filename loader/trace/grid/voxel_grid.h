@@ -26,7 +26,7 @@ struct TraceQuad {
   bool filters = false;    ///< translucent and no block of it: tints rays that meet its front
   bool thin = false;       ///< lit from both sides
   std::uint32_t twin = kNoQuad;  ///< the same rectangle seen from behind; set by the grid
-  std::uint8_t gloss = 0;  ///< class of the pack's mirrors; 0: matt
+  std::uint8_t gloss = 0;        ///< class of the pack's mirrors; 0: diffuse
   bool water = false;      ///< mirrors at grazing angles
 };
 

@@ -87,8 +87,8 @@ vec3 PackLighting::reflectGlossy(int gloss, const vec3& albedo, const vec3& n, c
   return directLight_ == "NONE" ? vec3(0) : functions_->reflect_glossy(gloss, albedo, n, v, l);
 }
 
-vec3 PackLighting::mattShare(int gloss, const vec3& albedo, float cosine) const {
-  return functions_->matt_share(gloss, albedo, cosine);
+vec3 PackLighting::diffuseShare(int gloss, const vec3& albedo, float cosine) const {
+  return functions_->diffuse_share(gloss, albedo, cosine);
 }
 
 MirrorSample PackLighting::mirror(int gloss, const vec3& albedo, const vec3& n, const vec3& v,

@@ -56,13 +56,13 @@ class PackLighting {
   /// Plants and leaves: lit from both sides.
   bool isThin(int id) const;
   bool isWater(int id) const;
-  /// Class of a block that mirrors, 0 of a matt one; with GI_GLOSSY.
+  /// Class of a block that mirrors, 0 of a diffuse one; with GI_GLOSSY.
   int gloss(int id) const;
   /// As reflectDirect, of a block of that class.
   glm::vec3 reflectGlossy(int gloss, const glm::vec3& albedo, const glm::vec3& n,
                           const glm::vec3& v, const glm::vec3& l) const;
-  /// Share of the light from elsewhere that its matt ground reflects.
-  glm::vec3 mattShare(int gloss, const glm::vec3& albedo, float cosine) const;
+  /// Share of the light from elsewhere that its diffuse base reflects.
+  glm::vec3 diffuseShare(int gloss, const glm::vec3& albedo, float cosine) const;
   /// One direction that it mirrors toward `v`, and what light from there is multiplied by; `u` in 0..1.
   MirrorSample mirror(int gloss, const glm::vec3& albedo, const glm::vec3& n, const glm::vec3& v,
                       const glm::vec2& u) const;

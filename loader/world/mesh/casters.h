@@ -1,4 +1,4 @@
-// What casts shadows: the opaque faces of a mesh, for shadow volumes and for the truth about them.
+// What casts shadows: the opaque faces of a mesh, for shadow volumes and for their reference.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ namespace orris {
 constexpr float kCasterCoverage = 0.5f;
 /// Alpha below which a texel of a cutout texture is a hole: what Iris tests terrain with.
 constexpr float kCasterAlpha = 0.1f;
-/// Faces whose normal has a smaller cosine with the light lie along it and are neither lit nor averse.
+/// Faces whose normal has a smaller cosine with the light lie along it and are neither lit nor turned away.
 constexpr float kAlongLight = 1e-6f;
 
 /// One quad, counter-clockwise as seen from the side its normal points to.

@@ -88,14 +88,14 @@ vec3 light_surface(Surface s, ivec2 pixel) {
     vec3 n = s.thin && dot(s.normal, l) < 0.0 ? -s.normal : s.normal;
     float level = s.emission / 15.0;
     vec3 radiance = s.albedo * (EMISSION_STRENGTH * level * level);
-    vec3 matt = s.albedo;
+    vec3 diffuse = s.albedo;
 #if GLOSSY
     if (s.gloss > 0) {
-        matt *= matt_share(s.gloss, s.albedo, max(dot(n, v), 0.0));
+        diffuse *= diffuse_share(s.gloss, s.albedo, max(dot(n, v), 0.0));
         radiance += texelFetch(colortex8, pixel, 0).rgb;
     }
 #endif
-    radiance += matt * indirect_radiance(s, pixel);
+    radiance += diffuse * indirect_radiance(s, pixel);
 #if DIRECT_LIGHT != NONE
     vec3 sun = light_irradiance() * sun_visibility(pixel, s.player, n, l, s.light.y);
 #if GATHERED
@@ -111,7 +111,7 @@ vec3 light_surface(Surface s, ivec2 pixel) {
 #if LAMPS_FORWARD
     radiance += texelFetch(colortex7, pixel, 0).rgb;
 #elif LAMPS
-    radiance += lamps_radiance(s.player, s.normal, float(s.thin), matt);
+    radiance += lamps_radiance(s.player, s.normal, float(s.thin), diffuse);
 #endif
     return radiance;
 }

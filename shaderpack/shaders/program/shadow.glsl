@@ -84,8 +84,8 @@ vec4 sheet_of_triangle() {
                                                                                               : vec4(0.0);
     vec3 color = to_linear(textureLod(gtexture, vertex_mid_uv[0], 4.0).rgb) * to_linear(vertex_tint[0]);
     float slope = abs((mat3(shadowModelView) * vertex_normal[0]).z);
-    float way = id == block_translucent ? 1.0 / max(slope, 0.25) : float(id == block_tinted_pane);
-    return encode_sheet(color, way);
+    float thickness = id == block_translucent ? 1.0 / max(slope, 0.25) : float(id == block_tinted_pane);
+    return encode_sheet(color, thickness);
 }
 
 /// Quads of blocks, once: they arrive as pairs of triangles.
@@ -110,11 +110,11 @@ Block block_of_quad() {
     if (renderStage != MC_RENDER_STAGE_BLOCK_ENTITIES)
         return Block(vertex_center[0], int(floor(vertex_id[0] + 0.5)), vertex_emission[0]);
     vec3 size = quad_high() - quad_low();
-    bool told = is_block_class(blockEntityId) && max(size.x, max(size.y, size.z)) > 0.3;
+    bool named = is_block_class(blockEntityId) && max(size.x, max(size.y, size.z)) > 0.3;
     vec3 inside = 0.5 * (quad_low() + quad_high()) - 0.01 * vertex_normal[0];
     vec3 cell = floor(inside + cameraPositionFract);
-    return Block(cell + 0.5 - cameraPositionFract, told ? blockEntityId : block_open,
-                 told ? lamp_level(blockEntityId) : 0.0);
+    return Block(cell + 0.5 - cameraPositionFract, named ? blockEntityId : block_open,
+                 named ? lamp_level(blockEntityId) : 0.0);
 }
 
 #endif

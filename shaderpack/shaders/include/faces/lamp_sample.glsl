@@ -92,11 +92,11 @@ vec3 met_lamp(Hit hit, Receiver r, vec3 direction) {
 float promise(Receiver r, uint entry) {
     int face = packed_face(entry);
     vec3 normal = face == face_ball ? vec3(0.0) : face_normal(face);
-    vec3 way = vec3(packed_cell(entry)) + 0.5 + 0.5 * normal - r.origin;
-    float squared = dot(way, way);
+    vec3 to_lamp = vec3(packed_cell(entry)) + 0.5 + 0.5 * normal - r.origin;
+    float squared = dot(to_lamp, to_lamp);
     float far = sqrt(squared);
-    float here = max(0.0, dot(way, r.normal) + 0.75);
-    float there = face == face_ball ? 0.25 * far : max(0.0, 0.75 - dot(way, normal));
+    float here = max(0.0, dot(to_lamp, r.normal) + 0.75);
+    float there = face == face_ball ? 0.25 * far : max(0.0, 0.75 - dot(to_lamp, normal));
     float level = entry_level(entry);
     return level * level * here * there / (squared * squared + 0.1);
 }
@@ -118,10 +118,10 @@ vec3 cone_direction(vec3 axis, float cosine, vec2 u) {
 }
 
 LampSample sample_ball(Receiver r, ivec3 cell, vec3 radiance, vec2 u) {
-    vec3 way = vec3(cell) + 0.5 - r.origin;
-    float far = length(way);
+    vec3 to_lamp = vec3(cell) + 0.5 - r.origin;
+    float far = length(to_lamp);
     float density = density_of_ball(far);
-    vec3 direction = cone_direction(way / far, 1.0 - 0.5 / (pi * density), u);
+    vec3 direction = cone_direction(to_lamp / far, 1.0 - 0.5 / (pi * density), u);
     float cosine = max(0.0, dot(direction, r.normal));
     // From inside no ray sees it.
     float share = far < small_lamp_radius ? 0.0 : cosine / (pi * density);
@@ -131,10 +131,10 @@ LampSample sample_ball(Receiver r, ivec3 cell, vec3 radiance, vec2 u) {
 /// Of lava the top lies lower.
 LampSample sample_cube(Receiver r, ivec3 cell, int face, bool lava, vec3 radiance, vec2 u) {
     vec3 normal = face_normal(face);
-    vec3 way = point_of_side(cell, normal, u) - r.origin;
-    way.y -= lava && normal.y > 0.5 ? 1.0 - water_height : 0.0;
-    float far = length(way);
-    vec3 direction = way / far;
+    vec3 to_lamp = point_of_side(cell, normal, u) - r.origin;
+    to_lamp.y -= lava && normal.y > 0.5 ? 1.0 - water_height : 0.0;
+    float far = length(to_lamp);
+    vec3 direction = to_lamp / far;
     float cosine = max(0.0, -dot(direction, normal));
     float share = max(0.0, dot(direction, r.normal)) * cosine / (pi * far * far);
     return LampSample(cell, direction, radiance * share, density_of_face(far, cosine));

@@ -23,7 +23,7 @@ vec3 gloss_fresnel(int gloss, vec3 albedo, float cosine) {
 }
 
 /// Share of the light that the diffuse base gets; metals have none.
-vec3 matt_share(int gloss, vec3 albedo, float cosine) {
+vec3 diffuse_share(int gloss, vec3 albedo, float cosine) {
     return gloss == gloss_metal ? vec3(0.0) : 1.0 - gloss_fresnel(gloss, albedo, cosine);
 }
 
@@ -56,7 +56,7 @@ vec3 reflect_glossy(int gloss, vec3 albedo, vec3 n, vec3 v, vec3 l) {
     float a2 = gloss_alpha(gloss) * gloss_alpha(gloss);
     float d = dot(n, h) * dot(n, h) * (a2 - 1.0) + 1.0;
     float lobe = a2 / (pi * d * d) * ggx_masking(nl, gloss_alpha(gloss)) * ggx_masking(nv, gloss_alpha(gloss)) / (4.0 * nv);
-    return nl / pi * albedo * matt_share(gloss, albedo, nv) + lobe * gloss_fresnel(gloss, albedo, dot(v, h));
+    return nl / pi * albedo * diffuse_share(gloss, albedo, nv) + lobe * gloss_fresnel(gloss, albedo, dot(v, h));
 }
 
 #endif

@@ -23,11 +23,11 @@ vec3 lamp_light(Voxel v) {
 // Share of a block of leaves' side that is open.
 const float leaf_holes = 0.09;
 
-/// The way from `origin` to where a ray leaves its first cell.
-float way_out(vec3 origin, vec3 direction) {
+/// The distance from `origin` to where a ray leaves its first cell.
+float distance_out(vec3 origin, vec3 direction) {
     direction = mix(direction, vec3(1e-6), lessThan(abs(direction), vec3(1e-6)));
-    vec3 ways = (floor(origin) + step(0.0, direction) - origin) / direction;
-    return min(ways.x, min(ways.y, ways.z));
+    vec3 leave = (floor(origin) + step(0.0, direction) - origin) / direction;
+    return min(leave.x, min(leave.y, leave.z));
 }
 
 /// Of full blocks leaves alone are looked out of.
@@ -37,7 +37,7 @@ bool begins_in_leaves(vec3 origin) { return voxel_at(ivec3(floor(origin))).code 
 /// drawn. Without a cache of light it passes on what falls on it as if that went straight on.
 vec3 left_by_leaves(Voxel own, vec3 origin, vec3 direction) {
 #if FACES
-    ivec3 beyond = ivec3(floor(origin + direction * (way_out(origin, direction) + 0.001)));
+    ivec3 beyond = ivec3(floor(origin + direction * (distance_out(origin, direction) + 0.001)));
     return vec3(is_opaque_voxel(voxel_at(beyond).code) ? 1.0 : leaf_holes);
 #else
     return mix(own.color, vec3(1.0), leaf_holes);
@@ -64,20 +64,20 @@ Hit trace_from_face(vec3 origin, vec3 direction) {
     uint octants = octants_of(own.code, cell);
     // What is thinner than half a block has its face inside of what stands for it.
     octants = (octants >> uint(dot(within, vec3(1.0, 2.0, 4.0))) & 1u) == 1u ? 0u : octants;
-    Meeting met = meet_octants(walk, octants, vec2(-1.0, way_out(origin, direction)));
+    Meeting met = meet_octants(walk, octants, vec2(-1.0, distance_out(origin, direction)));
 #if NOTICE_CHANGES
     if (is_post(own.code)) met = meet_post(walk, own.code);
 #endif
     if (met.found)
-        return Hit(true, cell, origin + direction * met.way, -met.axis * walk.stride, own, vec3(1.0),
+        return Hit(true, cell, origin + direction * met.t, -met.axis * walk.stride, own, vec3(1.0),
                    !is_post(own.code));
     Hit hit = trace(origin, direction);
     for (int i = 0; i < int(own.code == voxel_solid); ++i) hit.transmittance *= left_by_leaves(own, origin, direction);
     if (is_filter_voxel(own.code)) {
-        vec2 ways = vec2(0.0, way_out(origin, direction));
+        vec2 span = vec2(0.0, distance_out(origin, direction));
         if (own.code == voxel_water_surface)
-            ways = below_surface(ways, float(cell.y) + water_height - origin.y, direction.y);
-        hit.transmittance *= filtered(own.color, max(0.0, ways.y - ways.x));
+            span = below_surface(span, float(cell.y) + water_height - origin.y, direction.y);
+        hit.transmittance *= filtered(own.color, max(0.0, span.y - span.x));
     }
     return hit;
 }

@@ -13,7 +13,7 @@ Hit side_of_leaves(vec3 origin, vec3 direction) {
     Hit side;
     side.cell = ivec3(floor(origin));
     side.voxel = voxel_at(side.cell);
-    side.position = origin + direction * way_out(origin, direction);
+    side.position = origin + direction * distance_out(origin, direction);
     vec3 from_middle = side.position - vec3(side.cell) - 0.5;
     vec3 size = abs(from_middle);
     float most = max(size.x, max(size.y, size.z));

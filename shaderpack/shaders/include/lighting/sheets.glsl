@@ -4,12 +4,12 @@
 #if !defined INCLUDED_LIGHTING_SHEETS
 #define INCLUDED_LIGHTING_SHEETS
 
-const float sheet_ways = 8.0;  // the longest way that is kept
+const float sheet_thickness = 8.0;  // the largest that is kept, blocks
 
 const vec4 sheet_with_holes = vec4(0.0, 0.0, 0.0, 1.0);
 
-vec4 encode_sheet(vec3 color, float way) {
-    return vec4(sqrt(clamp(color, 0.0, 1.0)), min(way / sheet_ways, 0.9)) * float(way > 0.0);
+vec4 encode_sheet(vec3 color, float thickness) {
+    return vec4(sqrt(clamp(color, 0.0, 1.0)), min(thickness / sheet_thickness, 0.9)) * float(thickness > 0.0);
 }
 
 bool has_holes(vec4 texel) { return texel.a > 0.95; }
@@ -17,7 +17,7 @@ bool has_holes(vec4 texel) { return texel.a > 0.95; }
 /// What is left of light that passed it.
 vec3 sheet_tint(vec4 texel) {
     bool tints = texel.a > 0.0 && !has_holes(texel);
-    return tints ? pow(max(texel.rgb * texel.rgb, vec3(1e-3)), vec3(texel.a * sheet_ways)) : vec3(1.0);
+    return tints ? pow(max(texel.rgb * texel.rgb, vec3(1e-3)), vec3(texel.a * sheet_thickness)) : vec3(1.0);
 }
 
 #endif

@@ -45,9 +45,9 @@ Light make_light(ivec3 cell, uint lamp) {
     return light;
 }
 
-/// Share of a spot's intensity; `way` from the surface to the lamp.
-float spot_share(float direction, vec3 way, float inverse_distance) {
-    float along = direction < 2.5 ? way.x : direction < 4.5 ? way.y : way.z;
+/// Share of a spot's intensity; `to_lamp` from the surface.
+float spot_share(float direction, vec3 to_lamp, float inverse_distance) {
+    float along = direction < 2.5 ? to_lamp.x : direction < 4.5 ? to_lamp.y : to_lamp.z;
     bool positive = direction == 2.0 || direction == 4.0 || direction == 6.0;
     float cosine = along * inverse_distance * (positive ? -1.0 : 1.0);
     float share = clamp((cosine - spot_none) / (spot_full - spot_none), 0.0, 1.0);
@@ -55,38 +55,38 @@ float spot_share(float direction, vec3 way, float inverse_distance) {
 }
 
 /// Irradiance of what faces the lamp: inverse square, windowed to be 0 at the range (Karis 2013, "Real
-/// Shading in Unreal Engine 4"), so that leaving out lamps beyond it changes nothing. `way` to the lamp.
-vec3 light_on_facing(vec4 place, vec4 power, vec3 way, float squared, float inverse) {
+/// Shading in Unreal Engine 4"), so that leaving out lamps beyond it changes nothing.
+vec3 light_on_facing(vec4 place, vec4 power, vec3 to_lamp, float squared, float inverse) {
     // What a lamp's own cell holds is the lamp: it shines, and is not lit by itself.
-    float off = max(abs(way.x), max(abs(way.y), abs(way.z)));
+    float off = max(abs(to_lamp.x), max(abs(to_lamp.y), abs(to_lamp.z)));
     float outside = step(own_cell, off);
     float reach = squared * place.w;
     float window = max(1.0 - reach * reach, 0.0);
     float radius = power.w > 0.0 ? power.w : small_lamp_radius * small_lamp_radius;
-    float spot = power.w > 0.0 ? 1.0 : spot_share(-power.w, way, inverse);
+    float spot = power.w > 0.0 ? 1.0 : spot_share(-power.w, to_lamp, inverse);
     return power.xyz * (outside * spot * window * window / max(squared, radius));
 }
 
 /// Irradiance. `thin`: lit from either side, 1.
 vec3 light_irradiance_at(vec4 place, vec4 power, vec3 position, vec3 normal, float thin) {
-    vec3 way = place.xyz - position;
-    float squared = dot(way, way);
+    vec3 to_lamp = place.xyz - position;
+    float squared = dot(to_lamp, to_lamp);
     float inverse = inversesqrt(max(squared, 1e-8));
-    float cosine = dot(way, normal) * inverse;
+    float cosine = dot(to_lamp, normal) * inverse;
     cosine = max(max(cosine, -thin * cosine), 0.0);
-    return cosine * light_on_facing(place, power, way, squared, inverse);
+    return cosine * light_on_facing(place, power, to_lamp, squared, inverse);
 }
 
 #if LAMP_GLOSS
 /// Radiance toward `view`, reflected as the sun's is.
 vec3 light_reflected_at(vec4 place, vec4 power, vec3 position, vec3 normal, float thin, vec3 albedo,
                         vec3 view) {
-    vec3 way = place.xyz - position;
-    float squared = dot(way, way);
+    vec3 to_lamp = place.xyz - position;
+    float squared = dot(to_lamp, to_lamp);
     float inverse = inversesqrt(max(squared, 1e-8));
-    vec3 n = thin * dot(way, normal) < 0.0 ? -normal : normal;
-    return light_on_facing(place, power, way, squared, inverse) *
-           reflect_direct(albedo, n, view, way * inverse);
+    vec3 n = thin * dot(to_lamp, normal) < 0.0 ? -normal : normal;
+    return light_on_facing(place, power, to_lamp, squared, inverse) *
+           reflect_direct(albedo, n, view, to_lamp * inverse);
 }
 #endif
 

@@ -53,10 +53,10 @@ float arrives_past_volumes(vec3 place) {
 /// 1 where lamp `i` arrives; 0 beyond its range and on what turns away from it or lies along it.
 float lamp_arrives(int i, vec3 player, vec3 normal, bool thin) {
     vec4 lamp = volume_lamp(i);
-    vec3 way = lamp.xyz - player;
-    float cosine = dot(normal, normalize(way));
+    vec3 to_lamp = lamp.xyz - player;
+    float cosine = dot(normal, normalize(to_lamp));
     bool faces = (thin ? abs(cosine) : cosine) > 0.01;
-    return float(faces && length(way) < lamp.w && (lamps_hidden >> i & 1u) == 0u);
+    return float(faces && length(to_lamp) < lamp.w && (lamps_hidden >> i & 1u) == 0u);
 }
 #endif
 

@@ -44,14 +44,14 @@ ivec3 cell_of(Walk walk) { return ivec3(walk.cell); }
 
 /// Distances to the planes by which the ray leaves the cube of cells nearer than `reach`; by which it came
 /// into its cell for 0.
-vec3 ways_out(Walk walk, float reach) {
+vec3 plane_distances(Walk walk, float reach) {
     return (walk.cell + (0.5 - walk.origin + walk.stride * (reach - 0.5))) * walk.inverse;
 }
 
 /// To the first cell beyond that cube. One axis at a time, ties included, so that no ray slips through
 /// a diagonal edge.
 void leave_cube(inout Walk walk, float reach) {
-    vec3 leave = ways_out(walk, reach);
+    vec3 leave = plane_distances(walk, reach);
     bool x = leave.x < leave.y && leave.x < leave.z;
     bool y = !x && leave.y < leave.z;
     vec3 there = walk.cell;
@@ -79,42 +79,42 @@ void walk_on(inout Walk walk) {
 vec4 texel_of(ivec3 cell) { return texelFetch(shadowcolor0, atlas_texel(cell), 0); }
 
 /// The distances to where the ray enters its cell and to where it leaves it.
-vec2 ways_through(Walk walk) {
-    vec3 leave = ways_out(walk, 1.0);
-    vec3 came = ways_out(walk, 0.0);
+vec2 span_in_cell(Walk walk) {
+    vec3 leave = plane_distances(walk, 1.0);
+    vec3 came = plane_distances(walk, 0.0);
     return vec2(max(came.x, max(came.y, came.z)), min(leave.x, min(leave.y, leave.z)));
 }
 
 /// The part of a ray's distances x to y that lies below the height where water ends in its cell.
-vec2 below_surface(vec2 ways, float height, float slope) {
+vec2 below_surface(vec2 span, float height, float slope) {
     float crossing = height / (abs(slope) < 1e-6 ? 1e-6 : slope);
-    return slope > 0.0 ? vec2(ways.x, min(ways.y, crossing)) : vec2(max(ways.x, crossing), ways.y);
+    return slope > 0.0 ? vec2(span.x, min(span.y, crossing)) : vec2(max(span.x, crossing), span.y);
 }
 
 /// Where a ray meets a block in its cell.
 struct Meeting {
     bool found;
-    float way;
+    float t;    // distance along the ray
     vec3 axis;  // of a plane through the middle of the cell, if it is met there; else 0
 };
 
 /// The first of these octants that the ray comes into: where it enters the cell, or by one of the planes
-/// through its middle. `ways` of meet: distances to where it enters, negative if it begins here, and leaves.
-Meeting meet_octants(Walk walk, uint octants, vec2 ways) {
-    vec4 at = vec4((walk.cell + 0.5 - walk.origin) * walk.inverse, ways.x);
+/// through its middle. `span` of meet: distances to where it enters, negative if it begins here, and leaves.
+Meeting meet_octants(Walk walk, uint octants, vec2 span) {
+    vec4 at = vec4((walk.cell + 0.5 - walk.origin) * walk.inverse, span.x);
     uvec4 x = uvec4(equal(lessThanEqual(at.xxxx, at), bvec4(walk.stride.x > 0.0)));
     uvec4 y = uvec4(equal(lessThanEqual(at.yyyy, at), bvec4(walk.stride.y > 0.0)));
     uvec4 z = uvec4(equal(lessThanEqual(at.zzzz, at), bvec4(walk.stride.z > 0.0)));
     uvec4 filled = uvec4(octants) >> (x + 2u * y + 4u * z) & 1u;
     const float never = 1e9;
     at += never * vec4(equal(filled, uvec4(0u)));
-    at += never * vec4(lessThan(at, vec4(max(ways.x, 0.0))));
-    float way = min(min(at.x, at.y), min(at.z, at.w));
-    bool x_first = way == at.x;
-    bool y_first = !x_first && way == at.y;
+    at += never * vec4(lessThan(at, vec4(max(span.x, 0.0))));
+    float t = min(min(at.x, at.y), min(at.z, at.w));
+    bool x_first = t == at.x;
+    bool y_first = !x_first && t == at.y;
     vec3 axis = vec3(x_first, y_first, !x_first && !y_first);
     // In a corner of the cell the ray has no length, but stops as well.
-    return Meeting(way <= max(ways.x, ways.y), way, way < at.w ? axis : vec3(0.0));
+    return Meeting(t <= max(span.x, span.y), t, t < at.w ? axis : vec3(0.0));
 }
 
 /// Is this point of a block's side in one of its holes? Where they are in its texture is not known: a square
@@ -136,31 +136,31 @@ Meeting meet_post(Walk walk, int code) {
         vec3 b = (box.high - from) * walk.inverse;
         vec3 near = min(a, b);
         vec3 far = max(a, b);
-        float way = max(near.x, max(near.y, near.z));
-        bool hit = has_part(code, parts, i) && way > 0.0 && way <= min(far.x, min(far.y, far.z));
-        if (!hit || way >= met.way) continue;
-        bool x = way == near.x;
-        bool y = !x && way == near.y;
+        float t = max(near.x, max(near.y, near.z));
+        bool hit = has_part(code, parts, i) && t > 0.0 && t <= min(far.x, min(far.y, far.z));
+        if (!hit || t >= met.t) continue;
+        bool x = t == near.x;
+        bool y = !x && t == near.y;
         vec3 axis = vec3(x, y, !x && !y);
-        if (in_hole(code, from + walk.direction * way + 0.5, axis)) continue;
-        met = Meeting(true, way, axis);
+        if (in_hole(code, from + walk.direction * t + 0.5, axis)) continue;
+        met = Meeting(true, t, axis);
     }
     return met;
 }
 
 /// Lava up to its surface: whole where there is lava above it.
-Meeting meet_lava(Walk walk, vec2 ways) {
+Meeting meet_lava(Walk walk, vec2 span) {
     bool surface = int(texel_of(cell_of(walk) + ivec3(0, 1, 0)).a * 255.0 + 0.5) != voxel_lava;
-    vec2 below = below_surface(ways, walk.cell.y + water_height - walk.origin.y, walk.direction.y);
-    if (!surface || below.x <= ways.x) return Meeting(!surface || below.x < below.y, ways.x, vec3(0.0));
+    vec2 below = below_surface(span, walk.cell.y + water_height - walk.origin.y, walk.direction.y);
+    if (!surface || below.x <= span.x) return Meeting(!surface || below.x < below.y, span.x, vec3(0.0));
     return Meeting(below.x <= below.y, below.x, vec3(0.0, 1.0, 0.0));
 }
 
 /// What of the cell's block stops the ray?
 Meeting meet(Walk walk, int code) {
-    vec2 ways = ways_through(walk);
-    Meeting met = meet_octants(walk, octants_of(code, cell_of(walk)), ways);
-    for (int i = 0; i < int(code == voxel_lava); ++i) met = meet_lava(walk, ways);
+    vec2 span = span_in_cell(walk);
+    Meeting met = meet_octants(walk, octants_of(code, cell_of(walk)), span);
+    for (int i = 0; i < int(code == voxel_lava); ++i) met = meet_lava(walk, span);
     vec3 to_center = walk.cell + 0.5 - walk.origin;
     float along = dot(to_center, walk.direction);
     float miss_squared = dot(to_center, to_center) - along * along;
@@ -192,14 +192,14 @@ void find_lit_side(inout Hit hit) {
 
 /// Where the ray came into its cell, or met a block in it, and what it finds there.
 void describe(inout Hit hit, Walk walk, Meeting met, vec4 texel) {
-    vec3 came = ways_out(walk, 0.0);
+    vec3 came = plane_distances(walk, 0.0);
     bool x = came.x > came.y && came.x > came.z;
     bool y = !x && came.y > came.z;
     bool inside = met.found && met.axis != vec3(0.0);
     hit.cell = cell_of(walk);
     hit.voxel = decode_voxel(texel);
     hit.position =
-        walk.origin + walk.direction * (inside ? met.way : max(came.x, max(came.y, came.z)));
+        walk.origin + walk.direction * (inside ? met.t : max(came.x, max(came.y, came.z)));
     hit.inner = inside && !is_post(hit.voxel.code) && hit.voxel.code != voxel_lava;
     hit.normal = -(inside ? met.axis : vec3(x, y, !x && !y)) * walk.stride;
 #if NOTICE_CHANGES
@@ -223,10 +223,10 @@ Hit trace(vec3 origin, vec3 direction) {
         met = meet(walk, code);
         if (met.found) break;
         if (is_filter_voxel(code)) {
-            vec2 ways = ways_through(walk);
+            vec2 span = span_in_cell(walk);
             if (code == voxel_water_surface)
-                ways = below_surface(ways, walk.cell.y + water_height - origin.y, walk.direction.y);
-            hit.transmittance *= filtered(texel.rgb * texel.rgb, max(0.0, ways.y - ways.x));
+                span = below_surface(span, walk.cell.y + water_height - origin.y, walk.direction.y);
+            hit.transmittance *= filtered(texel.rgb * texel.rgb, max(0.0, span.y - span.x));
         }
         walk_on(walk);
     }

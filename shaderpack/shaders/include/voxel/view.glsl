@@ -14,8 +14,8 @@
 
 /// 0 along the edges of blocks, else 1.
 float grid_lines(Hit hit) {
-    vec3 way = min(fract(hit.position), 1.0 - fract(hit.position)) + abs(hit.normal);
-    return smoothstep(0.0, 0.06, min(way.x, min(way.y, way.z)));
+    vec3 edge = min(fract(hit.position), 1.0 - fract(hit.position)) + abs(hit.normal);
+    return smoothstep(0.0, 0.06, min(edge.x, min(edge.y, edge.z)));
 }
 
 vec3 voxel_view(vec3 player) {
