@@ -26,7 +26,7 @@ endfunction()
 
 set(functions "")
 foreach(file include/math/color.glsl include/math/sampling.glsl include/blocks.glsl
-        include/lighting/sky.glsl include/lighting/direct.glsl include/lighting/glossy.glsl)
+        include/sky/sky.glsl include/brdf/direct.glsl include/brdf/glossy.glsl)
   orris_glsl_to_cpp(${file} text)
   if(file MATCHES "direct")
     # Which of the two reflects is chosen at run time.
@@ -34,7 +34,7 @@ foreach(file include/math/color.glsl include/math/sampling.glsl include/blocks.g
   endif()
   string(APPEND functions "${text}\n")
 endforeach()
-orris_glsl_to_cpp(include/voxel/voxel.glsl text)
+orris_glsl_to_cpp(include/voxels/voxel.glsl text)
 foreach(pattern "static constexpr float small_lamp_radius[^;]*;"
         "static constexpr float small_lamp_boost[^;]*;" "vec3 lamp_radiance[^}]*}")
   orris_glsl_part("${text}" "${pattern}" part)

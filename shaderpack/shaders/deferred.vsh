@@ -1,3 +1,3 @@
 #version 330 compatibility
 #define VERTEX_STAGE
-#include "/program/d0_gi.glsl"
+#include "/program/gi/gather.glsl"

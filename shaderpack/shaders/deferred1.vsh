@@ -1,4 +1,4 @@
 #version 330 compatibility
 #define VERTEX_STAGE
 #define FILTER_STEP 1
-#include "/program/d1_filter.glsl"
+#include "/program/gi/filter.glsl"

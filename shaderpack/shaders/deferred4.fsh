@@ -1,3 +1,3 @@
 #version 330 compatibility
 #define FRAGMENT_STAGE
-#include "/program/d4_lighting.glsl"
+#include "/program/lighting.glsl"

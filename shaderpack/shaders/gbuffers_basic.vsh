@@ -1,4 +1,4 @@
 #version 330 compatibility
 #define PROGRAM_BASIC
 #define VERTEX_STAGE
-#include "/program/gbuffers_opaque.glsl"
+#include "/program/gbuffers/opaque.glsl"

@@ -1,4 +1,4 @@
 #version 330 compatibility
 #define PROGRAM_CLOUDS
 #define VERTEX_STAGE
-#include "/program/gbuffers_translucent.glsl"
+#include "/program/gbuffers/translucent.glsl"

@@ -1,3 +1,3 @@
 #version 330 compatibility
 #define VERTEX_STAGE
-#include "/program/gbuffers_damagedblock.glsl"
+#include "/program/gbuffers/damagedblock.glsl"

@@ -1,4 +1,4 @@
 #version 330 compatibility
 #define PROGRAM_TEXTURED
 #define FRAGMENT_STAGE
-#include "/program/gbuffers_sky.glsl"
+#include "/program/gbuffers/sky.glsl"

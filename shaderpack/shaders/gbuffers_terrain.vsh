@@ -1,3 +1,3 @@
 #version 330 compatibility
 #define VERTEX_STAGE
-#include "/program/gbuffers_opaque.glsl"
+#include "/program/gbuffers/opaque.glsl"

@@ -1,3 +1,3 @@
 #version 330 compatibility
 #define FRAGMENT_STAGE
-#include "/program/gbuffers_translucent.glsl"
+#include "/program/gbuffers/translucent.glsl"

@@ -1,4 +1,4 @@
 #version 330 compatibility
 #define PROGRAM_WEATHER
 #define VERTEX_STAGE
-#include "/program/gbuffers_translucent.glsl"
+#include "/program/gbuffers/translucent.glsl"

@@ -1,3 +1,3 @@
 #version 330 compatibility
 #define FRAGMENT_STAGE
-#include "/program/p0_floodfill_step.glsl"
+#include "/program/floodfill/atlas_step.glsl"

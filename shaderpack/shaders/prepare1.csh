@@ -1,2 +1,2 @@
 #version 430 compatibility
-#include "/program/p1_floodfill_list.glsl"
+#include "/program/floodfill/image_list.glsl"

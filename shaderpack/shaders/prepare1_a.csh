@@ -1,2 +1,2 @@
 #version 430 compatibility
-#include "/program/p1_floodfill_cells.glsl"
+#include "/program/floodfill/image_cells.glsl"

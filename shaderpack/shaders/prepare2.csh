@@ -1,2 +1,2 @@
 #version 430 compatibility
-#include "/program/p2_floodfill_step.glsl"
+#include "/program/floodfill/image_step.glsl"

@@ -1,2 +1,2 @@
 #version 430 compatibility
-#include "/program/p2_floodfill_tint.glsl"
+#include "/program/floodfill/image_tint.glsl"

@@ -265,7 +265,7 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 #define VOLUME_HEIGHT VOLUME
 #endif
 
-// Tiles of the atlas (include/voxel/volume.glsl); size.buffer in shaders.properties repeats the
+// Tiles of the atlas (include/voxels/volume.glsl); size.buffer in shaders.properties repeats the
 // products ATLAS_COLUMNS * VOLUME and ATLAS_ROWS * VOLUME.
 #if VOLUME == 32
 #define ATLAS_COLUMNS 32

@@ -1,3 +1,3 @@
 #version 330 compatibility
 #define FRAGMENT_STAGE
-#include "/program/shadow.glsl"
+#include "/program/shadow/shadow.glsl"

@@ -1,3 +1,3 @@
 #version 330 compatibility
 #define GEOMETRY_STAGE
-#include "/program/shadow.glsl"
+#include "/program/shadow/shadow.glsl"

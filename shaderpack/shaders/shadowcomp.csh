@@ -1,2 +1,2 @@
 #version 430 compatibility
-#include "/program/s0_voxel_changes.glsl"
+#include "/program/voxels/changes.glsl"

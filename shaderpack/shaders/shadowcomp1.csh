@@ -1,2 +1,2 @@
 #version 430 compatibility
-#include "/program/s1_voxel_bits.glsl"
+#include "/program/voxels/bits.glsl"

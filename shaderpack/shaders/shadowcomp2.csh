@@ -1,2 +1,2 @@
 #version 430 compatibility
-#include "/program/s2_light_table.glsl"
+#include "/program/lights/table.glsl"

@@ -1,2 +1,2 @@
 #version 430 compatibility
-#include "/program/s3_light_assign.glsl"
+#include "/program/lights/assign.glsl"

@@ -1,2 +1,2 @@
 #version 430 compatibility
-#include "/program/s4_light_lists.glsl"
+#include "/program/lights/lists.glsl"

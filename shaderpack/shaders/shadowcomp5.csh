@@ -1,2 +1,2 @@
 #version 430 compatibility
-#include "/program/s5_light_commit.glsl"
+#include "/program/lights/commit.glsl"

@@ -1,2 +1,2 @@
 #version 430 compatibility
-#include "/program/s6_voxel_distance.glsl"
+#include "/program/voxels/distance.glsl"

@@ -1,2 +1,2 @@
 #version 430 compatibility
-#include "/program/s7_face_update.glsl"
+#include "/program/face_cache/update.glsl"

@@ -1,2 +1,2 @@
 #version 430 compatibility
-#include "/program/s8_face_commit.glsl"
+#include "/program/face_cache/commit.glsl"

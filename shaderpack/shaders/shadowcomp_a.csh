@@ -1,2 +1,2 @@
 #version 430 compatibility
-#include "/program/s0_lakes.glsl"
+#include "/program/voxels/lakes.glsl"

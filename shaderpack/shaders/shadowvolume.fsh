@@ -1,3 +1,3 @@
 #version 330 compatibility
 #define FRAGMENT_STAGE
-#include "/program/shadowvolume.glsl"
+#include "/program/shadow/shadowvolume.glsl"

@@ -1,3 +1,3 @@
 #version 330 compatibility
 #define VERTEX_STAGE
-#include "/program/shadowvolume.glsl"
+#include "/program/shadow/shadowvolume.glsl"

@@ -31,7 +31,7 @@ from exr_file import read_exr  # noqa: E402
 VIEWS = ["cornell:front", "deep_hall:mouth", "h4_house:inside"]
 SKIPPED = 77
 BAR = 0.02
-# Of pack and tracer: shaderpack/shaders/include/lighting/direct.glsl.
+# Of pack and tracer: shaderpack/shaders/include/brdf/direct.glsl.
 PHONG_SHARE, PHONG_EXPONENT = 0.1, 5
 
 

@@ -18,7 +18,7 @@ void replaceOnce(std::string& text, const std::string& from, const std::string& 
 
 /// Lamps of one emission and albedo; white walls, glass and water.
 void evenGlow(PackTexts& files) {
-  std::string& voxel = files["/include/voxel/voxel.glsl"];
+  std::string& voxel = files["/include/voxels/voxel.glsl"];
   replaceOnce(voxel, "return color * (EMISSION_STRENGTH * share * share);", "return vec3(1.0);");
   replaceOnce(voxel, "return is_ball(v.code) ? vec3(0.0) : v.color;",
               "return is_ball(v.code) ? vec3(0.0) : vec3(v.code >= voxel_lamp ? 0.5 : 1.0);");

@@ -3,19 +3,19 @@
 For tests/stability/kill_list.py --table; rows as in tests/stability/mutants.py.
 """
 
-UPDATE = "program/s7_face_update.glsl"
-COMMIT = "program/s8_face_commit.glsl"
-GI = "program/d0_gi.glsl"
-CACHE = "include/faces/face_cache.glsl"
-VOLUME = "include/voxel/volume.glsl"
-LIST = "include/faces/face_list.glsl"
-CHECKSUM = "include/voxel/checksum.glsl"
-LAMPS = "include/faces/lamp_sample.glsl"
-HIT = "include/lighting/hit.glsl"
-TRANSLUCENT = "program/gbuffers_translucent.glsl"
-LAKES = "program/s0_lakes.glsl"
-REST = "include/lighting/rest.glsl"
-LIGHTING = "program/d4_lighting.glsl"
+UPDATE = "program/face_cache/update.glsl"
+COMMIT = "program/face_cache/commit.glsl"
+GI = "program/gi/gather.glsl"
+CACHE = "include/face_cache/face_cache.glsl"
+VOLUME = "include/voxels/volume.glsl"
+LIST = "include/face_cache/face_list.glsl"
+CHECKSUM = "include/voxels/checksum.glsl"
+LAMPS = "include/gi/lamp_sample.glsl"
+HIT = "include/gi/hit.glsl"
+TRANSLUCENT = "program/gbuffers/translucent.glsl"
+LAKES = "program/voxels/lakes.glsl"
+REST = "include/gi/rest.glsl"
+LIGHTING = "program/lighting.glsl"
 
 MUTANTS = [
     ("key without direction", "face_cache.closed_wall*",
@@ -141,16 +141,16 @@ MUTANTS = [
     ("gloss taken for light from both sides", "glossy.*",
      [("include/gbuffer.glsl", "material -= float(s.gloss) * material_gloss;", "")]),
     ("view of the volume from the eye on", "picture.view*",
-     [("include/voxel/view.glsl", "direction * VOXEL_VIEW_FROM", "direction * 0.0")]),
+     [("include/debug/voxel_view.glsl", "direction * VOXEL_VIEW_FROM", "direction * 0.0")]),
     ("view shows light as blocks", "picture.view*",
-     [("include/voxel/view.glsl", "#elif VOXEL_VIEW == RADIANCE && FACES", "#elif false")]),
+     [("include/debug/voxel_view.glsl", "#elif VOXEL_VIEW == RADIANCE && FACES", "#elif false")]),
     ("stairs are full blocks", "shapes.tread*",
-     [("include/voxel/octants.glsl", "octants = code == voxel_stairs ? kept_shape(cell) : octants;",
+     [("include/voxels/octants.glsl", "octants = code == voxel_stairs ? kept_shape(cell) : octants;",
        ";")]),
     ("octants before the quad", "shapes.tread*",
-     [("include/voxel/octants.glsl", "bvec3 lower = lessThan(low - 0.25 * normal, vec3(-on_plane));",
+     [("include/voxels/octants.glsl", "bvec3 lower = lessThan(low - 0.25 * normal, vec3(-on_plane));",
        "bvec3 lower = lessThan(low + 0.25 * normal, vec3(-on_plane));"),
-      ("include/voxel/octants.glsl", "greaterThan(high - 0.25 * normal, vec3(on_plane))",
+      ("include/voxels/octants.glsl", "greaterThan(high - 0.25 * normal, vec3(on_plane))",
        "greaterThan(high + 0.25 * normal, vec3(on_plane))")]),
     ("rest of the own cell passed by", "shapes.tread*",
      [(HIT, "    if (met.found)\n        return",
@@ -165,27 +165,27 @@ MUTANTS = [
      [(LAMPS, "float inward = inner ? 0.5 : 0.0;",
        "float inward = 0.0;")]),
     ("treads have no light of their own", "shapes.tread*",
-     [("program/shadow.glsl", "inner ? face + face_inner : face, code",
+     [("program/shadow/shadow.glsl", "inner ? face + face_inner : face, code",
        "face, code")]),
     ("rays find the light of the side on the tread", "shapes.rays*",
-     [("include/voxel/trace.glsl", "(hit.inner ? face_inner : 0)",
+     [("include/voxels/trace.glsl", "(hit.inner ? face_inner : 0)",
        "0")]),
     ("inner faces that came in keep other light", "face_cache.teleport*",
      [(COMMIT, "face < face_inner + 6",
        "face < 6")]),
     ("planes of the middle not met", "shapes.tread*",
-     [("include/voxel/trace.glsl", "vec4 at = vec4((walk.cell + 0.5 - walk.origin)",
+     [("include/voxels/trace.glsl", "vec4 at = vec4((walk.cell + 0.5 - walk.origin)",
        "vec4 at = vec4((walk.cell + 0.5 + walk.stride - walk.origin)")]),
     ("fences and walls are none", "shapes.posts*",
-     [("include/voxel/posts.glsl", "return code == voxel_cover ? 1 :",
+     [("include/voxels/posts.glsl", "return code == voxel_cover ? 1 :",
        "return is_wall_like(code) ? 0 : code == voxel_cover ? 1 :"),
-      ("include/voxel/posts.glsl", "int post_boxes(int code) {",
+      ("include/voxels/posts.glsl", "int post_boxes(int code) {",
        "bool is_wall_like(int code) { return code == voxel_fence || code == voxel_wall; }\nint post_boxes(int code) {")]),
     ("fences have no arms", "shapes.posts_and*",
-     [("include/voxel/posts.glsl", "return arms != 0u ? arms : post ? part_post : 0u;",
+     [("include/voxels/posts.glsl", "return arms != 0u ? arms : post ? part_post : 0u;",
        "return arms != 0u ? 0u : post ? part_post : 0u;")]),
     ("walls as thin as fences", "shapes.posts*",
-     [("include/voxel/posts.glsl", "code == voxel_fence ? 0.125 : code == voxel_wall ? 0.25 :",
+     [("include/voxels/posts.glsl", "code == voxel_fence ? 0.125 : code == voxel_wall ? 0.25 :",
        "code != voxel_chest ? 0.125 :")]),
     ("own fence passed by", "shapes.posts_and*",
      [(HIT, "if (is_post(own.code)) met",
@@ -194,25 +194,25 @@ MUTANTS = [
      [(UPDATE, "if (is_post(code)) return",
        "if (false) return")]),
     ("block entities are no voxels", "shapes.chests*",
-     [("program/shadow.glsl", "named ? blockEntityId : block_open", "block_open")]),
+     [("program/shadow/shadow.glsl", "named ? blockEntityId : block_open", "block_open")]),
     ("locks and legs stand for their block", "volume.chest*",
-     [("program/shadow.glsl", "max(size.x, max(size.y, size.z)) > 0.3", "true")]),
+     [("program/shadow/shadow.glsl", "max(size.x, max(size.y, size.z)) > 0.3", "true")]),
     ("block entities in the cell behind their faces", "shapes.chests*",
-     [("program/shadow.glsl", "- 0.01 * vertex_normal[0]", "- 0.9 * vertex_normal[0]")]),
+     [("program/shadow/shadow.glsl", "- 0.01 * vertex_normal[0]", "- 0.9 * vertex_normal[0]")]),
     ("chests fill their cell", "shapes.chests*",
-     [("include/voxel/posts.glsl", "chest ? 0.375 : 0.5, radius", "0.5, radius")]),
+     [("include/voxels/posts.glsl", "chest ? 0.375 : 0.5, radius", "0.5, radius")]),
     ("halves of chests apart", "shapes.halves*",
-     [("include/voxel/posts.glsl", "return part_post | arms;", "return part_post;")]),
+     [("include/voxels/posts.glsl", "return part_post | arms;", "return part_post;")]),
     ("trapdoors without holes", "shapes.light_passes*",
-     [("include/voxel/trace.glsl", "if (in_hole(", "if (false && in_hole(")]),
+     [("include/voxels/trace.glsl", "if (in_hole(", "if (false && in_hole(")]),
     ("all of a trapdoor is a hole", "shapes.light_passes*",
-     [("include/voxel/trace.glsl", "0.5 * sqrt(hole_share(code))", "sqrt(hole_share(code))")]),
+     [("include/voxels/trace.glsl", "0.5 * sqrt(hole_share(code))", "sqrt(hole_share(code))")]),
     ("plates half a block thick", "shapes.light_passes*",
-     [("include/voxel/posts.glsl", "plate_thickness = 0.1875", "plate_thickness = 0.5")]),
+     [("include/voxels/posts.glsl", "plate_thickness = 0.1875", "plate_thickness = 0.5")]),
     ("plates on the other side", "shapes.shut*:shapes.light_passes*",
-     [("include/voxel/posts.glsl", "> 0.0 ? normal : -normal", "> 0.0 ? -normal : normal")]),
+     [("include/voxels/posts.glsl", "> 0.0 ? normal : -normal", "> 0.0 ? -normal : normal")]),
     ("faces lit where a plate covers them", "shapes.shut*",
-     [("program/s7_face_update.glsl", "return is_plate(code_before) ?", "return false ?")]),
+     [("program/face_cache/update.glsl", "return is_plate(code_before) ?", "return false ?")]),
     ("near hits are the mean of their face", "indirect.corners*",
      [(GI, "< FACE_NEAR", "< 0.0")]),
     ("pixels' rays at random", "indirect.rays_of*",
@@ -233,7 +233,7 @@ MUTANTS = [
     ("smoothed light is cleared at rest", "rest.a_frame*",
      [("include/buffers.glsl", "const bool colortex6Clear = false;", "const bool colortex6Clear = true;")]),
     ("planes of fire list their own faces only", "face_energy.boxes_with_fire*",
-     [("program/shadow.glsl", "if (code >= voxel_lamp && abs(outward) < 0.3)", "if (false)")]),
+     [("program/shadow/shadow.glsl", "if (code >= voxel_lamp && abs(outward) < 0.3)", "if (false)")]),
     ("inner sides of glass are dark", "face_energy.boxes_with_fire*",
-     [("include/voxel/trace.glsl", "if (inside && is_glass(hit.voxel.code)) find_lit_side(hit);", "")]),
+     [("include/voxels/trace.glsl", "if (inside && is_glass(hit.voxel.code)) find_lit_side(hit);", "")]),
 ]

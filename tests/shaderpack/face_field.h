@@ -10,7 +10,7 @@ namespace orris::test {
 
 inline constexpr int kFaceVolume = 32;  ///< VOXEL_SIZE of most tests
 
-/// Places of a cell's faces in the cache (include/faces/face_cache.glsl); the last three lie in its middle.
+/// Places of a cell's faces in the cache (include/face_cache/face_cache.glsl); the last three lie in its middle.
 enum Face { kWest, kEast, kDown, kUp, kNorth, kSouth, kInnerX, kInnerY, kInnerZ, kFaces };
 
 class FaceField {

@@ -80,7 +80,7 @@ TEST(glossy, metal_shows_the_lamps_that_it_mirrors_in_its_own_colour) {
   setup.options = glossyOptions("true");
   setup.change = [](PackTexts& files) {
     const std::string albedo = "return is_ball(v.code) ? vec3(0.0) : v.color;";
-    std::string& text = files["/include/voxel/voxel.glsl"];
+    std::string& text = files["/include/voxels/voxel.glsl"];
     const std::size_t at = text.find(albedo);
     ASSERT_NE(at, std::string::npos);
     text.replace(at, albedo.size(), "return is_lamp_voxel(v.code) ? vec3(0.0) : v.color;");

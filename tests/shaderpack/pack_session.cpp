@@ -158,7 +158,7 @@ void PackSession::renderFrames(int count) {
 
 namespace {
 
-/// Sizes of the image flood_light (include/voxel/flood_image.glsl).
+/// Sizes of the image flood_light (include/floodfill/flood_image.glsl).
 struct FloodImage {
   int width, height, slices;
   explicit FloodImage(int volume) : width(volume + 8), height(volume + 4), slices(2 * volume) {}

@@ -30,7 +30,7 @@ struct AtlasLayout {
   int volume = 64, columns = 16;
 };
 
-/// A volume of cells read from its atlas (include/voxel/volume.glsl).
+/// A volume of cells read from its atlas (include/voxels/volume.glsl).
 class CellField {
  public:
   CellField(ImageF atlas, AtlasLayout layout) : atlas_(std::move(atlas)), layout_(layout) {}

@@ -4,14 +4,14 @@ For tests/stability/kill_list.py --table; rows as in tests/stability/mutants.py.
 shows in a test that asks the pack for its own numbers.
 """
 
-UPDATE = "program/s7_face_update.glsl"
-GI = "program/d0_gi.glsl"
-HIT = "include/lighting/hit.glsl"
-OCTANTS = "include/voxel/octants.glsl"
-VOXEL = "include/voxel/voxel.glsl"
-SHADOW = "program/shadow.glsl"
-TINT = "include/lighting/sun_tint.glsl"
-SUN = "include/lighting/sun_visibility.glsl"
+UPDATE = "program/face_cache/update.glsl"
+GI = "program/gi/gather.glsl"
+HIT = "include/gi/hit.glsl"
+OCTANTS = "include/voxels/octants.glsl"
+VOXEL = "include/voxels/voxel.glsl"
+SHADOW = "program/shadow/shadow.glsl"
+TINT = "include/sun/sun_tint.glsl"
+SUN = "include/sun/sun_visibility.glsl"
 
 HOUSE = "Views/Reference.*/house"
 HALL = "Views/Reference.*/hall"

@@ -9,7 +9,7 @@ namespace orris::test {
 namespace {
 
 constexpr int kSide = 32;
-constexpr int kBands = 8;  // include/lighting/rest.glsl
+constexpr int kBands = 8;  // include/gi/rest.glsl
 
 // Until means of ten frames are full: 48 frames after the first blocks, and thrice ten.
 constexpr int kRestsFrom = 80;

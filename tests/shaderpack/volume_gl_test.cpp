@@ -9,7 +9,7 @@ namespace {
 
 struct Expected {
   const char* state;
-  int code;  // include/voxel/voxel.glsl
+  int code;  // include/voxels/voxel.glsl
 };
 
 void PrintTo(const Expected& expected, std::ostream* stream) { *stream << expected.state; }

@@ -215,7 +215,7 @@ TEST(F9, each_light_is_tested_against_the_clusters_about_it_only) {
         .width = 16};
     if (andTests)
       setup.change = [](PackTexts& files) {
-        edit(files["/program/s3_light_assign.glsl"], "float wide = gap(",
+        edit(files["/program/lights/assign.glsl"], "float wide = gap(",
              "imageAtomicAdd(lamp_tally, lamp_entries, 1u);\n            float wide = gap(");
       };
     ClusterLab lab(setup);

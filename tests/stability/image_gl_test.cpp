@@ -87,7 +87,7 @@ TEST(image, falls_off_as_theory_predicts) {
 CellField lightAfter(const char* value, const OptionValues& options) {
   const auto poke = [&](PackTexts& files) {
     edit(
-        files["/program/p2_floodfill_step.glsl"], "    uint listed = ",
+        files["/program/floodfill/image_step.glsl"], "    uint listed = ",
         fmt::format("    if (frameCounter == 10) imageStore(flood_light, flood_texel(ivec3(18, 16, "
                     "16), step_stamp() - 1u), {});\n    uint listed = ",
                     value));

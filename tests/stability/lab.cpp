@@ -17,7 +17,7 @@ constexpr const char* kWorld = R"({{
 // next frame starts from is the side that an odd number of writers ends on (Iris: FinalPassRenderer).
 constexpr const char* kInject = R"(#version 330 compatibility
 #include "/settings.glsl"
-#include "/include/voxel/volume.glsl"
+#include "/include/voxels/volume.glsl"
 uniform sampler2D colortex4;
 /* RENDERTARGETS: 4 */
 layout(location = 0) out vec4 light;
@@ -68,9 +68,9 @@ SessionSetup Lab::sessionOf(const LabSetup& setup) {
         files[name + ".vsh"] = kFullscreen;
       }
     if (setup.periodic) {
-      edit(files["/include/voxel/light_field.glsl"], "if (!in_volume(cell)) return vec3(0.0);",
+      edit(files["/include/floodfill/light_field.glsl"], "if (!in_volume(cell)) return vec3(0.0);",
            "cell = (cell + VOLUME) % VOLUME;");
-      edit(files["/include/voxel/propagation.glsl"], "in_volume(there) ?", "true ?");
+      edit(files["/include/floodfill/propagation.glsl"], "in_volume(there) ?", "true ?");
     }
     if (setup.change) setup.change(files);
   };

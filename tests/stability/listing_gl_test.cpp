@@ -51,7 +51,7 @@ std::pair<double, double> halvesOf(const std::string& world, OptionValues option
   setup.change = [](PackTexts& files) {
     const std::string albedo = "vec3(gl_FragCoord.x < 16.0 ? 0.25 : 0.5);";
     edit(files["/include/gbuffer.glsl"], "to_linear(color.rgb);", albedo);
-    std::string& glass = files["/program/gbuffers_translucent.glsl"];
+    std::string& glass = files["/program/gbuffers/translucent.glsl"];
     edit(glass, "to_linear(color.rgb);", albedo);
     edit(glass, "vec4(radiance, mix(color.a, 1.0, fresnel));", "vec4(radiance, 1.0);");
   };

@@ -4,18 +4,18 @@ A mutant: name, gtest filter of the tests of which at least one must fail, edits
 shaders/, text that stands there exactly once, what replaces it.
 """
 
-STEP = "program/p0_floodfill_step.glsl"
-IMAGE_STEP = "program/p2_floodfill_step.glsl"
-IMAGE_LIST = "program/p1_floodfill_list.glsl"
-IMAGE_CELLS = "program/p1_floodfill_cells.glsl"
-IMAGE = "include/voxel/flood_image.glsl"
-DISTANCE = "program/s6_voxel_distance.glsl"
-POWERS = "include/voxel/power_step.glsl"
-GI = "program/d0_gi.glsl"
-RULE = "include/voxel/propagation.glsl"
-FIELD = "include/voxel/light_field.glsl"
-VOLUME = "include/voxel/volume.glsl"
-VOXEL = "include/voxel/voxel.glsl"
+STEP = "program/floodfill/atlas_step.glsl"
+IMAGE_STEP = "program/floodfill/image_step.glsl"
+IMAGE_LIST = "program/floodfill/image_list.glsl"
+IMAGE_CELLS = "program/floodfill/image_cells.glsl"
+IMAGE = "include/floodfill/flood_image.glsl"
+DISTANCE = "program/voxels/distance.glsl"
+POWERS = "include/floodfill/power_step.glsl"
+GI = "program/gi/gather.glsl"
+RULE = "include/floodfill/propagation.glsl"
+FIELD = "include/floodfill/light_field.glsl"
+VOLUME = "include/voxels/volume.glsl"
+VOXEL = "include/voxels/voxel.glsl"
 HALF = "include/math/half.glsl"
 BUFFERS = "include/buffers.glsl"
 
@@ -232,13 +232,13 @@ MUTANTS = [
     ("image: sides differ at rest", "image.light_at_rest*", [(POWERS, "same ? own :", "false ? own :")]),
     ("image: codes are cut off", "image.*", [(IMAGE, "bits_of_code_0 - 0x2000u", "bits_of_code_0")]),
     ("image: a lake that drains leaves its tint", "image.change_in*",
-     [("program/s0_voxel_changes.glsl", "lake_seen).r, 2)", "lake_seen).r, 0)")]),
+     [("program/voxels/changes.glsl", "lake_seen).r, 2)", "lake_seen).r, 0)")]),
     ("rays: leaps one cell too long", "rays.*", [(DISTANCE, "uint open = ~0u;", "uint open = ~0u;\n        count(planes, open);")]),
     ("rays: blocks are not seen along y", "rays.*",
      [(DISTANCE, "add_row(bits, word + ivec3(0, k, i));", "")]),
     ("rays: blocks are not seen along x", "rays.*", [(DISTANCE, "bits.here << i | ", "")]),
     ("rays: distances not made anew after an edit", "rays.*",
-     [("include/voxel/distance.glsl", "changed_within(imageLoad(voxel_memory, change_of_any).r, 1) || ", "")]),
+     [("include/voxels/distance.glsl", "changed_within(imageLoad(voxel_memory, change_of_any).r, 1) || ", "")]),
     ("rays: all that is there stops", "rays.*",
-     [("program/s1_voxel_bits.glsl", "full |= uint(code == voxel_solid ||", "full |= uint(code > 0 ||")]),
+     [("program/voxels/bits.glsl", "full |= uint(code == voxel_solid ||", "full |= uint(code > 0 ||")]),
 ]

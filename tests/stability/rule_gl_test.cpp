@@ -73,7 +73,7 @@ const OptionValues kConserving = {{"FLOODFILL_RULE", "CONSERVING"}};
 /// Walls of every block reflect `albedo` and send out their lamp's light besides.
 std::function<void(PackTexts&)> reflecting(const std::string& albedo) {
   return [albedo](PackTexts& files) {
-    std::string& rule = files["/include/voxel/propagation.glsl"];
+    std::string& rule = files["/include/floodfill/propagation.glsl"];
     edit(rule, "return lamp_radiance(v);", "return lamp_radiance(v) + own * " + albedo + ";");
     edit(rule, "return v.color * own;", "return own * " + albedo + ";");
   };
@@ -134,7 +134,7 @@ double meanLookup(const std::string& lookup) {
   const std::string program = R"(#version 330 compatibility
 #include "/settings.glsl"
 #define READ_VOXELS
-#include "/include/voxel/light_field.glsl"
+#include "/include/floodfill/light_field.glsl"
 #include "/include/math/random.glsl"
 /*
 const int colortex7Format = RGBA32F;

@@ -15,7 +15,7 @@ namespace orris::test {
 namespace {
 
 constexpr int kRadius = 1;
-const char* const kShadow = "/include/lighting/shadow.glsl";
+const char* const kShadow = "/include/shadow/shadow.glsl";
 // Across the sun's way, in the middle of the floor.
 const char* const kWall = R"({"box": "stone", "min": [32, 2, 8], "max": [32, 9, 55]})";
 

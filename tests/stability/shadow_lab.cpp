@@ -20,9 +20,9 @@ constexpr const char* kWorld = R"({{
 constexpr const char* kProbe = R"(#version 430 compatibility
 #include "/settings.glsl"
 #include "/include/uniforms.glsl"
-#include "/include/lighting/direct.glsl"
-#include "/include/lighting/sky.glsl"
-#include "/include/lighting/shadow.glsl"
+#include "/include/brdf/direct.glsl"
+#include "/include/sky/sky.glsl"
+#include "/include/shadow/shadow.glsl"
 /* RENDERTARGETS: 0 */
 layout(location = 0) out vec4 result;
 

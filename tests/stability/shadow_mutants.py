@@ -3,11 +3,11 @@
 For kill_list.py --table; rows as in mutants.py.
 """
 
-MAP = "include/lighting/shadow.glsl"
-SPACE = "include/lighting/shadow_space.glsl"
-DIRECT = "include/lighting/direct.glsl"
-LIT = "program/d4_lighting.glsl"
-TRANSLUCENT = "program/gbuffers_translucent.glsl"
+MAP = "include/shadow/shadow.glsl"
+SPACE = "include/shadow/shadow_space.glsl"
+DIRECT = "include/brdf/direct.glsl"
+LIT = "program/lighting.glsl"
+TRANSLUCENT = "program/gbuffers/translucent.glsl"
 
 MUTANTS = [
     ("C1 filter wider than its bias", "*C1*", [(MAP, "y <= radius; ++y)\n        for (int x = -radius; x <= radius; ++x)\n",

@@ -3,9 +3,9 @@
 For kill_list.py --table; rows as in mutants.py. Those of the host are in volume_host_mutants.py.
 """
 
-SUN = "include/lighting/sun_visibility.glsl"
+SUN = "include/sun/sun_visibility.glsl"
 LAMPS = "include/lights/lamp_volumes.glsl"
-PROGRAM = "program/shadowvolume.glsl"
+PROGRAM = "program/shadow/shadowvolume.glsl"
 PROPERTIES = "shaders.properties"
 
 MUTANTS = [

@@ -39,7 +39,7 @@ bool is_lamp(int id) { return id >= block_lamp && id < block_lamps_end; }
 
 bool is_small_lamp(int id) { return id >= block_small_lamp && id < block_lamps_end; }
 
-/// Class of include/lighting/glossy.glsl; 0 is diffuse.
+/// Class of include/brdf/glossy.glsl; 0 is diffuse.
 int block_gloss(int id) { return id == block_polished || id == block_metal ? id - block_polished + 1 : 0; }
 
 /// Light colour by the last digits of a lamp's id, linear, brightest channel 1; black means the

@@ -11,16 +11,16 @@
 //   rgb mean incoming radiance over the hemisphere, a number of frames in it;
 //   RGBA32F from 256 frames on, where half floats stop moving
 // colortex4    RGBA16F   atlas   keep   prepare                       prepare, deferred, translucent
-//   floodfill light by cell (include/voxel/volume.glsl); RGBA32F with FLOODFILL_RULE=CONSERVING,
+//   floodfill light by cell (include/voxels/volume.glsl); RGBA32F with FLOODFILL_RULE=CONSERVING,
 //   whose steps become too small for half floats long before it is done. With
 //   FLOODFILL_STORAGE=IMAGE_3D the image flood_light is instead
 // colortex5    RGBA16F   window  keep   deferred                      deferred (next frame), filter
 //   the plane that colortex3 belongs to (include/plane.glsl)
 // colortex6    RGBA16F   window  0      deferred1, 2, 3               deferred2, 3, 4
-//   colortex3 smoothed; kept where the picture rests (include/lighting/rest.glsl)
+//   colortex3 smoothed; kept where the picture rests (include/gi/rest.glsl)
 // shadowcolor0 RGBA8     shadow  0      shadow                        prepare, deferred, translucent
-//   voxels in the bottom rows (include/voxel/voxel.glsl), above them what the surface nearest to the light
-//   takes of it (include/lighting/sheets.glsl)
+//   voxels in the bottom rows (include/voxels/voxel.glsl), above them what the surface nearest to the light
+//   takes of it (include/shadow/sheets.glsl)
 // shadowtex0   depth     shadow  1      shadow                        shadowcomp7, deferred, deferred4, translucent
 //   shadow map with translucent blocks: how far light goes through water
 // shadowtex1   depth     shadow  1      shadow                        deferred, deferred4, translucent
@@ -32,7 +32,7 @@
 //   where colortex3 is
 //
 // The images of the lamps are described in include/lights, those of the face cache in
-// include/faces/face_cache.glsl, those that are made of the voxels in include/voxel/: changes, distance,
+// include/face_cache/face_cache.glsl, those that are made of the voxels in include/voxel/: changes, distance,
 // flood_image, active_bricks.
 // colortex3..8 and the shadow targets exist only while an option uses them.
 #if !defined INCLUDED_BUFFERS

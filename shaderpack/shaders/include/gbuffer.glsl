@@ -7,7 +7,7 @@
 #include "/include/math/encoding.glsl"
 
 // Material byte: emission 0..15, plus this for surfaces lit from both sides (plants, leaves), plus so
-// many times the class of gloss (include/lighting/glossy.glsl).
+// many times the class of gloss (include/brdf/glossy.glsl).
 const float material_thin = 16.0;
 const float material_gloss = 32.0;
 

@@ -4,10 +4,10 @@
 
 #include "/include/lights/lamps.glsl"
 #if LAMP_GLOSS
-#include "/include/lighting/direct.glsl"
+#include "/include/brdf/direct.glsl"
 #endif
 #include "/include/math/sampling.glsl"
-#include "/include/voxel/voxel.glsl"
+#include "/include/voxels/voxel.glsl"
 
 // Mean area that a cube shows to an observer (Cauchy: a quarter of its surface).
 const float cube_area = 1.5;

@@ -3,7 +3,7 @@
 #define INCLUDED_LIGHTS_LAMP_SHADOWS
 
 #include "/include/lights/lamps.glsl"
-#include "/include/voxel/trace.glsl"
+#include "/include/voxels/trace.glsl"
 
 // Off the surface, in blocks, as far as rays of global illumination begin.
 const float lamp_ray_offset = 0.02;

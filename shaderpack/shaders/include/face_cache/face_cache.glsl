@@ -1,0 +1,93 @@
+// Radiance cached for each exposed face of a block: B, the mean incoming radiance over the face from
+// everything but the direct sun, so that a ray that ends there sees albedo * (sun + B).
+//
+//   face_light   rgba16f, 9 places a cell at (9 x + place, y, z): rgb B, a number of updates. Places 0..5
+//                are the faces on the sides of the cell, 6..8 those in the middle of it, by axis: treads of
+//                stairs, tops of slabs. A shape with octants looks one way along an axis there.
+//                Cells keep their place when the camera moves (store_cell), so nothing is copied.
+//   face_list    r32ui, the faces to update in this frame, then the faces of lamps; see pack_face
+//   face_fresh   rgba16f, what becomes of the faces of the list: all updates read the old light,
+//                so that the order in which they run does not matter
+//   face_tally   r32ui, empty when a frame begins: lengths of the lists
+//   face_memory  r32ui, kept: checksums of the bricks in the frame before (include/voxels/changes.glsl),
+//                and when they changed
+//   face_seen    r32ui, empty when a frame begins: which faces of a cell are in the list
+//
+// The shadow pass makes the lists from the quads that it draws: what the mesh hides is not exposed.
+// faces: 0..5 = -x +x -y +y -z +z on the side of the cell; + face_inner: in the middle of it.
+#if !defined INCLUDED_FACE_CACHE_FACE_CACHE
+#define INCLUDED_FACE_CACHE_FACE_CACHE
+
+#include "/include/voxels/changes.glsl"
+
+const int face_ball = 6;  // a small lamp, which has no faces
+const int face_places = 9;
+
+// After an edit all faces are updated for so many frames, and what they hold counts for nothing, or
+// for no more than a few updates where edits follow each other sooner than face_calm_frames. The
+// means over frames that pixels keep are cut to so many frames, too.
+const int face_hurry_frames = 48;
+const int face_calm_frames = 32;
+const float face_edited_updates = 24.0;
+
+// Sizes of the lists; shaders.properties repeats LIST_WIDTH and the sum of the rows.
+const int list_width = 1024;
+const int face_rows = 256;
+const int lamp_rows = 16;
+const uint face_capacity = uint(list_width * face_rows);
+const uint lamp_capacity = uint(list_width * lamp_rows);
+
+// Row 1 of face_tally.
+const ivec2 tally_faces = ivec2(0, 1);
+const ivec2 tally_lamps = ivec2(1, 1);
+// Row 1 of face_memory: frames of the last edit, of the one before, and of the eye's last motion.
+const ivec2 memory_last = ivec2(0, 1);
+const ivec2 memory_before = ivec2(1, 1);
+const ivec2 memory_moved = ivec2(2, 1);
+
+/// Do the faces still adapt to an edit? `last`: its frame, of face_memory.
+bool light_changes(uint last) {
+    int since = frameCounter - int(last);
+    return since >= 0 && since <= face_hurry_frames;
+}
+
+int place_of_face(int face) { return face < face_inner ? face : 6 + ((face - face_inner) >> 1); }
+
+ivec3 face_texel(ivec3 cell, int face) {
+    ivec3 place = store_cell(cell);
+    return ivec3(place.x * face_places + place_of_face(face), place.yz);
+}
+
+vec3 face_normal(int face) {
+    int axis = (face & 7) >> 1;
+    return vec3(axis == 0, axis == 1, axis == 2) * ((face & 1) == 1 ? 1.0 : -1.0);
+}
+
+/// An entry of the lists; `level`, 0..15: of the sky's light at the face, or of a lamp's own.
+uint pack_face(ivec3 cell, int face, int level) {
+    uvec3 c = uvec3(cell);
+    return c.x | c.y << 7 | c.z << 14 | uint(face) << 21 | uint(level) << 25;
+}
+
+ivec3 packed_cell(uint entry) {
+    return ivec3(uvec3(entry, entry >> 7, entry >> 14) & 127u);
+}
+
+int packed_face(uint entry) { return int(entry >> 21 & 15u); }
+
+float entry_level(uint entry) { return float(entry >> 25) / 15.0; }
+
+ivec2 face_slot(uint index) {
+    return ivec2(int(index) % list_width, int(index) / list_width);
+}
+
+ivec2 lamp_slot(uint index) { return face_slot(index) + ivec2(0, face_rows); }
+
+/// Brightness of garbage is none: B and number of updates as stored, or 0.
+vec4 trusted(vec4 stored) {
+    bvec4 above = greaterThanEqual(stored, vec4(0.0));
+    bvec4 below = lessThanEqual(stored, vec4(65504.0));
+    return all(above) && all(below) ? stored : vec4(0.0);
+}
+
+#endif

@@ -1,0 +1,55 @@
+// The shadow pass' part of the face cache: each quad of a block enters its face into the lists.
+#if !defined INCLUDED_FACE_CACHE_FACE_LIST
+#define INCLUDED_FACE_CACHE_FACE_LIST
+
+#include "/include/face_cache/face_cache.glsl"
+#include "/include/math/random.glsl"
+#include "/include/voxels/voxel.glsl"
+
+layout(r32ui) uniform writeonly uimage2D face_list;
+layout(r32ui) uniform uimage2D face_tally;
+layout(r32ui) uniform readonly uimage2D face_memory;
+layout(r32ui) uniform uimage3D face_seen;
+
+/// Is the face among those of this frame? All are when they are new or the light has changed.
+bool is_due(ivec3 cell, int face) {
+    if (entered(cell) || light_changes(imageLoad(face_memory, memory_last).r)) return true;
+    ivec3 place = store_cell(cell);
+    uint turn = hash(uvec3(place.x * 6 + face, place.yz)).x >> 8;
+    return (turn + uint(frameCounter)) % uint(FACE_SHARE) == 0u;
+}
+
+/// Enters a face once, however many quads it has.
+bool first_of_face(ivec3 cell, int face) {
+    uint bit = 1u << uint(face);
+    return (imageAtomicOr(face_seen, cell, bit) & bit) == 0u;
+}
+
+void enter_face(uint entry) {
+    uint slot = imageAtomicAdd(face_tally, tally_faces, 1u);
+    if (slot < face_capacity) imageStore(face_list, face_slot(slot), uvec4(entry));
+}
+
+void enter_lamp(uint entry) {
+    uint slot = imageAtomicAdd(face_tally, tally_lamps, 1u);
+    if (slot < lamp_capacity) imageStore(face_list, lamp_slot(slot), uvec4(entry));
+}
+
+/// Lamps are faces, too: they reflect what light they get.
+void list_face(ivec3 cell, int face, int code, int sky) {
+    bool lamp = is_lamp_voxel(code);
+    if (is_ball(code)) face = face_ball;
+    bool due = face != face_ball && is_due(cell, face);
+    if (!lamp && !due) return;
+    if (!first_of_face(cell, face)) return;
+    if (lamp) enter_lamp(pack_face(cell, face, code & 15));
+    if (due) enter_face(pack_face(cell, face, sky));
+}
+
+/// Of a lamp that planes inside its cell draw (fire, portals): rays meet a cube, and what a ray into the hemisphere leaves
+/// to rays to lamps must be found by these on every side.
+void list_cube(ivec3 cell, int code, int sky) {
+    for (int face = 0; face < 6; ++face) list_face(cell, face, code, sky);
+}
+
+#endif

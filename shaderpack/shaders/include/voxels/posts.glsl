@@ -1,0 +1,100 @@
+// Shapes of boxes. Fences, walls and chests: a post in the middle of the cell and arms to its sides; doors and
+// trapdoors: a plate along one side; glass: its sides; panes: thin walls; carpets. Which of them there are is kept where stairs keep their octants: a bit
+// each, arms or plates at -x +x -z +z, then the post, then plates at -y +y.
+#if !defined INCLUDED_VOXELS_POSTS
+#define INCLUDED_VOXELS_POSTS
+
+#include "/include/voxels/voxel.glsl"
+
+const uint part_post = 16u;
+
+const float plate_thickness = 0.1875;
+const float cover_top = 0.0625 - 0.5;  // of a carpet, from the middle of the cell
+
+bool is_post(int code) { return (code >= voxel_fence && code < voxel_small_lamp) || code == voxel_cover; }
+
+bool is_pane(int code) { return code >= voxel_pane && code < voxel_small_lamp; }
+
+/// Are its boxes plates along the sides of the cell?
+bool has_plates(int code) { return is_plate(code) || is_glass(code); }
+
+/// Half of the width of the post.
+float post_radius(int code) {
+    return is_pane(code) ? 0.0625 : code == voxel_fence ? 0.125 : code == voxel_wall ? 0.25 : 0.4375;
+}
+
+/// The plate whose face this is, by where it lies and looks.
+uint plate_of_quad(vec3 middle, vec3 size, vec3 normal) {
+    vec3 side = dot(middle, normal) > 0.0 ? normal : -normal;
+    if (size.x + size.y + size.z < 1.5) return 0u;
+    uvec3 at = uvec3(side.x > 0.5 ? 2u : side.x < -0.5 ? 1u : 0u, side.y > 0.5 ? 64u : side.y < -0.5 ? 32u : 0u,
+                     side.z > 0.5 ? 8u : side.z < -0.5 ? 4u : 0u);
+    return at.x | at.y | at.z;
+}
+
+/// The part that a quad belongs to, which reaches from `low` to `high` as seen from the middle of its block.
+/// What touches a side of the cell is an arm, what is wide and does not is the post.
+uint part_of_quad(int code, vec3 low, vec3 high, vec3 normal) {
+    if (has_plates(code)) return plate_of_quad(0.5 * (low + high), high - low, normal);
+    const float side = 0.45;
+    uint arms = (low.x < -side ? 1u : 0u) | (high.x > side ? 2u : 0u) | (low.z < -side ? 4u : 0u) |
+                (high.z > side ? 8u : 0u);
+    vec3 size = high - low;
+    if (code == voxel_cover) return part_post;
+    if (code == voxel_chest) return part_post | arms;
+    bool post = code == voxel_fence || max(size.x, size.z) > 1.9 * post_radius(code);
+    return arms != 0u ? arms : post ? part_post : 0u;
+}
+
+/// A box, as seen from the middle of the cell.
+struct Box {
+    vec3 low;
+    vec3 high;
+};
+
+/// 0..5: plates at -x +x -z +z -y +y. Those of glass are as thin as its sides.
+Box plate_box(int index, float thickness) {
+    vec3 axis = vec3(index < 2, index >= 4, index >= 2 && index < 4) * (1.0 - thickness);
+    bool upper = (index & 1) == 1;
+    return Box(vec3(-0.5) + (upper ? axis : vec3(0.0)), vec3(0.5) - (upper ? vec3(0.0) : axis));
+}
+
+/// 0: the post; 1..4 the arms, of fences the lower rails; 5..8 the upper rails.
+Box post_box(int code, int index) {
+    if (has_plates(code)) return plate_box(index, is_plate(code) ? plate_thickness : 0.0);
+    if (code == voxel_cover) return Box(vec3(-0.5), vec3(0.5, cover_top, 0.5));
+    float radius = post_radius(code);
+    bool chest = code == voxel_chest;
+    if (index == 0) return Box(vec3(-radius, -0.5, -radius), vec3(radius, chest ? 0.375 : 0.5, radius));
+    int arm = (index - 1) & 3;
+    bool fence = code == voxel_fence;
+    bool pane = is_pane(code);
+    float thin = fence || pane ? 0.0625 : chest ? 0.4375 : 0.1875;
+    float bottom = fence ? (index < 5 ? -0.125 : 0.25) : -0.5;
+    float top = fence ? bottom + 0.1875 : pane ? 0.5 : 0.375;
+    vec2 along = (arm & 1) == 0 ? vec2(-0.5, 0.0) : vec2(0.0, 0.5);
+    vec2 across = vec2(-thin, thin);
+    vec2 x = arm < 2 ? along : across;
+    vec2 z = arm < 2 ? across : along;
+    return Box(vec3(x.x, bottom, z.x), vec3(x.y, top, z.y));
+}
+
+int post_boxes(int code) {
+    int boxes = code == voxel_fence ? 9 : has_plates(code) ? 6 : 5;
+    return code == voxel_cover ? 1 : is_post(code) ? boxes : 0;
+}
+
+bool has_part(int code, uint parts, int index) {
+    int bit = has_plates(code) ? index + int(index >= 4) : index == 0 ? 4 : (index - 1) & 3;
+    return (parts >> uint(bit) & 1u) == 1u;
+}
+
+/// The box whose sides are the block's for the face cache.
+Box main_box(int code, uint parts) {
+    if (is_glass(code)) return Box(vec3(-0.5), vec3(0.5));
+    int index = 0;
+    for (int i = 1; is_plate(code) && i < 6 && !has_part(code, parts, index); ++i) index = i;
+    return post_box(code, index);
+}
+
+#endif

@@ -1,0 +1,239 @@
+// Rays through the voxels: cell by cell (Amanatides & Woo 1987, "A Fast Voxel Traversal Algorithm"), or
+// with RAY_WALK=DISTANCE in leaps through empty cubes.
+#if !defined INCLUDED_VOXELS_TRACE
+#define INCLUDED_VOXELS_TRACE
+
+#include "/include/debug/count.glsl"
+#include "/include/voxels/octants.glsl"
+#include "/include/voxels/voxel.glsl"
+#if DISTANCES
+#include "/include/voxels/distance.glsl"
+#endif
+
+struct Hit {
+    bool found;       // false: the ray left the volume
+    ivec3 cell;
+    vec3 position;    // volume space
+    vec3 normal;
+    Voxel voxel;
+    vec3 transmittance;  // of the translucent cells that it passed
+    bool inner;          // on a plane through the middle of its cell
+};
+
+/// Where a ray is as it walks through the cells. Floats, as they are compared and rounded faster.
+struct Walk {
+    vec3 origin;
+    vec3 direction;
+    vec3 inverse;
+    vec3 stride;  // -1 or 1
+    vec3 cell;
+    int reach;    // 0: something is here, or the ray has left the volume; stopped: what is here stops it
+};
+
+int face_of_hit(Hit hit) { return face_of(hit.normal) + (hit.inner ? face_inner : 0); }
+
+const int stopped = 15;
+
+Walk begin_walk(vec3 origin, vec3 direction) {
+    // A zero would make 0 * inf; no direction is that exact.
+    direction = mix(direction, vec3(1e-6), lessThan(abs(direction), vec3(1e-6)));
+    return Walk(origin, direction, 1.0 / direction, sign(direction), floor(origin), 1);
+}
+
+ivec3 cell_of(Walk walk) { return ivec3(walk.cell); }
+
+/// Distances to the planes by which the ray leaves the cube of cells nearer than `reach`; by which it came
+/// into its cell for 0.
+vec3 plane_distances(Walk walk, float reach) {
+    return (walk.cell + (0.5 - walk.origin + walk.stride * (reach - 0.5))) * walk.inverse;
+}
+
+/// To the first cell beyond that cube. One axis at a time, ties included, so that no ray slips through
+/// a diagonal edge.
+void leave_cube(inout Walk walk, float reach) {
+    vec3 leave = plane_distances(walk, reach);
+    bool x = leave.x < leave.y && leave.x < leave.z;
+    bool y = !x && leave.y < leave.z;
+    vec3 there = walk.cell;
+#if DISTANCES
+    there = floor(walk.origin + walk.direction * min(leave.x, min(leave.y, leave.z)));
+    there = clamp(there, walk.cell - (reach - 1.0), walk.cell + (reach - 1.0));
+#endif
+    walk.cell = mix(there, walk.cell + walk.stride * reach, bvec3(x, y, !x && !y));
+}
+
+/// On to the next cell that is not known to be empty.
+void walk_on(inout Walk walk) {
+#if DISTANCES
+    walk.reach = max(1, walk.reach);
+    for (int i = 0; i < 3 * VOLUME && uint(walk.reach - 1) < uint(stopped - 1); ++i) {
+        leave_cube(walk, float(walk.reach));
+        walk.reach = empty_reach(cell_of(walk));
+    }
+#else
+    leave_cube(walk, 1.0);
+    walk.reach = 0;
+#endif
+}
+
+vec4 texel_of(ivec3 cell) { return texelFetch(shadowcolor0, atlas_texel(cell), 0); }
+
+/// The distances to where the ray enters its cell and to where it leaves it.
+vec2 span_in_cell(Walk walk) {
+    vec3 leave = plane_distances(walk, 1.0);
+    vec3 came = plane_distances(walk, 0.0);
+    return vec2(max(came.x, max(came.y, came.z)), min(leave.x, min(leave.y, leave.z)));
+}
+
+/// The part of a ray's distances x to y that lies below the height where water ends in its cell.
+vec2 below_surface(vec2 span, float height, float slope) {
+    float crossing = height / (abs(slope) < 1e-6 ? 1e-6 : slope);
+    return slope > 0.0 ? vec2(span.x, min(span.y, crossing)) : vec2(max(span.x, crossing), span.y);
+}
+
+/// Where a ray meets a block in its cell.
+struct Meeting {
+    bool found;
+    float t;    // distance along the ray
+    vec3 axis;  // of a plane through the middle of the cell, if it is met there; else 0
+};
+
+/// The first of these octants that the ray comes into: where it enters the cell, or by one of the planes
+/// through its middle. `span` of meet: distances to where it enters, negative if it begins here, and leaves.
+Meeting meet_octants(Walk walk, uint octants, vec2 span) {
+    vec4 at = vec4((walk.cell + 0.5 - walk.origin) * walk.inverse, span.x);
+    uvec4 x = uvec4(equal(lessThanEqual(at.xxxx, at), bvec4(walk.stride.x > 0.0)));
+    uvec4 y = uvec4(equal(lessThanEqual(at.yyyy, at), bvec4(walk.stride.y > 0.0)));
+    uvec4 z = uvec4(equal(lessThanEqual(at.zzzz, at), bvec4(walk.stride.z > 0.0)));
+    uvec4 filled = uvec4(octants) >> (x + 2u * y + 4u * z) & 1u;
+    const float never = 1e9;
+    at += never * vec4(equal(filled, uvec4(0u)));
+    at += never * vec4(lessThan(at, vec4(max(span.x, 0.0))));
+    float t = min(min(at.x, at.y), min(at.z, at.w));
+    bool x_first = t == at.x;
+    bool y_first = !x_first && t == at.y;
+    vec3 axis = vec3(x_first, y_first, !x_first && !y_first);
+    // In a corner of the cell the ray has no length, but stops as well.
+    return Meeting(t <= max(span.x, span.y), t, t < at.w ? axis : vec3(0.0));
+}
+
+/// Is this point of a block's side in one of its holes? Where they are in its texture is not known: a square
+/// in each quarter, of glass one in the middle, as large as what the texture leaves open. `within`: from the lower end of the cell;
+/// `axis`: that of the side.
+bool in_hole(int code, vec3 within, vec3 axis) {
+    vec3 off = abs(fract((code >= voxel_glass ? 1.0 : 2.0) * within) - 0.5) * (1.0 - axis);
+    return max(off.x, max(off.y, off.z)) < 0.5 * sqrt(hole_share(code));
+}
+
+/// The first box of a fence, wall or chest that the ray comes into from outside.
+Meeting meet_post(Walk walk, int code) {
+    Meeting met = Meeting(false, 1e9, vec3(0.0));
+    uint parts = post_boxes(code) > 0 ? kept_shape(cell_of(walk)) : 0u;
+    vec3 from = walk.origin - walk.cell - 0.5;  // the middle of the cell
+    for (int i = 0; i < post_boxes(code); ++i) {
+        Box box = post_box(code, i);
+        vec3 a = (box.low - from) * walk.inverse;
+        vec3 b = (box.high - from) * walk.inverse;
+        vec3 near = min(a, b);
+        vec3 far = max(a, b);
+        float t = max(near.x, max(near.y, near.z));
+        bool hit = has_part(code, parts, i) && t > 0.0 && t <= min(far.x, min(far.y, far.z));
+        if (!hit || t >= met.t) continue;
+        bool x = t == near.x;
+        bool y = !x && t == near.y;
+        vec3 axis = vec3(x, y, !x && !y);
+        if (in_hole(code, from + walk.direction * t + 0.5, axis)) continue;
+        met = Meeting(true, t, axis);
+    }
+    return met;
+}
+
+/// Lava up to its surface: whole where there is lava above it.
+Meeting meet_lava(Walk walk, vec2 span) {
+    bool surface = int(texel_of(cell_of(walk) + ivec3(0, 1, 0)).a * 255.0 + 0.5) != voxel_lava;
+    vec2 below = below_surface(span, walk.cell.y + water_height - walk.origin.y, walk.direction.y);
+    if (!surface || below.x <= span.x) return Meeting(!surface || below.x < below.y, span.x, vec3(0.0));
+    return Meeting(below.x <= below.y, below.x, vec3(0.0, 1.0, 0.0));
+}
+
+/// What of the cell's block stops the ray?
+Meeting meet(Walk walk, int code) {
+    vec2 span = span_in_cell(walk);
+    Meeting met = meet_octants(walk, octants_of(code, cell_of(walk)), span);
+    for (int i = 0; i < int(code == voxel_lava); ++i) met = meet_lava(walk, span);
+    vec3 to_center = walk.cell + 0.5 - walk.origin;
+    float along = dot(to_center, walk.direction);
+    float miss_squared = dot(to_center, to_center) - along * along;
+    met.found = met.found || (is_ball(code) &&
+                              miss_squared < small_lamp_radius * small_lamp_radius);
+#if NOTICE_CHANGES
+    Meeting post = meet_post(walk, code);
+    if (post.found) return post;
+#endif
+    return met;
+}
+
+#if NOTICE_CHANGES
+/// Of glass that a ray meets from within: its light comes by the side that is opposite, of this block or of glass beyond.
+/// Without one, where that stands before a wall, the light of its own outer side stands for it.
+void find_lit_side(inout Hit hit) {
+    ivec3 cell = hit.cell;
+    for (int i = 0; i < 4 && is_glass(int(texel_of(cell).a * 255.0 + 0.5)); ++i) {
+        if ((kept_shape(cell) & plate_of_quad(0.5 * hit.normal, vec3(1.0), hit.normal)) != 0u) {
+            hit.cell = cell;
+            return;
+        }
+        cell += ivec3(round(hit.normal));
+        if (!in_volume(cell)) break;
+    }
+    hit.normal = -hit.normal;
+}
+#endif
+
+/// Where the ray came into its cell, or met a block in it, and what it finds there.
+void describe(inout Hit hit, Walk walk, Meeting met, vec4 texel) {
+    vec3 came = plane_distances(walk, 0.0);
+    bool x = came.x > came.y && came.x > came.z;
+    bool y = !x && came.y > came.z;
+    bool inside = met.found && met.axis != vec3(0.0);
+    hit.cell = cell_of(walk);
+    hit.voxel = decode_voxel(texel);
+    hit.position =
+        walk.origin + walk.direction * (inside ? met.t : max(came.x, max(came.y, came.z)));
+    hit.inner = inside && !is_post(hit.voxel.code) && hit.voxel.code != voxel_lava;
+    hit.normal = -(inside ? met.axis : vec3(x, y, !x && !y)) * walk.stride;
+#if NOTICE_CHANGES
+    if (inside && is_glass(hit.voxel.code)) find_lit_side(hit);
+#endif
+}
+
+/// First block from `origin` (volume space) on. The first cell is not tested: rays start on a face,
+/// and there the cell holds either nothing or the partial block that the face belongs to.
+Hit trace(vec3 origin, vec3 direction) {
+    count_ray();
+    Walk walk = begin_walk(origin, direction);
+    Hit hit;
+    hit.transmittance = vec3(1.0);
+    Meeting met = Meeting(false, 0.0, vec3(0.0));
+    walk_on(walk);
+    // What a full block stops has no turn here, and branches save nothing on some drivers.
+    for (int i = 0; i < 3 * VOLUME && walk.reach != stopped && in_volume(cell_of(walk)); ++i) {
+        vec4 texel = texel_of(cell_of(walk));
+        int code = int(texel.a * 255.0 + 0.5);
+        met = meet(walk, code);
+        if (met.found) break;
+        if (is_filter_voxel(code)) {
+            vec2 span = span_in_cell(walk);
+            if (code == voxel_water_surface)
+                span = below_surface(span, walk.cell.y + water_height - origin.y, walk.direction.y);
+            hit.transmittance *= filtered(texel.rgb * texel.rgb, max(0.0, span.y - span.x));
+        }
+        walk_on(walk);
+    }
+    hit.found = in_volume(cell_of(walk));
+    vec4 texel = hit.found ? texel_of(cell_of(walk)) : vec4(0.0);
+    describe(hit, walk, met, texel);
+    return hit;
+}
+
+#endif

@@ -1,0 +1,106 @@
+// One voxel is one RGBA8 texel of shadowcolor0: rgb is the square root of the linear albedo, tint
+// or, of a small lamp, light colour; a one of the codes below.
+#if !defined INCLUDED_VOXELS_VOXEL
+#define INCLUDED_VOXELS_VOXEL
+
+#include "/include/blocks.glsl"
+
+const int voxel_air = 0;
+const int voxel_solid = 1;
+const int voxel_slab_bottom = 2;
+const int voxel_slab_top = 3;
+const int voxel_translucent = 4;
+const int voxel_water_surface = 5;  // translucent up to water_height
+const int voxel_stairs = 6;  // fills a part of its cell: include/voxels/octants.glsl
+const int voxel_fence = 7;   // posts with arms: include/voxels/posts.glsl
+const int voxel_wall = 8;
+const int voxel_chest = 9;
+const int voxel_plate = 10;  // .. 15: doors and trapdoors, with holes of 0..5 eighths
+const int voxel_glass = 16;       // .. 23: the sides that are drawn, with holes of 0..7 eighths
+const int voxel_pane = 24;        // .. 31: a post with arms, thin, with such holes
+const int voxel_small_lamp = 32;  // + light level 1..15, a ball in the cell
+const int voxel_cover = 48;       // a carpet on the floor of the cell
+const int voxel_lamp = 64;        // + 16 * digit of lamp_color + light level 1..15, fills the cell
+
+// Lava: the only lamp of its colour at that level. With something else above it it ends where water does.
+const int voxel_lava = voxel_lamp + 16 * 9 + 15;
+
+// Of still water with air above it, as the game draws it.
+const float water_height = 8.0 / 9.0;
+
+// The ball of a small lamp, and how much brighter it is than a full block of that level: about
+// the ratio of the areas seen.
+const float small_lamp_radius = 0.25;
+const float small_lamp_boost = 5.0;
+
+struct Voxel {
+    vec3 color;  // linear: albedo, tint or light colour
+    int code;
+};
+
+vec4 encode_voxel(vec3 color, int code) {
+    return vec4(sqrt(clamp(color, 0.0, 1.0)), float(code) / 255.0);
+}
+
+Voxel decode_voxel(vec4 texel) {
+    return Voxel(texel.rgb * texel.rgb, int(texel.a * 255.0 + 0.5));
+}
+
+/// Light passes, and takes its colour.
+bool is_filter_voxel(int code) {
+    return code == voxel_translucent || code == voxel_water_surface;
+}
+
+/// A small lamp.
+bool is_ball(int code) { return code >= voxel_small_lamp && code < voxel_cover; }
+
+bool is_lamp_voxel(int code) { return code >= voxel_lamp || is_ball(code); }
+
+bool is_plate(int code) { return code >= voxel_plate && code < voxel_glass; }
+
+bool is_glass(int code) { return code >= voxel_glass && code < voxel_pane; }
+
+/// What holes take of a side of the block.
+float hole_share(int code) {
+    float glass = code >= voxel_glass && code < voxel_small_lamp ? float(code & 7) / 8.0 : 0.0;
+    return is_plate(code) ? float(code - voxel_plate) / 8.0 : glass;
+}
+
+/// Light of the propagation does not pass; slabs leave half of their cell open.
+bool is_opaque_voxel(int code) {
+    return code == voxel_solid || code == voxel_stairs || is_plate(code) || is_lamp_voxel(code);
+}
+
+/// As bright as a colour of that hue can be.
+vec3 brightest(vec3 color) { return color / max(max(color.r, color.g), max(color.b, 1e-3)); }
+
+/// Radiance of a lamp of that colour and level, as a block that fills its cell.
+vec3 lamp_radiance(vec3 color, int level) {
+    float share = float(level) / 15.0;
+    return color * (EMISSION_STRENGTH * share * share);
+}
+
+vec3 lamp_radiance(Voxel v) {
+    int digit = is_ball(v.code) ? 0 : (v.code - voxel_lamp) >> 4;
+    return lamp_radiance(digit == 0 ? brightest(v.color) : lamp_color(digit), v.code & 15);
+}
+
+/// What a block sends back; balls are not there for that.
+vec3 voxel_albedo(Voxel v) { return is_ball(v.code) ? vec3(0.0) : v.color; }
+
+/// What is left of light after so many blocks of a translucent colour.
+vec3 filtered(vec3 color, float thickness) { return pow(max(color, vec3(1e-3)), vec3(thickness)); }
+
+#if defined READ_VOXELS
+#include "/include/voxels/volume.glsl"
+
+uniform sampler2D shadowcolor0;
+
+/// Air outside the volume.
+Voxel voxel_at(ivec3 cell) {
+    if (!in_volume(cell)) return Voxel(vec3(0.0), voxel_air);
+    return decode_voxel(texelFetch(shadowcolor0, atlas_texel(cell), 0));
+}
+#endif
+
+#endif

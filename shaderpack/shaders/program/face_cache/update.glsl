@@ -1,0 +1,97 @@
+// One sample of the light on each face of this frame's list: a ray into the hemisphere, and a ray
+// to a lamp.
+#include "/settings.glsl"
+
+layout(local_size_x = 64) in;
+const ivec3 workGroups = ivec3(16, 1, 1);  // idle threads cost as much as busy ones on some drivers
+
+layout(rgba16f) uniform readonly image3D face_light;
+layout(rgba16f) uniform writeonly image2D face_fresh;
+layout(r32ui) uniform readonly uimage2D face_list;
+layout(r32ui) uniform readonly uimage2D face_tally;
+layout(r32ui) uniform readonly uimage2D face_memory;
+
+#define READ_VOXELS
+#include "/include/gi/lamp_sample.glsl"
+#include "/include/gi/leaves.glsl"
+#include "/include/math/half.glsl"
+
+struct Face {
+    ivec3 cell;
+    int face;
+    Receiver from;
+    float sky;  // level where it lies, 0..1
+};
+
+/// B and number of updates; nothing where the cell was elsewhere in the frame before.
+vec4 light_of(ivec3 cell, int face) {
+    if (entered(cell)) return vec4(0.0);
+    return trusted(imageLoad(face_light, face_texel(cell, face)));
+}
+
+/// Radiance along a cosine ray.
+vec3 hemisphere_sample(Face f, vec2 u, vec3 light) {
+    vec3 direction = cosine_direction(f.from.normal, u);
+    Hit hit = trace_from_face(f.from.origin, direction);
+    vec3 radiance = vec3(0.0);
+    if (!hit.found) {
+        radiance = sky_beyond(hit, direction, f.sky);
+    } else {
+        if (is_lamp_voxel(hit.voxel.code)) radiance = met_lamp(hit, f.from, direction);
+        radiance += voxel_albedo(hit.voxel) * (sun_at(hit, light, f.sky) +
+                                               light_of(hit.cell, face_of_hit(hit)).rgb);
+    }
+    radiance *= hit.transmittance;
+    for (int i = 0; i < int(begins_in_leaves(f.from.origin)); ++i)
+        radiance += light_of_leaves(f.from.origin, direction, light, f.sky);
+    return radiance;
+}
+
+/// Updates that count, after an edit in the frame before: none, or a few if edits follow each other.
+float trusted_updates(float updates) {
+    int last = int(imageLoad(face_memory, memory_last).r);
+    int before = int(imageLoad(face_memory, memory_before).r);
+    if (last != frameCounter - 1) return updates;
+    return last - before > face_calm_frames ? 0.0 : min(updates, face_edited_updates);
+}
+
+uint octants_at(ivec3 cell) { return octants_of(voxel_at(cell).code, cell); }
+
+vec3 point_of(ivec3 cell, int face, vec2 at) {
+    int code = voxel_at(cell).code;
+    if (is_post(code)) return point_of_post(cell, code, face, at);
+    ivec3 before = cell + ivec3(face_normal(face));
+    vec3 point = point_of_face(cell, octants_of(code, cell), octants_at(before), face, at);
+    int code_before = voxel_at(ivec3(floor(point))).code;
+    return is_plate(code_before) ? point_beside_plate(point, code_before, kept_shape(ivec3(floor(point)))) : point;
+}
+
+vec4 updated(uint entry, vec3 light) {
+    Face f;
+    f.cell = packed_cell(entry);
+    f.face = packed_face(entry);
+    f.from.normal = face_normal(f.face);
+    f.sky = entry_level(entry);
+    vec4 old = light_of(f.cell, f.face);
+
+    uvec3 place = uvec3(face_texel(f.cell, f.face));
+    // Independent numbers: along a sequence, what a face looks up would follow how it came about.
+    seed_random(ivec2(place.x + 2048u * place.y, place.z), frameCounter);
+    f.from.origin = point_of(f.cell, f.face, next_random().xy);
+    vec3 sampled = hemisphere_sample(f, next_random().xy, light) + lamp_sample(f.from);
+
+    float updates = trusted_updates(old.a);
+    float gain = max(1.0 / float(FACE_WINDOW), FACE_GAIN / (updates + FACE_GAIN));
+    vec3 mean = mix(old.rgb, min(sampled, vec3(65504.0)), gain);
+    return vec4(round_to_half(mean), min(updates + 1.0, 2047.0));
+}
+
+void main() {
+    uint count = min(imageLoad(face_tally, tally_faces).r, face_capacity);
+    vec3 light = light_direction();
+    uint threads = gl_NumWorkGroups.x * gl_WorkGroupSize.x;
+    for (uint i = gl_GlobalInvocationID.x; i < count; i += threads) {
+        ivec2 slot = face_slot(i);
+        imageStore(face_fresh, slot, updated(imageLoad(face_list, slot).r, light));
+    }
+}

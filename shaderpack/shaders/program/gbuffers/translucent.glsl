@@ -1,0 +1,160 @@
+// Water, glass, weather (PROGRAM_WEATHER) and clouds (PROGRAM_CLOUDS): lit where they are drawn, blended over the lit
+// scene.
+#include "/settings.glsl"
+#include "/include/blocks.glsl"
+#include "/include/uniforms.glsl"
+
+#if defined VERTEX_STAGE
+
+in vec2 mc_Entity;
+
+out vec2 uv;
+out vec4 tint;
+out vec2 light;
+out vec3 player;
+flat out vec3 normal;
+flat out float is_water;
+#if FACES && !LAMPS
+in vec4 at_midBlock;
+flat out vec3 block;  // its middle, player space
+#endif
+
+void main() {
+    gl_Position = ftransform();
+    uv = (gl_TextureMatrix[0] * gl_MultiTexCoord0).xy;
+    tint = gl_Color;
+    vec2 lightmap = (gl_TextureMatrix[1] * gl_MultiTexCoord1).xy;
+    light = clamp((lightmap - 1.0 / 32.0) * 16.0 / 15.0, 0.0, 1.0);
+#if defined PROGRAM_CLOUDS
+    // They have no light levels, which reads as full; no lamp reaches them.
+    light = vec2(0.0, 1.0);
+#endif
+    player = (gbufferModelViewInverse * (gl_ModelViewMatrix * gl_Vertex)).xyz;
+    normal = normalize(mat3(gbufferModelViewInverse) * (gl_NormalMatrix * gl_Normal));
+#if FACES && !LAMPS
+    block = player + at_midBlock.xyz / 64.0;
+#endif
+    is_water = float(int(floor(mc_Entity.x + 0.5)) == block_water);
+}
+
+#else
+
+#if LAMPS || FLOOD_IMAGE || FACES
+#extension GL_ARB_shader_image_load_store : enable
+#endif
+#if VOXELS
+#define READ_VOXELS
+#endif
+#include "/include/math/color.glsl"
+#include "/include/gi/ambient.glsl"
+#include "/include/brdf/direct.glsl"
+#include "/include/shadow/shadow.glsl"
+#if LAMPS
+#include "/include/lights/lit_by_lamps.glsl"
+#endif
+#if AIR_LIGHT
+#include "/include/floodfill/light_field.glsl"
+#endif
+#if FACES
+#include "/include/face_cache/face_lookup.glsl"
+#include "/include/gi/hit.glsl"
+#endif
+
+in vec2 uv;
+in vec4 tint;
+in vec2 light;
+in vec3 player;
+flat in vec3 normal;
+flat in float is_water;
+#if FACES && !LAMPS
+flat in vec3 block;
+#endif
+
+uniform sampler2D gtexture;
+
+/* RENDERTARGETS: 0 */
+layout(location = 0) out vec4 out_color;
+
+/// Mean radiance over the hemisphere: with floodfill, lamps from its cells instead of the lightmap;
+/// with the face cache, that of the block's face. Both hold the lamps' light, which LAMPS adds itself.
+vec3 indirect_radiance(vec3 n) {
+#if AIR_LIGHT && !LAMPS
+    vec3 position = to_volume(player);
+    if (in_volume(ivec3(floor(position))))
+        return ambient_radiance(vec2(0.0, light.y), n) +
+               light_solid_aware(position, n) * FLOODFILL_STRENGTH;
+#endif
+    vec2 levels = light;
+#if LAMPS
+    levels.x *= unlisted_share(player);
+#endif
+    vec3 lightmap = ambient_radiance(levels, n);
+#if FACES && !LAMPS
+    vec3 middle = to_volume(block);
+    vec4 cached = cached_light_at(to_volume(player), ivec3(floor(middle)), face_of(n));
+    float share = cached.a > 0.0 ? inside_volume(middle) : 0.0;
+    return mix(lightmap, cached.rgb + AMBIENT_MINIMUM, share);
+#else
+    return lightmap;
+#endif
+}
+
+#if FACES
+/// The light on what the water mirrors. Of a face beside a surface of water most lies below it: what is
+/// above sees half of what the block's top sees.
+vec3 light_beside(Hit hit) {
+    vec3 own = cached_light(hit.cell, face_of_hit(hit)).rgb;
+    bool beside = voxel_at(hit.cell + ivec3(hit.normal)).code == voxel_water_surface;
+    if (!beside || hit.position.y - float(hit.cell.y) < water_height) return own;
+    return 0.5 * (own + cached_light(hit.cell, face_of(vec3(0.0, 1.0, 0.0))).rgb);
+}
+#endif
+
+/// What water mirrors: the scene, as the voxels know it, or the sky where that reaches it.
+vec3 mirrored_radiance(vec3 n, vec3 direction, vec3 l) {
+    float sky = light.y * light.y;
+#if FACES
+    vec3 position = to_volume(player);
+    if (inside_volume(position) > 0.0) {
+        Hit hit = trace(position + n * pixel_offset(player), direction);
+        vec3 lamp = is_lamp_voxel(hit.voxel.code) ? lamp_light(hit.voxel) : vec3(0.0);
+        vec3 sun = DIRECT_LIGHT == NONE ? vec3(0.0) : sun_at(hit, l, light.y);
+        if (hit.found) return hit.transmittance * (lamp + voxel_albedo(hit.voxel) * (sun + light_beside(hit)));
+    }
+#endif
+    return sky_radiance(direction) * sky;
+}
+
+void main() {
+#ifdef SHADOW_VIEW
+    discard;
+#endif
+#if VOXELS_SHOWN
+    discard;
+#endif
+    vec4 color = texture(gtexture, uv) * vec4(tint.rgb, 1.0);
+#if defined PROGRAM_WEATHER
+    color.a *= tint.a;  // fades with distance; of blocks alpha is occlusion
+#endif
+    if (color.a < alphaTestRef) discard;
+    vec3 albedo = to_linear(color.rgb);
+
+    vec3 v = -normalize(player);
+    vec3 n = dot(normal, v) < 0.0 ? -normal : normal;
+    vec3 l = light_direction();
+    vec3 radiance = albedo * indirect_radiance(n);
+#if DIRECT_LIGHT != NONE
+    radiance += light_irradiance() * light_visibility(player, n, l, shadow_radius, light.y) *
+                reflect_direct(albedo, n, v, l);
+#endif
+#if LAMPS
+    radiance += lamps_radiance(player, n, 0.0, albedo);
+#endif
+
+    // Fresnel: Schlick, reflectance 0.02.
+    float fresnel = is_water * (0.02 + 0.98 * pow(1.0 - clamp(dot(n, v), 0.0, 1.0), 5.0));
+    if (fresnel > 0.0) radiance = mix(radiance, mirrored_radiance(n, reflect(-v, n), l), fresnel);
+    out_color = vec4(radiance, mix(color.a, 1.0, fresnel));
+}
+
+#endif

@@ -1,0 +1,249 @@
+// Light from everything but the direct sun: GI_SAMPLES rays a pixel through the voxels, averaged
+// with the frames before. Radiance is constant along a ray, so nothing is divided by distance.
+#include "/settings.glsl"
+
+#if defined VERTEX_STAGE
+
+#include "/include/gi/rest.glsl"
+
+#if FACES
+flat out int drawing;
+#endif
+
+void main() {
+    gl_Position = drawn_corner(ftransform());
+#if FACES
+    drawing = number_of_drawing();
+#endif
+}
+
+#else
+
+#if NOTICE_CHANGES
+#extension GL_ARB_shader_image_load_store : enable
+#endif
+
+#define READ_GBUFFER
+#define READ_VOXELS
+#include "/include/gbuffer.glsl"
+#include "/include/plane.glsl"
+#include "/include/math/random.glsl"
+#include "/include/gi/hit.glsl"
+#include "/include/gi/rest.glsl"
+#if AIR_LIGHT
+#include "/include/floodfill/light_field.glsl"
+#endif
+#if FACES
+layout(rgba16f) uniform readonly image3D face_light;
+layout(r32ui) uniform readonly uimage2D face_memory;
+#include "/include/face_cache/face_cache.glsl"
+#endif
+#include "/include/gi/leaves.glsl"
+#if GLOSSY
+#include "/include/brdf/glossy.glsl"
+
+uniform sampler2D colortex8;
+#endif
+#if LAMP_RAYS
+layout(r32ui) uniform readonly uimage2D face_list;
+layout(r32ui) uniform readonly uimage2D face_tally;
+#include "/include/gi/lamp_sample.glsl"
+#endif
+
+#if LAMPS
+#include "/include/lights/lamps.glsl"
+#endif
+
+#if GI_METHOD == BOUNCE_4
+const int gi_bounces = 4;
+#elif GI_METHOD == BOUNCE_2 || FACES
+const int gi_bounces = 2;
+#else
+const int gi_bounces = 1;
+#endif
+
+#if FACES
+flat in int drawing;
+#endif
+
+uniform sampler2D colortex3;
+uniform sampler2D colortex5;
+
+#if GLOSSY
+/* RENDERTARGETS: 3,5,8 */
+layout(location = 2) out vec4 out_mirrored;
+#else
+/* RENDERTARGETS: 3,5 */
+#endif
+layout(location = 0) out vec4 out_radiance;
+layout(location = 1) out vec4 out_plane;
+
+/// Does deferred4 add the light of a lamp that the ray from the pixel hits here?
+bool lit_directly(int bounce, vec3 position) {
+#if LAMPS
+    return bounce == 0 && in_lamp_volume(ivec3(floor(to_lamp_space(from_volume(position)))));
+#else
+    return false;
+#endif
+}
+
+/// Plants and leaves look to either side by chance: turns the normal of half of the rays round.
+/// Returns what counts for the light that comes from there.
+vec3 choose_side(Surface s, inout vec3 normal) {
+    if (!s.thin) return vec3(1.0);
+    if (next_random().x < 0.5) return vec3(2.0);
+    normal = -normal;
+    return 2.0 * passed_share(s.albedo);
+}
+
+/// One sample of the mean incoming radiance.
+vec3 gather(Surface s, vec3 light, int index) {
+    vec3 normal = s.normal;
+    vec3 throughput = choose_side(s, normal);
+    vec3 origin = to_volume(s.player) + normal * pixel_offset(s.player);
+    vec3 radiance = vec3(0.0);
+    begins_on_lamp = s.emission > 0.0;
+#if LAMP_RAYS
+    radiance += throughput * lamp_sample(Receiver(origin, normal));
+#endif
+    for (int bounce = 0; bounce < gi_bounces; ++bounce) {
+        vec2 u = next_random().xy;
+#if FACES
+        if (bounce == 0) u = spread_point(ivec2(gl_FragCoord.xy), drawing * GI_SAMPLES + index);
+#endif
+        vec3 direction = cosine_direction(normal, u);
+        for (int i = 0; i < int(s.thin && bounce == 0 && begins_in_leaves(origin)); ++i)
+            radiance += throughput * light_of_leaves(origin, direction, light, s.light.y);
+        vec3 from = origin;
+        Hit hit = trace_from_face(from, direction);
+        throughput *= hit.transmittance;
+        if (!hit.found) {
+            radiance += throughput * sky_beyond(hit, direction, s.light.y);
+            break;
+        }
+        if (is_lamp_voxel(hit.voxel.code)) {
+#if LAMP_RAYS
+            radiance += throughput * met_lamp(hit, Receiver(origin, normal), direction);
+#else
+            radiance += throughput * lamp_light(hit.voxel) *
+                        float(!lit_directly(bounce, hit.position));
+#endif
+        }
+        normal = hit.normal;
+        origin = hit.position + normal * face_offset;
+        begins_on_lamp = false;
+        throughput *= voxel_albedo(hit.voxel);
+        radiance += throughput * sun_at(hit, light, s.light.y);
+#if AIR_LIGHT
+        // The cells before a lamp hold its own light: what it reflects is not known.
+        if (is_lamp_voxel(hit.voxel.code)) break;
+        radiance += throughput * light_at_face(hit.position, normal, next_random().xy) *
+                    FLOODFILL_STRENGTH;
+#elif FACES
+        // From so near the mean of a face is not what is seen of it: gathered anew, as final gathering with photon
+        // maps does (Jensen 2001, "Realistic Image Synthesis Using Photon Mapping").
+        if (bounce == 0 && distance(hit.position, from) < FACE_NEAR) {
+#if LAMP_RAYS
+            radiance += throughput * lamp_sample(Receiver(origin, normal));
+#endif
+            continue;
+        }
+        radiance += throughput *
+                    trusted(imageLoad(face_light, face_texel(hit.cell, face_of_hit(hit)))).rgb;
+        break;
+#endif
+        // A loop that is not known to end here costs a quarter more on llvmpipe.
+        if (gi_bounces == 1) break;
+    }
+    return radiance;
+}
+
+#if GLOSSY
+/// One sample of what a polished block or a metal mirrors.
+vec3 mirrored(Surface s, vec3 light) {
+    vec3 v = -normalize(s.player);
+    float alpha = gloss_alpha(s.gloss);
+    vec3 facet = ggx_facet(s.normal, v, alpha, next_random().xy);
+    vec3 direction = reflect(-v, facet);
+    vec3 weight = gloss_fresnel(s.gloss, s.albedo, dot(v, facet)) *
+                  ggx_masking(dot(s.normal, direction), alpha);
+    Hit hit = trace_from_face(to_volume(s.player) + s.normal * pixel_offset(s.player), direction);
+    weight *= hit.transmittance;
+    if (!hit.found) return weight * sky_beyond(hit, direction, s.light.y);
+    vec3 lamp = is_lamp_voxel(hit.voxel.code) ? lamp_light(hit.voxel) : vec3(0.0);
+    vec3 cached = trusted(imageLoad(face_light, face_texel(hit.cell, face_of_hit(hit)))).rgb;
+    return weight * (lamp + voxel_albedo(hit.voxel) * (sun_at(hit, light, s.light.y) + cached));
+}
+#endif
+
+#ifdef TEMPORAL_ACCUMULATION
+
+/// What earlier frames found for this surface: rgb, and how many of them; 0 where it was not seen.
+vec4 history(Surface s) {
+    vec3 player = s.player + (cameraPosition - previousCameraPosition);
+    vec4 clip = gbufferPreviousProjection * (gbufferPreviousModelView * vec4(player, 1.0));
+    vec2 uv = clip.xy / clip.w * 0.5 + 0.5;
+    ivec2 pixel = ivec2(floor(uv * vec2(viewWidth, viewHeight)));
+    bool on_screen = clip.w > 0.0 && all(greaterThanEqual(uv, vec2(0.0))) &&
+                     all(lessThan(uv, vec2(1.0)));
+    if (!on_screen) return vec4(0.0);
+
+    vec4 before = texelFetch(colortex5, pixel, 0);
+    bool same = same_plane(before, surface_plane(player, s.normal));
+    return same ? texelFetch(colortex3, pixel, 0) : vec4(0.0);
+}
+
+// While the cache still fills, early frames are wrong rather than noisy: let them fade as the
+// frames' number cubed instead of keeping them in a plain mean.
+#if AIR_LIGHT || FACES
+const float history_ramp = 3.0;
+#else
+const float history_ramp = 1.0;
+#endif
+
+vec4 accumulate(vec3 radiance, vec4 before) {
+#if FACES
+    if (light_changes(imageLoad(face_memory, memory_last).r))
+        before.a = min(before.a, face_edited_updates);
+#endif
+    float floor_weight = camera_is_still() ? 1.0 / float(TEMPORAL_FRAMES) : TEMPORAL_WEIGHT;
+    float weight = max(floor_weight, history_ramp / (before.a + history_ramp));
+    return vec4(mix(before.rgb, radiance, weight), min(before.a + 1.0, float(TEMPORAL_FRAMES)));
+}
+
+#endif
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    Surface s = read_surface(pixel);
+    seed_random(pixel, frameCounter);
+    vec3 light = light_direction();
+
+    vec3 radiance = vec3(0.0);
+    // Of the sky no ray is sent: a loop without turns costs nothing, a branch may.
+    int samples = s.sky ? 0 : GI_SAMPLES;
+    for (int i = 0; i < samples; ++i) radiance += gather(s, light, i);
+    radiance /= float(GI_SAMPLES);
+
+    out_radiance = vec4(radiance, 1.0);
+#ifdef TEMPORAL_ACCUMULATION
+    out_radiance = accumulate(radiance, history(s));
+#endif
+#if GLOSSY
+    // No turn for what is diffuse.
+    out_mirrored = vec4(0.0);
+    for (int i = 0; i < min(s.gloss, 1); ++i) out_mirrored = vec4(mirrored(s, light), 1.0);
+#ifdef TEMPORAL_ACCUMULATION
+    // What is mirrored moves with the eye.
+    out_mirrored =
+        accumulate(out_mirrored.rgb, camera_is_still() ? texelFetch(colortex8, pixel, 0) : vec4(0.0));
+#endif
+#endif
+    out_plane = surface_plane(s.player, s.normal);
+    if (s.sky) {
+        out_radiance = vec4(0.0);
+        out_plane = vec4(0.0);
+    }
+}
+
+#endif

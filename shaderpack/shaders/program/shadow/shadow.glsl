@@ -1,0 +1,315 @@
+// One pass over the terrain gives both the shadow map and the voxels: the geometry shader sends
+// each triangle to the map and, for each quad, one texel to the atlas below it.
+#include "/settings.glsl"
+#include "/include/uniforms.glsl"
+#include "/include/blocks.glsl"
+#include "/include/shadow/shadow_space.glsl"
+#include "/include/math/color.glsl"
+#include "/include/voxels/voxel.glsl"
+#if VOXELS
+#include "/include/voxels/volume.glsl"
+#endif
+
+#if defined VERTEX_STAGE
+
+in vec2 mc_Entity;
+in vec2 mc_midTexCoord;
+in vec4 at_midBlock;
+
+out vec2 vertex_uv;
+out vec2 vertex_mid_uv;
+out vec3 vertex_tint;
+out vec3 vertex_center;  // of the block, player space
+out float vertex_id;
+out float vertex_emission;
+out vec3 vertex_normal;
+out float vertex_sky;  // level 0..15
+#if VOXELS || LAMPS
+out vec3 vertex_player;
+#endif
+
+void main() {
+    vec4 view = gl_ModelViewMatrix * gl_Vertex;
+    gl_Position = place_shadow(shadow_clip(gl_ProjectionMatrix * view));
+    vertex_uv = (gl_TextureMatrix[0] * gl_MultiTexCoord0).xy;
+    vertex_mid_uv = mc_midTexCoord;
+    vertex_tint = gl_Color.rgb;
+    vec3 player = (shadowModelViewInverse * view).xyz;
+    vertex_center = player + at_midBlock.xyz / 64.0;
+    vertex_id = mc_Entity.x;
+    vertex_emission = block_emission(int(floor(mc_Entity.x + 0.5)), at_midBlock.w);
+    vertex_normal = mat3(shadowModelViewInverse) * (gl_NormalMatrix * gl_Normal);
+    vertex_sky = (gl_TextureMatrix[1] * gl_MultiTexCoord1).y * 16.0 - 0.5;
+#if VOXELS || LAMPS
+    vertex_player = player;
+#endif
+}
+
+#elif defined GEOMETRY_STAGE
+
+layout(triangles) in;
+layout(triangle_strip, max_vertices = 6) out;
+
+in vec2 vertex_uv[];
+in vec2 vertex_mid_uv[];
+in vec3 vertex_tint[];
+in vec3 vertex_center[];
+in float vertex_id[];
+in float vertex_emission[];
+in vec3 vertex_normal[];
+in float vertex_sky[];
+#if VOXELS || LAMPS
+in vec3 vertex_player[];
+#endif
+
+out vec2 uv;
+flat out vec4 voxel;  // a 0: part of the shadow map
+flat out vec4 sheet;  // as include/shadow/sheets.glsl stores it; 0: nothing
+flat out vec2 lattice;
+flat out vec4 tile;  // the quad's part of the atlas: low, high
+
+#if VOXELS || LAMPS
+
+uniform sampler2D gtexture;
+
+#include "/include/shadow/sheets.glsl"
+
+uniform int blockEntityId;
+
+/// What a triangle of the map takes of the light. Panes take as much as a block.
+vec4 sheet_of_triangle() {
+    int id = int(floor(vertex_id[0] + 0.5));
+    if (renderStage != MC_RENDER_STAGE_TERRAIN_TRANSLUCENT)
+        return id == block_plant || id == block_open || id == block_glass || id == block_pane ? sheet_with_holes
+                                                                                              : vec4(0.0);
+    vec3 color = to_linear(textureLod(gtexture, vertex_mid_uv[0], 4.0).rgb) * to_linear(vertex_tint[0]);
+    float slope = abs((mat3(shadowModelView) * vertex_normal[0]).z);
+    float thickness = id == block_translucent ? 1.0 / max(slope, 0.25) : float(id == block_tinted_pane);
+    return encode_sheet(color, thickness);
+}
+
+/// Quads of blocks, once: they arrive as pairs of triangles.
+bool is_new_quad() {
+    return (gl_PrimitiveIDIn & 1) == 0 && renderStage != MC_RENDER_STAGE_ENTITIES;
+}
+
+/// What is known of a block by one of its quads.
+struct Block {
+    vec3 middle;  // player space
+    int id;
+    float emission;
+};
+
+vec3 quad_low() { return min(vertex_player[0], min(vertex_player[1], vertex_player[2])); }
+
+vec3 quad_high() { return max(vertex_player[0], max(vertex_player[1], vertex_player[2])); }
+
+/// Vertices of block entities (chests, beds) have no id: theirs is the draw's. What is not listed counts
+/// as open, as do small parts (locks, legs), which have neither the shape nor the colour of the block.
+Block block_of_quad() {
+    if (renderStage != MC_RENDER_STAGE_BLOCK_ENTITIES)
+        return Block(vertex_center[0], int(floor(vertex_id[0] + 0.5)), vertex_emission[0]);
+    vec3 size = quad_high() - quad_low();
+    bool named = is_block_class(blockEntityId) && max(size.x, max(size.y, size.z)) > 0.3;
+    vec3 inside = 0.5 * (quad_low() + quad_high()) - 0.01 * vertex_normal[0];
+    vec3 cell = floor(inside + cameraPositionFract);
+    return Block(cell + 0.5 - cameraPositionFract, named ? blockEntityId : block_open,
+                 named ? lamp_level(blockEntityId) : 0.0);
+}
+
+#endif
+
+#if LAMPS
+#extension GL_ARB_shader_image_load_store : enable
+#include "/include/lights/lamp_list.glsl"
+
+void emit_lamp() {
+    if (!is_new_quad()) return;
+    Block block = block_of_quad();
+    int level = int(clamp(block.emission, 0.0, 15.0) + 0.5);
+    vec3 own = to_linear(textureLod(gtexture, vertex_mid_uv[0], 4.0).rgb) * to_linear(vertex_tint[0]);
+    list_lamp(block.middle, block.id, level, brightest(own));
+}
+#endif
+
+#if VOXELS
+
+#if NOTICE_CHANGES
+#extension GL_ARB_shader_image_load_store : enable
+#include "/include/voxels/checksum.glsl"
+#include "/include/debug/count.glsl"
+#define MAKES_OCTANTS
+#include "/include/voxels/octants.glsl"
+#endif
+#if FACES
+#include "/include/face_cache/face_list.glsl"
+#endif
+
+/// Mean linear colour of the quad, weighted by alpha, and the mean of that: 16 taps over its part of the atlas,
+/// in the level that has 16 texels a tile.
+vec4 face_color() {
+    vec2 mid = vertex_mid_uv[0];
+    vec2 half_size = abs(vertex_uv[0] - mid);
+    half_size = max(half_size, max(abs(vertex_uv[1] - mid), abs(vertex_uv[2] - mid)));
+    vec4 sum = vec4(0.0);
+    for (int i = 0; i < 16; ++i) {
+        vec2 tap = vec2(i & 3, i >> 2) * 0.5 - 0.75;
+        vec4 texel = textureLod(gtexture, mid + tap * half_size, 2.0);
+        sum += vec4(to_linear(texel.rgb), 1.0) * texel.a;
+    }
+    return vec4(sum.rgb / max(sum.a, 1e-3) * to_linear(vertex_tint[0]), sum.a / 16.0);
+}
+
+/// What the block is to the voxels; a 0: nothing.
+vec4 block_voxel(int id, float emission, vec3 normal) {
+    vec4 face = face_color();
+    vec3 color = face.rgb;
+    int level = int(clamp(emission, 0.0, 15.0) + 0.5);
+    if (level > 0) {
+        int digit = is_lamp(id) ? id % 10 : 0;
+        if (!is_small_lamp(id)) return encode_voxel(color, voxel_lamp + 16 * digit + level);
+        return encode_voxel(digit > 0 ? lamp_color(digit) : brightest(color), voxel_small_lamp + level);
+    }
+    if (id == block_plant || id == block_open || is_small_lamp(id)) return vec4(0.0);
+    bool surface = id == block_water && normal.y > 0.5;
+    if (surface) return encode_voxel(color, voxel_water_surface);
+    bool filters = id == block_water || id == block_translucent || id == block_tinted_pane;
+    if (filters) return encode_voxel(color, voxel_translucent);
+    if (id == block_slab_bottom) return encode_voxel(color, voxel_slab_bottom);
+    if (id == block_slab_top) return encode_voxel(color, voxel_slab_top);
+#if NOTICE_CHANGES
+    if (id == block_stairs) return encode_voxel(color, voxel_stairs);
+    int holes = clamp(int((1.0 - face.a) * 8.0 + 0.5), 0, 5);
+    if (id == block_plate) return encode_voxel(color, voxel_plate + holes);
+    if (id == block_fence) return encode_voxel(color, voxel_fence);
+    if (id == block_wall) return encode_voxel(color, voxel_wall);
+    if (id == block_chest) return encode_voxel(color, voxel_chest);
+    holes = clamp(int((1.0 - face.a) * 8.0 + 0.5), 0, 7);
+    if (id == block_glass) return encode_voxel(color, voxel_glass + holes);
+    if (id == block_pane) return encode_voxel(color, voxel_pane + holes);
+    if (id == block_cover) return encode_voxel(color, voxel_cover);
+#else
+    bool is_thin = id == block_glass || id == block_pane || id == block_cover;
+    if (is_thin || id == block_fence || id == block_wall || id == block_chest) return vec4(0.0);
+#endif
+    return encode_voxel(color, voxel_solid);
+}
+
+void emit_voxel() {
+    Block block = block_of_quad();
+    ivec3 cell = ivec3(floor(to_volume(block.middle)));
+    if (!is_new_quad()) return;
+#if FACES
+    if (vertex_normal[0].y > 0.5 && !lets_light_pass(block.id))
+        note_height(to_volume(0.5 * (quad_low() + quad_high())), vertex_sky[0]);
+#endif
+    if (!in_volume(cell)) return;
+    voxel = block_voxel(block.id, block.emission, vertex_normal[0]);
+    if (voxel.a == 0.0) return;
+#if NOTICE_CHANGES
+    count_voxel();
+    int code = int(voxel.a * 255.0 + 0.5);
+    int face = face_of(vertex_normal[0]);
+    add_to_brick(cell, face, code, vertex_mid_uv[0]);
+    if (code == voxel_water_surface) note_lake();
+    if (code == voxel_stairs || is_post(code)) {
+        vec3 low = quad_low() - block.middle;
+        vec3 high = quad_high() - block.middle;
+        vec3 normal = round(vertex_normal[0]);
+        add_octants(cell, is_post(code) ? part_of_quad(code, low, high, normal)
+                                        : octants_behind(low, high, normal));
+    }
+#endif
+#if FACES
+    // What is thinner than half a block counts as half of it.
+    float outward = dot(vertex_player[0] - block.middle, vertex_normal[0]);
+    bool inner = has_octants(code) && outward < 0.25;
+    int sky = int(clamp(vertex_sky[0], 0.0, 15.0) + 0.5);
+    list_face(cell, inner ? face + face_inner : face, code, sky);
+    if (code >= voxel_lamp && abs(outward) < 0.3) list_cube(cell, code, sky);
+#endif
+
+    // The faces of a block share one texel; depth lets the one with the largest holes win, and the top of those
+    // that are alike, whatever the order.
+    float depth = -hole_share(int(voxel.a * 255.0 + 0.5)) - (vertex_normal[0].y > 0.5 ? 0.1 : 0.0);
+    // A right angle at the texel's corner that holds its centre and no other.
+    vec2 corner = vec2(atlas_texel(cell));
+    const vec2 legs[3] = vec2[3](vec2(0.0), vec2(1.5, 0.0), vec2(0.0, 1.5));
+    for (int i = 0; i < 3; ++i) {
+        vec2 unit = (corner + legs[i]) / float(SHADOW_TARGET);
+        gl_Position = vec4(unit * 2.0 - 1.0, depth, 1.0);
+        uv = vec2(0.0);
+        sheet = vec4(0.0);
+        lattice = vec2(0.0);
+        tile = vec4(0.0);
+        EmitVertex();
+    }
+    EndPrimitive();
+}
+
+#endif
+
+void emit_triangle() {
+    sheet = vec4(0.0);
+#if VOXELS
+    sheet = sheet_of_triangle();
+#endif
+    lattice = shadow_lattice();
+    vec2 low = min(vertex_uv[0], min(vertex_uv[1], vertex_uv[2]));
+    vec2 high = max(vertex_uv[0], max(vertex_uv[1], vertex_uv[2]));
+    tile = vec4(mix(low, high, 0.001), mix(low, high, 0.999));
+    for (int i = 0; i < 3; ++i) {
+        gl_Position = gl_in[i].gl_Position;
+        uv = vertex_uv[i];
+        voxel = vec4(0.0);
+        EmitVertex();
+    }
+    EndPrimitive();
+}
+
+void main() {
+#if SHADOW_MAP
+    emit_triangle();
+#endif
+#if VOXELS
+    emit_voxel();
+#endif
+#if LAMPS
+    emit_lamp();
+#endif
+}
+
+#else
+
+in vec2 uv;
+flat in vec4 voxel;
+flat in vec4 sheet;
+flat in vec2 lattice;
+flat in vec4 tile;
+
+uniform sampler2D gtexture;
+
+/// What reaches over an edge goes on at the opposite one, as in a neighbour with the same texture: the edge itself, a
+/// frame of glass, would count too often.
+vec2 in_tile(vec2 place) {
+    vec2 size = max(tile.zw - tile.xy, vec2(1e-7));
+    return tile.xy + size * fract((place - tile.xy) / size);
+}
+
+/* RENDERTARGETS: 0 */
+layout(location = 0) out vec4 out_voxel;
+
+void main() {
+    bool in_map = gl_FragCoord.y >= float(shadow_map_bottom);
+    bool is_voxel = voxel.a > 0.0;
+    // Triangles that cross the lower edge of the map would cover voxels.
+    if (in_map == is_voxel) discard;
+    // Holes by one point of the texel each, another in every texel, so that their mean is right however they lie to the
+    // lattice of texels. Of the full size: the mean alpha of a smaller level would close what is open.
+    vec2 off = point_in_texel(gl_FragCoord.xy - lattice) - 0.5;
+    vec2 place = in_tile(uv + dFdx(uv) * off.x + dFdy(uv) * off.y);
+    if (!is_voxel && textureLod(gtexture, place, 0.0).a < 0.1) discard;
+    out_voxel = is_voxel ? voxel : sheet;
+}
+
+#endif

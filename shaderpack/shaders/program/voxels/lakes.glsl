@@ -1,0 +1,34 @@
+// The depths of lakes: water between water has no faces, so the shadow pass draws no voxels of it. Each
+// column of cells is filled from a surface of water down to the next block.
+#include "/settings.glsl"
+
+layout(local_size_x = 64) in;
+const ivec3 workGroups = ivec3(16, 1, 1);
+
+#include "/include/voxels/changes.glsl"
+#include "/include/voxels/voxel.glsl"
+
+layout(rgba8) uniform image2D shadowcolorimg0;
+layout(r32ui) uniform readonly uimage2D voxel_memory;
+
+void fill_column(ivec2 column, int height) {
+    vec4 water = vec4(0.0);
+    for (int y = height - 1; y >= 0; --y) {
+        ivec2 texel = atlas_texel(ivec3(column.x, y, column.y));
+        vec4 voxel = imageLoad(shadowcolorimg0, texel);
+        int code = int(voxel.a * 255.0 + 0.5);
+        if (code == voxel_water_surface) water = encode_voxel(voxel.rgb * voxel.rgb, voxel_translucent);
+        // What stands in the water, as slabs do, is taken for the ground.
+        if (code != voxel_water_surface && code != voxel_air && code != voxel_translucent)
+            water = vec4(0.0);
+        if (code == voxel_air && water.a > 0.0) imageStore(shadowcolorimg0, texel, water);
+    }
+}
+
+void main() {
+    // No cells where no water is: a loop of none costs nothing, a branch may.
+    int height = imageLoad(voxel_memory, lake_seen).r == change_stamp() ? VOLUME_HEIGHT : 0;
+    int stride = int(gl_NumWorkGroups.x * gl_WorkGroupSize.x);
+    for (int i = int(gl_GlobalInvocationID.x); i < VOLUME * VOLUME; i += stride)
+        fill_column(ivec2(i % VOLUME, i / VOLUME), height);
+}
