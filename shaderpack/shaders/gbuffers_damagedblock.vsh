@@ -1,3 +1,4 @@
 #version 330 compatibility
+// Cracks of a block being broken, multiplied onto the albedo.
 #define VERTEX_STAGE
 #include "/program/gbuffers/damagedblock.glsl"

@@ -1,3 +1,4 @@
 #version 330 compatibility
+// Translucent things in the hand, lit where they are drawn.
 #define FRAGMENT_STAGE
 #include "/program/gbuffers/translucent.glsl"

@@ -1,3 +1,4 @@
 #version 330 compatibility
+// Stars.
 #define FRAGMENT_STAGE
 #include "/program/gbuffers/sky.glsl"

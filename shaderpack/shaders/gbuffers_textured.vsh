@@ -1,3 +1,4 @@
 #version 330 compatibility
+// Entities, particles and whatever has no program of its own into the G-buffer.
 #define VERTEX_STAGE
 #include "/program/gbuffers/opaque.glsl"

@@ -1,4 +1,5 @@
 #version 330 compatibility
+// Rain and snow, lit where they are drawn.
 #define PROGRAM_WEATHER
 #define FRAGMENT_STAGE
 #include "/program/gbuffers/translucent.glsl"

@@ -1,3 +1,4 @@
 #version 330 compatibility
+// Counts shadow volumes in the stencil.
 #define FRAGMENT_STAGE
 #include "/program/shadow/shadowvolume.glsl"

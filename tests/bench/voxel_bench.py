@@ -15,8 +15,8 @@ import subprocess
 import tempfile
 
 PROGRAMS = "shaders/program"
-LIST = f"{PROGRAMS}/p1_floodfill_list.glsl"
-GI = f"{PROGRAMS}/d0_gi.glsl"
+LIST = f"{PROGRAMS}/floodfill/image_list.glsl"
+GI = f"{PROGRAMS}/gi/gather.glsl"
 
 
 def copy_of(pack, folder, edits):

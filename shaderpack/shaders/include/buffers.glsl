@@ -32,7 +32,7 @@
 //   where colortex3 is
 //
 // The images of the lamps are described in include/lights, those of the face cache in
-// include/face_cache/face_cache.glsl, those that are made of the voxels in include/voxel/: changes, distance,
+// include/face_cache/face_cache.glsl, those that are made of the voxels in include/voxels/: changes, distance,
 // flood_image, active_bricks.
 // colortex3..8 and the shadow targets exist only while an option uses them.
 #if !defined INCLUDED_BUFFERS
