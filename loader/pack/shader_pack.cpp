@@ -119,7 +119,7 @@ class Reuse {
     if (!old) return;
     usable_ = old->folder() == build.folder() &&
               old->properties().shaderMacros == build.properties().shaderMacros;
-    changed_ = differingOptions(build.files().options, old->values(), build.values());
+    changed_ = differingOptions(build.files().options, old->textValues(), build.textValues());
   }
 
   ProgramList::Pointer operator()(const ProgramEntry& entry) const {
@@ -164,7 +164,8 @@ ShaderPack emptyPack(const PackFiles& files, const LoadRequest& request, const F
                   .dimensions = files.dimensions.readFolders()};
   pack.hasItemFile = properties.hasItemFile;
   pack.disabledPrograms = build.disabled();
-  pack.files = applyOptions(files.graph.files, files.options, build.values());
+  pack.files = applyOptions(files.graph.files, files.options, build.textValues());
+  pack.live = request.live;
   pack.propertyMacros = properties.macros;
   pack.source = files.source;
   return pack;
@@ -212,7 +213,7 @@ std::optional<ShaderPack> buildPack(const std::shared_ptr<const PackFiles>& file
   if (hasErrors(chosen)) return std::nullopt;
   const auto host = std::make_shared<const FolderBuild>(
       files, files->dimensions.resolve(request.dimension), values, request.environment,
-      request.irisTexts, buildOf(previous, nullptr));
+      request.irisTexts, buildOf(previous, nullptr), request.live);
   append(host->properties().diagnostics, diagnostics);
   if (host->properties().refused && !request.keepGoing) return std::nullopt;
   ShaderPack pack = emptyPack(*files, request, *host);

@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -69,6 +70,8 @@ struct LoadRequest {
   OptionValues values;      ///< must name options and lie in their lists
   std::string profile;      ///< "" for none; applied before `values`
   OptionValues fileValues;  ///< of an option file, applied first; need not lie in the lists
+  /// Options that are uniforms in place of macros: of liveOptions() (pack/options/live_options.h).
+  std::set<std::string> live{};
   std::string dimension = "minecraft:overworld";  ///< or a folder: "world0", "/world-1", "/"
   MacroDefinitions environment;                   ///< see standardMacros()
   bool buildSources = true;                       ///< false: options, properties and screens only
@@ -84,6 +87,7 @@ struct ShaderPack {
   std::string name;
   OptionSet options;
   OptionValues values;  ///< every non-default value in force
+  std::set<std::string> live;  ///< options that its programs have as uniforms (liveUniform())
   ShaderProperties properties;
   PackDirectives directives;
   bool refused = false;  ///< Iris refuses the pack for one of its directives

@@ -12,6 +12,7 @@
 #include "app/commands/graph.h"
 #include "app/commands/option_tree.h"
 #include "app/input/inputs.h"
+#include "pack/programs/live_check.h"
 #include "plan/auto_choices.h"
 
 namespace orris {
@@ -25,6 +26,7 @@ struct OptionsOptions {
 };
 
 using Reach = std::map<std::string, std::set<std::string>>;  // option -> programs
+using Live = std::map<std::string, std::string>;             // option -> why it is not, "" if it is
 
 std::string join(const std::vector<std::string>& words, const char* between) {
   return fmt::format("{}", fmt::join(words, between));
@@ -47,7 +49,8 @@ std::vector<std::pair<std::string, std::string>> costsOf(const ShaderPack& pack,
   return costs;
 }
 
-nlohmann::json optionsJson(const ShaderPack& pack, const Option& option, const Reach& reach) {
+nlohmann::json optionsJson(const ShaderPack& pack, const Option& option, const Reach& reach,
+                           const Live& live) {
   nlohmann::json costs = nlohmann::json::array();
   for (const auto& [value, formula] : costsOf(pack, option.name))
     costs.push_back({{"value", value}, {"milliseconds", formula}});
@@ -63,14 +66,17 @@ nlohmann::json optionsJson(const ShaderPack& pack, const Option& option, const R
           {"values", option.values},
           {"definedAt", places},
           {"auto", costs},
+          {"live", live.at(option.name).empty()},
+          {"notLive", live.at(option.name)},
           {"programs", programs == reach.end() ? std::set<std::string>() : programs->second}};
 }
 
 nlohmann::json optionsJson(const ShaderPack& pack) {
   const Reach reach = reachOf(pack);
+  const Live live = liveOptions(pack);
   nlohmann::json options = nlohmann::json::array(), profiles = options, screens = options;
   for (const auto& [name, option] : pack.options.all()) {
-    options.push_back(optionsJson(pack, option, reach));
+    options.push_back(optionsJson(pack, option, reach, live));
   }
   for (const Profile& profile : pack.properties.profiles) {
     profiles.push_back({{"name", profile.name},
@@ -91,7 +97,7 @@ nlohmann::json optionsJson(const ShaderPack& pack) {
 
 /// One line, or with `details` where it is defined and what it reaches too.
 std::vector<std::string> linesOf(const ShaderPack& pack, const Option& option, const Reach& reach,
-                                 bool details) {
+                                 const Live* live) {
   const std::string value = pack.options.value(pack.values, option.name);
   std::string head = fmt::format("{} = {}", option.name, value);
   if (value != option.defaultValue) head += fmt::format(" (default {})", option.defaultValue);
@@ -99,7 +105,7 @@ std::vector<std::string> linesOf(const ShaderPack& pack, const Option& option, c
   const std::string label = labelOf(pack, "option." + option.name);
   if (!label.empty()) head += "  " + label;
   std::vector<std::string> lines = {head};
-  if (!details) return lines;
+  if (live == nullptr) return lines;
   for (const SourceLocation& place : option.at)
     lines.push_back(fmt::format("defined  {}:{}", place.file, place.line));
   for (const auto& [candidate, cost] : costsOf(pack, option.name))
@@ -108,6 +114,8 @@ std::vector<std::string> linesOf(const ShaderPack& pack, const Option& option, c
   lines.push_back("reaches  " + (programs == reach.end()
                                      ? "no program of this folder"
                                      : fmt::format("{}", fmt::join(programs->second, " "))));
+  const std::string& reason = live->at(option.name);
+  lines.push_back("live     " + (reason.empty() ? "yes" : "no: " + reason));
   return lines;
 }
 
@@ -124,8 +132,9 @@ void printPack(const ShaderPack& pack, const std::vector<std::string>& filter, b
   const Reach reach = reachOf(pack);
   const auto wanted = [&](const Option& option) { return matchesFilter(pack, option, filter); };
   const bool details = verbose || !filter.empty();
+  const Live live = details ? liveOptions(pack) : Live();
   const std::string tree = optionTree(
-      pack, wanted, [&](const Option& option) { return linesOf(pack, option, reach, details); });
+      pack, wanted, [&](const Option& option) { return linesOf(pack, option, reach, details ? &live : nullptr); });
   printText(tree);
   if (filter.empty()) {
     printProfiles(pack);
@@ -159,7 +168,7 @@ int runOptions(const OptionsOptions& options) {
   } else if (!options.output.json) {
     printPack(*pack, options.filter, options.output.verbose);
   }
-  printJson(optionsJson(*pack), report);
+  if (options.output.json) printJson(optionsJson(*pack), report);
   return report.status();
 }
 

@@ -22,13 +22,16 @@ bool isCutOff(const Diagnostics& diagnostics) {
 
 FolderBuild::FolderBuild(std::shared_ptr<const PackFiles> files, std::string folder,
                          OptionValues values, const MacroDefinitions& environment, bool irisTexts,
-                         const FolderBuild* similar)
+                         const FolderBuild* similar, const std::set<std::string>& live)
     : files_(std::move(files)),
       folder_(std::move(folder)),
       values_(std::move(values)),
+      textValues_(values_),
+      live_(liveUniforms(files_->options, live)),
       irisTexts_(irisTexts) {
+  for (const LiveUniform& one : live_) textValues_[one.option] = one.name;
   readProperties(environment, similar);
-  edited_ = editedFiles(files_->graph.files, files_->options, values_);
+  edited_ = editedFiles(files_->graph.files, files_->options, textValues_);
   listAll();
 }
 
@@ -39,6 +42,8 @@ FolderBuild::FolderBuild(const FolderBuild& host, const ModFamily& mod,
     : files_(host.files_),
       folder_(host.folder_),
       values_(host.values_),
+      textValues_(host.textValues_),
+      live_(host.live_),
       irisTexts_(host.irisTexts_),
       mod_(&mod),
       edited_(host.edited_) {
@@ -94,7 +99,8 @@ BuildContext FolderBuild::context(const IncludeGraph& graph, const FileLookup& l
           files_->optionNames,
           mod_ ? mod_->names : std::span<const HostName>(),
           voxyPrelude_,
-          irisTexts_};
+          irisTexts_,
+          live_};
 }
 
 void FolderBuild::readProperties(const MacroDefinitions& environment, const FolderBuild* similar) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "pack/mods/mods.h"
+#include "pack/options/live_options.h"
 #include "pack/programs/program_builder.h"
 #include "pack/properties/pack_properties.h"
 
@@ -26,10 +27,10 @@ struct AddedLine {
 class FolderBuild {
  public:
   /// `similar`, a build of the same pack with other values, lends its properties if the values that
-  /// differ leave them as they are. `irisTexts` as in LoadRequest. Nothing is built yet.
+  /// differ leave them as they are. `irisTexts` and `live` as in LoadRequest. Nothing is built yet.
   FolderBuild(std::shared_ptr<const PackFiles> files, std::string folder, OptionValues values,
               const MacroDefinitions& environment, bool irisTexts,
-              const FolderBuild* similar = nullptr);
+              const FolderBuild* similar = nullptr, const std::set<std::string>& live = {});
   /// The programs of another mod, as if it were there. `uniformTypes` as in LoadRequest.
   FolderBuild(const FolderBuild& host, const ModFamily& mod, const MacroDefinitions& environment,
               const std::map<std::string, std::string>& uniformTypes,
@@ -40,6 +41,8 @@ class FolderBuild {
   const std::string& folder() const { return folder_; }
   const ModFamily* mod() const { return mod_; }  ///< nullptr: the host's own programs
   const OptionValues& values() const { return values_; }
+  /// As the texts have them: a live option is the name of its uniform.
+  const OptionValues& textValues() const { return textValues_; }
   bool irisTexts() const { return irisTexts_; }
   const PackProperties& properties() const { return *properties_; }
   /// Enabled programs in frame order, then name.
@@ -69,7 +72,8 @@ class FolderBuild {
 
   std::shared_ptr<const PackFiles> files_;
   std::string folder_;
-  OptionValues values_;
+  OptionValues values_, textValues_;
+  std::vector<LiveUniform> live_;
   bool irisTexts_ = false;
   const ModFamily* mod_ = nullptr;
   std::string voxyPrelude_;

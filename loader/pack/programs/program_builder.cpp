@@ -62,7 +62,10 @@ std::array<int, 3> readLocalSize(const std::vector<Token>& tokens) {
 class ProgramBuild {
  public:
   ProgramBuild(const ProgramEntry& entry, const BuildContext& context)
-      : entry_(entry), context_(context), watch_(context.optionNames) {}
+      : entry_(entry), context_(context), watch_(context.optionNames) {
+    names_.assign(context.names.begin(), context.names.end());
+    for (const LiveUniform& live : context.live) names_.push_back({live.name, live.declaration});
+  }
 
   ProgramSource run(std::vector<PreprocessedPart> parts) {
     ProgramSource& source = built_;
@@ -86,6 +89,10 @@ class ProgramBuild {
     for (std::size_t i = 0; i < uses.size(); ++i) watch_.uses[i] |= uses[i];
   }
 
+  std::span<const HostName> liveNames() const {
+    return std::span(names_).last(context_.live.size());
+  }
+
   TokenStream& take(PreprocessedPart& part) {
     auto& all = built_.diagnostics;
     all.insert(all.end(), part.diagnostics.begin(), part.diagnostics.end());
@@ -107,7 +114,7 @@ class ProgramBuild {
     if (stage == Stage::Vertex)
       checkAttributeTypes(stream, irisProgramOf(entry_.name), built_.diagnostics);
     addIrisText(stage, stream);
-    RewriteResult result = rewrite(stream, stage, context_.names);
+    RewriteResult result = rewrite(stream, stage, names_);
     built_.writesFragData |= result.writesFragData;
     addRules(result.rules, built_.rules);
     if (entry_.name.group == ProgramGroup::Voxy) keepVoxyVersion(stream);
@@ -119,7 +126,7 @@ class ProgramBuild {
     const IrisProgram program = irisProgramOf(entry_.name);
     if (!context_.irisTexts || program.patch == IrisPatch::None) return;
     TokenStream own = stream;
-    addIrisRules(rewriteAsIris(own, stage, program, context_.names).rules, built_.rules);
+    addIrisRules(rewriteAsIris(own, stage, program, names_).rules, built_.rules);
     built_.irisStages.push_back({stage, print(own)});
   }
 
@@ -145,7 +152,7 @@ class ProgramBuild {
                    compute.rules);
       compute.irisText = {Stage::Compute, print(own)};
     }
-    addRules(rewrite(stream, Stage::Compute).rules, compute.rules);
+    addRules(rewrite(stream, Stage::Compute, liveNames()).rules, compute.rules);
     compute.text = {Stage::Compute, print(stream)};
     addToHash(name, compute.text.text.text);
     built_.computes.push_back(std::move(compute));
@@ -199,6 +206,7 @@ class ProgramBuild {
 
   const ProgramEntry& entry_;
   const BuildContext& context_;
+  std::vector<HostName> names_;  ///< of the kind of program, then live options
   ProgramSource built_;
   NameWatch watch_;
   std::uint64_t hash_ = 0xcbf29ce484222325ULL;

@@ -8,6 +8,7 @@
 
 #include "glsl/preprocess/preprocessor.h"
 #include "pack/files/include_graph.h"
+#include "pack/options/live_options.h"
 #include "pack/shader_pack.h"
 
 namespace orris {
@@ -37,6 +38,7 @@ struct BuildContext {
   std::span<const HostName> names{};            ///< that a mod declares for its programs
   std::string voxyPrelude{};                    ///< stands before the code of its programs
   bool irisTexts = false;                       ///< as in LoadRequest
+  std::span<const LiveUniform> live{};  ///< that the texts have in place of options
 };
 
 /// One file of a program preprocessed, nothing rewritten.
