@@ -10,6 +10,7 @@
 
 #include "core/work_record.h"
 #include "gl/functions.h"
+#include "pack/options/live_options.h"
 #include "plan/builtin_program.h"
 #include "plan/frustum.h"
 #include "render/loaded_pack.h"
@@ -56,7 +57,7 @@ bool FrameRenderer::setPack(std::shared_ptr<const ShaderPack> pack, const SceneD
   Schedule schedule =
       buildSchedule(*pack, options_.width, options_.height, scene.contents(), problems);
   auto loaded = std::make_unique<Loaded>(*pack, schedule, scene, options_,
-                                         loaded_.get(), report, problems);
+                                         loaded_.get(), ahead_.built, report, problems);
   const bool failed = hasErrors(problems);
   diagnostics.insert(diagnostics.end(), problems.begin(), problems.end());
   if (failed) return false;
@@ -66,7 +67,26 @@ bool FrameRenderer::setPack(std::shared_ptr<const ShaderPack> pack, const SceneD
   schedule_ = std::move(schedule);
   loaded_ = std::move(loaded);
   loaded_->makeBinder(pack_->directives);
+  for (const std::string& option : pack_->live)
+    setLive(option, pack_->options.value(pack_->values, option));
   return true;
+}
+
+// A program keeps its uniforms: nothing is left to do for each frame.
+void FrameRenderer::setLive(const std::string& option, const std::string& value) {
+  const std::string name = std::string(kLivePrefix) + option;
+  const double number = liveNumber(value);
+  for (const auto& [key, program] : loaded_->byText) {
+    const unsigned id = program->program.id();
+    for (const gl::ActiveVariable& uniform : program->program.uniforms) {
+      if (uniform.name != name) continue;
+      if (uniform.type == GL_INT) {
+        gl::ProgramUniform1i(id, uniform.location, static_cast<int>(number));
+      } else {
+        gl::ProgramUniform1f(id, uniform.location, static_cast<float>(number));
+      }
+    }
+  }
 }
 
 void FrameRenderer::forgetScene() {

@@ -62,6 +62,14 @@ class FrameRenderer {
   /// plan did not. On any error nothing changes: the last good pack keeps running.
   bool setPack(std::shared_ptr<const ShaderPack> pack, const SceneData& scene, LoadReport& report,
                Diagnostics& diagnostics);
+  /// Builds one program that setPack() of the same pack will need and this renderer has not; false when
+  /// none is left. Errors are those of setPack().
+  bool buildAhead(const std::shared_ptr<const ShaderPack>& pack, const SceneData& scene,
+                  LoadReport& report, Diagnostics& diagnostics);
+  void forgetAhead() { ahead_ = {}; }
+  /// The value of a live option (ShaderPack::live) from the next frame on; setPack() sets those of the
+  /// pack.
+  void setLive(const std::string& option, const std::string& value);
   /// Blocks changed: new vertices.
   void updateScene(const SceneData& scene);
   /// Draws what an engine submits in place of the scene's blocks and content; it outlives the renderer.
@@ -125,6 +133,20 @@ class FrameRenderer {
 
  private:
   struct Loaded;
+  /// A program of a pack and the stages that it is linked from, which live in the pack.
+  struct Wanted {
+    std::string name, key;
+    std::vector<const StageText*> stages;
+  };
+  struct Ahead {
+    std::shared_ptr<const ShaderPack> pack;
+    std::vector<Wanted> wanted;
+    std::size_t next = 0;
+    ProgramPool built;  ///< by Wanted::key
+  };
+  static std::vector<Wanted> wantedPrograms(const ShaderPack& pack, const Schedule& schedule);
+  static std::shared_ptr<GpuProgram> buildWanted(const Wanted& wanted, const SourceLines& lines,
+                                                 LoadReport& report, Diagnostics& diagnostics);
   void runStep(const Step& step, const FrameState& state);
   /// Notes what is drawn next, for whoever watches over this process.
   void note(std::string_view name, const StageText* stage);
@@ -166,6 +188,7 @@ class FrameRenderer {
   std::shared_ptr<const ShaderPack> pack_;
   Schedule schedule_;
   std::unique_ptr<Loaded> loaded_;
+  Ahead ahead_;
   bool firstFrame_ = true;
   int framesOfPack_ = 0;  ///< drawn since setPack()
   float centerDepth_ = 1;

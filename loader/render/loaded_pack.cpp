@@ -32,7 +32,23 @@ std::string poolKey(std::string key, const CustomUniforms& custom) {
   return key;
 }
 
+SourceLines linesOf(const ShaderPack& pack) {
+  return [&pack](const std::string& file, int line) { return pack.sourceLine(file, line); };
+}
+
 }  // namespace
+
+std::shared_ptr<GpuProgram> FrameRenderer::buildWanted(const Wanted& wanted,
+                                                       const SourceLines& lines, LoadReport& report,
+                                                       Diagnostics& diagnostics) {
+  noteWork("compiling", wanted.name, entryFileOf(*wanted.stages.back()));
+  auto built = std::make_shared<GpuProgram>(
+      buildGpuProgram(wanted.name, wanted.stages, lines, diagnostics));
+  ++report.programsBuilt;
+  report.built.push_back(wanted.name);
+  report.compileSeconds += built->program.compileSeconds + built->program.linkSeconds;
+  return built;
+}
 
 std::string_view entryFileOf(const StageText& stage) {
   const auto& sites = stage.text.sites;
@@ -72,8 +88,8 @@ std::vector<std::string> FrameRenderer::programsLeftOut() const {
 
 FrameRenderer::Loaded::Loaded(const ShaderPack& pack, const Schedule& schedule,
                               const SceneData& sceneData, const RendererOptions& options,
-                              Loaded* previous,
-                              LoadReport& report, Diagnostics& diagnostics)
+                              Loaded* previous, const ProgramPool& ahead, LoadReport& report,
+                              Diagnostics& diagnostics)
     : contents(sceneData.contents()),
       custom(pack.properties.customUniforms, expressionInput, diagnostics),
       options_(options),
@@ -81,7 +97,7 @@ FrameRenderer::Loaded::Loaded(const ShaderPack& pack, const Schedule& schedule,
       blockIds_(blockIdsOf(pack, sceneData.world.blocks)),
       style_(vertexStyleOf(pack)) {
   if (hasErrors(diagnostics)) return;
-  buildPrograms(pack, schedule, previous, report, diagnostics);
+  buildPrograms(pack, schedule, {previous, ahead}, report, diagnostics);
   if (hasErrors(diagnostics)) return;
   freshTargets = previous == nullptr || !schedule.sameTargets(previous->plan_);
   targets = freshTargets ? std::make_shared<RenderTargets>(
@@ -104,24 +120,48 @@ FrameRenderer::Loaded::Loaded(const ShaderPack& pack, const Schedule& schedule,
   resources->clearImages(true);
 }
 
-void FrameRenderer::Loaded::buildPrograms(const ShaderPack& pack, const Schedule& schedule,
-                                          Loaded* previous, LoadReport& report,
-                                          Diagnostics& diagnostics) {
-  const SourceLines lines = [&pack](const std::string& file, int line) {
-    return pack.sourceLine(file, line);
+std::vector<FrameRenderer::Wanted> FrameRenderer::wantedPrograms(const ShaderPack& pack,
+                                                               const Schedule& schedule) {
+  std::vector<Wanted> wanted;
+  const auto add = [&wanted](const std::string& name, std::vector<const StageText*> stages) {
+    wanted.push_back({name, keyOf(stages), std::move(stages)});
   };
-  for (int index : schedule.programs) {
-    const ProgramSource& source = pack.programs[index];
-    if (!source.stages.empty()) {
-      const auto stages = pointersTo(source.stages);
-      programs[index] =
-          program(source.name, keyOf(stages), stages, lines, previous, report, diagnostics);
-    }
-    for (size_t i = 0; i < source.computes.size(); ++i) {
-      const std::vector<const StageText*> stages = {&source.computes[i].text};
-      computes[{index, static_cast<int>(i)}] = program(
-          source.computes[i].name, keyOf(stages), stages, lines, previous, report, diagnostics);
-    }
+  for (const int index : schedule.programs) {
+    const ProgramSource& source = pack.programs[static_cast<std::size_t>(index)];
+    if (!source.stages.empty()) add(source.name, pointersTo(source.stages));
+    for (const ComputeSource& compute : source.computes) add(compute.name, {&compute.text});
+  }
+  return wanted;
+}
+
+bool FrameRenderer::buildAhead(const std::shared_ptr<const ShaderPack>& pack, const SceneData& scene,
+                               LoadReport& report, Diagnostics& diagnostics) {
+  if (ahead_.pack != pack) {
+    Diagnostics problems;  // those of setPack(), too
+    ahead_ = {.pack = pack,
+              .wanted = wantedPrograms(*pack, buildSchedule(*pack, options_.width, options_.height,
+                                                            scene.contents(), problems))};
+  }
+  while (ahead_.next < ahead_.wanted.size()) {
+    const Wanted& wanted = ahead_.wanted[ahead_.next++];
+    if (loaded_->byText.contains(wanted.key) || ahead_.built.contains(wanted.key)) continue;
+    ahead_.built[wanted.key] = buildWanted(wanted, linesOf(*pack), report, diagnostics);
+    return true;
+  }
+  return false;
+}
+
+void FrameRenderer::Loaded::buildPrograms(const ShaderPack& pack, const Schedule& schedule,
+                                          const Known& known, LoadReport& report,
+                                          Diagnostics& diagnostics) {
+  const SourceLines lines = linesOf(pack);
+  for (const Wanted& wanted : wantedPrograms(pack, schedule))
+    program(wanted, lines, known, report, diagnostics);
+  for (const int index : schedule.programs) {
+    const ProgramSource& source = pack.programs[static_cast<std::size_t>(index)];
+    if (!source.stages.empty()) programs[index] = byText.at(keyOf(pointersTo(source.stages)));
+    for (size_t i = 0; i < source.computes.size(); ++i)
+      computes[{index, static_cast<int>(i)}] = byText.at(keyOf({&source.computes[i].text}));
   }
   const auto needsBuiltin = [&](bool sky) {
     return std::any_of(schedule.frame.begin(), schedule.frame.end(), [&](const Step& step) {
@@ -132,44 +172,39 @@ void FrameRenderer::Loaded::buildPrograms(const ShaderPack& pack, const Schedule
   for (const bool sky : {false, true}) {
     if (!needsBuiltin(sky)) continue;
     const auto stages = builtinProgram(sky);
+    const auto pointers = pointersTo(stages);
     (sky ? builtinSky : builtinTerrain) =
-        program(sky ? "built-in sky" : "built-in terrain", keyOf(pointersTo(stages)),
-                pointersTo(stages), lines, previous, report, diagnostics);
+        program({sky ? "built-in sky" : "built-in terrain", keyOf(pointers), pointers}, lines, known,
+                report, diagnostics);
   }
 }
 
-std::shared_ptr<GpuProgram> FrameRenderer::Loaded::program(
-    const std::string& name, const std::string& key, const std::vector<const StageText*>& stages,
-    const SourceLines& lines, Loaded* previous, LoadReport& report, Diagnostics& diagnostics) {
-  if (const auto it = byText.find(key); it != byText.end()) return it->second;
+std::shared_ptr<GpuProgram> FrameRenderer::Loaded::program(const Wanted& wanted,
+                                                           const SourceLines& lines,
+                                                           const Known& known, LoadReport& report,
+                                                           Diagnostics& diagnostics) {
   // A copy of the bindings would share the GL object; custom uniforms may have moved, so makeBinder()
   // matches them again on the shared one after success of the whole load.
-  std::shared_ptr<GpuProgram> result = built(key, previous);
-  if (result != nullptr) {
-    ++report.programsReused;
-  } else {
-    noteWork("compiling", name, entryFileOf(*stages.back()));
-    const std::size_t said = diagnostics.size();
-    result = std::make_shared<GpuProgram>(buildGpuProgram(name, stages, lines, diagnostics));
-    ++report.programsBuilt;
-    report.built.push_back(name);
-    report.compileSeconds += result->program.compileSeconds + result->program.linkSeconds;
-    // What has a message is built again, so that every renderer gives it.
-    if (options_.pool && diagnostics.size() == said) (*options_.pool)[poolKey(key, custom)] = result;
-  }
-  byText[key] = result;
-  return result;
-}
-
-std::shared_ptr<GpuProgram> FrameRenderer::Loaded::built(const std::string& key,
-                                                         const Loaded* previous) const {
-  const auto find = [](const auto& known, const std::string& name) {
-    const auto it = known.find(name);
-    return it == known.end() ? nullptr : it->second;
+  const auto find = [](const auto& map, const std::string& key) {
+    const auto it = map.find(key);
+    return it == map.end() ? nullptr : it->second;
   };
-  std::shared_ptr<GpuProgram> found = previous ? find(previous->byText, key) : nullptr;
-  if (!found && options_.pool) found = find(*options_.pool, poolKey(key, custom));
-  return found;
+  if (auto here = find(byText, wanted.key)) return here;
+  std::shared_ptr<GpuProgram> result = find(known.ahead, wanted.key);
+  if (!result) {
+    if (known.previous) result = find(known.previous->byText, wanted.key);
+    if (!result && options_.pool) result = find(*options_.pool, poolKey(wanted.key, custom));
+    if (result) ++report.programsReused;
+  }
+  if (!result) {
+    const std::size_t said = diagnostics.size();
+    result = buildWanted(wanted, lines, report, diagnostics);
+    // What has a message is built again, so that every renderer gives it.
+    if (options_.pool && diagnostics.size() == said)
+      (*options_.pool)[poolKey(wanted.key, custom)] = result;
+  }
+  byText[wanted.key] = result;
+  return result;
 }
 
 void FrameRenderer::Loaded::resize(const ShaderPack& pack, const Schedule& schedule,

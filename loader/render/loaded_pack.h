@@ -13,7 +13,8 @@ namespace orris {
 /// Programs are shared between loads by the hash of their text, so a reload builds only what changed.
 struct FrameRenderer::Loaded {
   Loaded(const ShaderPack& pack, const Schedule& schedule, const SceneData& scene,
-         const RendererOptions& options, Loaded* previous, LoadReport& report, Diagnostics& diagnostics);
+         const RendererOptions& options, Loaded* previous, const ProgramPool& ahead,
+         LoadReport& report, Diagnostics& diagnostics);
   void resize(const ShaderPack& pack, const Schedule& schedule, Diagnostics& diagnostics);
   void makeBinder(const PackDirectives& directives);
   /// Nothing of the scene serves another load.
@@ -38,14 +39,16 @@ struct FrameRenderer::Loaded {
   bool storesFromShaders = false;  ///< images or storage buffers are in use
 
  private:
-  /// Of an earlier load or another renderer; nullptr where there is none.
-  std::shared_ptr<GpuProgram> built(const std::string& key, const Loaded* previous) const;
-  void buildPrograms(const ShaderPack& pack, const Schedule& schedule, Loaded* previous,
+  /// Where programs are that need not be built again.
+  struct Known {
+    Loaded* previous;
+    const ProgramPool& ahead;
+  };
+  void buildPrograms(const ShaderPack& pack, const Schedule& schedule, const Known& known,
                      LoadReport& report, Diagnostics& diagnostics);
-  std::shared_ptr<GpuProgram> program(const std::string& name, const std::string& key,
-                                      const std::vector<const StageText*>& stages,
-                                      const SourceLines& lines, Loaded* previous,
-                                      LoadReport& report, Diagnostics& diagnostics);
+  std::shared_ptr<GpuProgram> program(const Wanted& wanted, const SourceLines& lines,
+                                      const Known& known, LoadReport& report,
+                                      Diagnostics& diagnostics);
   static constexpr int kNoScene = -2;  ///< no block has this id
   const RendererOptions& options_;
   Schedule plan_;  ///< what `targets` was made for

@@ -81,17 +81,22 @@ std::shared_ptr<const ShaderPack> RenderSession::rebuildPack(Diagnostics& diagno
 }
 
 bool RenderSession::reload(const std::string& cause, Diagnostics& diagnostics) {
+  waitForChange(diagnostics);
   return use(cause, loadPack(diagnostics), diagnostics);
+}
+
+SceneMeter RenderSession::meterFor(const ShaderPack& asked) const {
+  return [this, &asked](const std::set<std::string>& wanted) {
+    const FrameState view = nextFrameState(frameInput(), asked.directives, nullptr);
+    return measureScene(scene_, view, asked.directives, wanted);
+  };
 }
 
 std::shared_ptr<const ShaderPack> RenderSession::settle(std::shared_ptr<const ShaderPack> asked,
                                                         Diagnostics& diagnostics) {
   asked_ = asked;
   chosenFor_ = {frame_, scene_.world.environment.time, request_.camera.position, false};
-  auto_.choose(*asked, request_.load, [&](const std::set<std::string>& wanted) {
-    const FrameState view = nextFrameState(frameInput(), asked->directives, nullptr);
-    return measureScene(scene_, view, asked->directives, wanted);
-  });
+  auto_.choose(*asked, request_.load, meterFor(*asked));
   if (auto_.all().empty()) return asked;
   Diagnostics problems;
   auto pack = rebuildShaderPack(*asked, auto_.applied(request_.load), problems);
@@ -124,8 +129,8 @@ bool RenderSession::use(const std::string& cause, std::shared_ptr<const ShaderPa
 }
 
 bool RenderSession::take(const std::string& cause, std::shared_ptr<const ShaderPack> pack,
-                         Diagnostics& diagnostics) {
-  SessionReload reload{frame_, cause, false, {}};
+                         Diagnostics& diagnostics, LoadReport report) {
+  SessionReload reload{frame_, cause, false, std::move(report)};
   if (pack != nullptr) {
     const MeshStyle style = meshStyleOf(*pack);
     const bool newStyle = style != meshStyleOf(renderer_->pack());
@@ -139,14 +144,17 @@ bool RenderSession::take(const std::string& cause, std::shared_ptr<const ShaderP
 
 bool RenderSession::setOption(const std::string& name, const std::string& value,
                               Diagnostics& diagnostics) {
-  const OptionValues before = request_.load.values;
+  waitForChange(diagnostics);
+  const LoadRequest before = request_.load;
   request_.load.values[name] = value;
+  request_.load.live.clear();  // whether it can be live depends on the others
   if (use(fmt::format("{}={}", name, value), rebuildPack(diagnostics), diagnostics)) return true;
-  request_.load.values = before;
+  request_.load = before;
   return false;
 }
 
 bool RenderSession::setProfile(const std::string& name, Diagnostics& diagnostics) {
+  waitForChange(diagnostics);
   const std::string before = request_.load.profile;
   request_.load.profile = name;
   if (use("profile " + name, rebuildPack(diagnostics), diagnostics)) return true;
@@ -154,18 +162,8 @@ bool RenderSession::setProfile(const std::string& name, Diagnostics& diagnostics
   return false;
 }
 
-bool RenderSession::setValues(const std::string& cause, const OptionValues& values,
-                              Diagnostics& diagnostics) {
-  const LoadRequest before = request_.load;
-  request_.load.fileValues = values;
-  request_.load.profile.clear();
-  request_.load.values.clear();
-  if (use(cause, rebuildPack(diagnostics), diagnostics)) return true;
-  request_.load = before;
-  return false;
-}
-
 bool RenderSession::setWorld(World world, const Camera& camera, Diagnostics& diagnostics) {
+  waitForChange(diagnostics);
   const std::string cause = "world " + world.name;
   SceneData before =
       std::exchange(scene_, buildScene(std::move(world), meshStyleOf(*asked_), diagnostics));
@@ -183,6 +181,15 @@ bool RenderSession::setWorld(World world, const Camera& camera, Diagnostics& dia
   frame_ = frameBefore;
   state_ = state;
   return false;
+}
+
+void RenderSession::follow(const RenderSession& other) {
+  request_.camera = other.request_.camera;
+  request_.frameTime = other.request_.frameTime;
+  scene_.world.environment = other.scene_.world.environment;
+  frame_ = other.frame_;
+  state_ = other.state_;
+  nextEvent_ = other.nextEvent_;
 }
 
 void RenderSession::applyEvents(Diagnostics& diagnostics) {
@@ -302,7 +309,7 @@ void RenderSession::renderFrame(Diagnostics& diagnostics) {
   noteFrame(frame_);
   applyEvents(diagnostics);
   followWorld(diagnostics);
-  if (sceneChanged()) chooseAgain(diagnostics);
+  if (!change_ && sceneChanged()) chooseAgain(diagnostics);
   FrameInput input = frameInput();
   input.centerDepth = renderer_->centerDepth();
   state_ = nextFrameState(input, renderer_->pack().directives, state_ ? &*state_ : nullptr);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "plan/auto_choices.h"
+#include "render/background_load.h"
 #include "render/engine_geometry.h"
 #include "render/frame_renderer.h"
 
@@ -64,10 +65,20 @@ class RenderSession {
   /// The same files under other values: only the programs that the option reaches are built again.
   bool setOption(const std::string& name, const std::string& value, Diagnostics& diagnostics);
   bool setProfile(const std::string& name, Diagnostics& diagnostics);
-  /// All values at once, in place of profile, option file and values asked for until then.
-  bool setValues(const std::string& cause, const OptionValues& values, Diagnostics& diagnostics);
+  /// Begins to take what `load` makes of a copy of loadRequest(), while frames go on: the pack that runs
+  /// stays until advance() ends the change. One at a time; the functions above wait for it.
+  void begin(const std::string& cause, PackLoader load);
+  bool changing() const { return change_ != nullptr; }
+  /// Between frames: builds programs for about so many seconds, at least one, once the pack is loaded.
+  /// How the change ended, nullopt while it goes on and when there is none.
+  std::optional<bool> advance(double seconds, Diagnostics& diagnostics);
+  /// The same without frames in between.
+  std::optional<bool> finish(Diagnostics& diagnostics);
   /// The same pack in another world; false: the old one stays.
   bool setWorld(World world, const Camera& camera, Diagnostics& diagnostics);
+  /// The next frame is of the same moment as the next one of `other`, which draws a copy of the same world,
+  /// and is seen by the same camera.
+  void follow(const RenderSession& other);
   void setCamera(const Camera& camera) { request_.camera = camera; }
   /// An engine's own, in place of what the camera's angles and the world's blocks give; nullopt: those.
   void setMatrices(const std::optional<ViewMatrices>& matrices) { matrices_ = matrices; }
@@ -84,6 +95,7 @@ class RenderSession {
   const SceneData& scene() const { return scene_; }
   /// The pack as it was asked for, AUTO where an option is AUTO.
   const ShaderPack& asked() const { return *asked_; }
+  const std::shared_ptr<const ShaderPack>& sharedAsked() const { return asked_; }
   const std::vector<SessionReload>& reloads() const { return reloads_; }
   /// What was chosen for options that are AUTO; chosen again at each load, and when the scene has
   /// changed by much.
@@ -96,7 +108,11 @@ class RenderSession {
   bool use(const std::string& cause, std::shared_ptr<const ShaderPack> asked,
            Diagnostics& diagnostics);
   bool take(const std::string& cause, std::shared_ptr<const ShaderPack> pack,
-            Diagnostics& diagnostics);
+            Diagnostics& diagnostics, LoadReport report = {});
+  bool takeLoaded();
+  bool endChange(bool good, Diagnostics& diagnostics);
+  void waitForChange(Diagnostics& diagnostics);
+  SceneMeter meterFor(const ShaderPack& asked) const;
   /// The pack with values chosen for options that are AUTO.
   std::shared_ptr<const ShaderPack> settle(std::shared_ptr<const ShaderPack> asked,
                                            Diagnostics& diagnostics);
@@ -113,8 +129,21 @@ class RenderSession {
   EngineMoment moment() const;
   void followWorld(Diagnostics& diagnostics);
 
+  /// First its pack is loaded as it was asked for, then with what AUTO becomes, then programs are built.
+  struct Change {
+    std::string cause;
+    std::optional<BackgroundLoad> load;
+    std::shared_ptr<const ShaderPack> asked, pack;
+    LoadRequest request;
+    AutoChoices choices;
+    LoadReport report;
+    Diagnostics problems;
+  };
+
   SessionRequest request_;
   SceneData scene_;
+  std::unique_ptr<Change> change_;
+  std::optional<bool> ended_;  ///< a change that something else waited for, until advance() says so
   std::unique_ptr<FrameRenderer> renderer_;
   std::optional<FrameState> state_;
   std::optional<ViewMatrices> matrices_;
