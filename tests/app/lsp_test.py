@@ -414,6 +414,17 @@ def random_edits_end_with_the_findings_of_validate(orris, root):
     assert end == expected, (set(end) ^ set(expected))
 
 
+def a_thousand_edits_and_undos_end_with_the_findings_of_validate(orris, root):
+    """The heavy label's: also how long news take, though of a small pack."""
+    news, whole, end, lost = random_session(orris, root, 1000, 11)
+    print(f"{len(whole)} edits, news: median {statistics.median(news):.3f} s, checked: median"
+          f" {statistics.median(whole):.3f} s, {lost} checks lost, {len(end)} findings")
+    assert lost == 0
+    expected = validated(orris, root)
+    assert end == expected, (set(end) ^ set(expected))
+
+
+HEAVY = [a_thousand_edits_and_undos_end_with_the_findings_of_validate]
 CASES = [findings_come_while_typing, names_are_explained, definitions_are_found_across_files, names_are_completed,
          hints_are_edits, columns_are_counted_as_the_editor_does, nonsense_ends_nothing,
          random_edits_end_with_the_findings_of_validate]
@@ -426,6 +437,7 @@ def main():
     parser.add_argument("--edits", type=int, default=100)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--case", default="")
+    parser.add_argument("--heavy", action="store_true", help="the long case alone")
     arguments = parser.parse_args()
     orris = pathlib.Path(arguments.orris).resolve()
     if arguments.pack:
@@ -440,7 +452,7 @@ def main():
             for one in sorted(set(end) ^ set(expected))[:10]:
                 print("only here" if one in end else "only validate", one)
         return 0
-    for case in CASES:
+    for case in HEAVY if arguments.heavy else CASES:
         if arguments.case in case.__name__:
             with tempfile.TemporaryDirectory() as name:
                 root = pathlib.Path(name).resolve() / "pack"

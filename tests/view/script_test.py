@@ -342,7 +342,183 @@ def error_is_opened_in_the_editor(test):
     assert opened == f"+3 {test.folder.resolve()}/pack/shaders/lib/tint.glsl\n", opened
 
 
-CASES = [buffers_are_shown_after_any_pass, buffers_cost_nothing_while_none_is_shown, buffers_are_chosen_by_hand,
+def frames_go_on_while_an_edit_is_loaded(test):
+    """The attempt begins before one frame and ends before a later one, for a good edit and for a bad one."""
+    for damage, repair, good in ((BREAK, REPAIR, False),
+                                 ({"replace": "pack/shaders/lib/tint.glsl", "old": "color;", "new": "color * 0.5;"},
+                                  {"replace": "pack/shaders/lib/tint.glsl", "old": "color * 0.5;", "new": "color;"},
+                                  True)):
+        test.view([{"frames": 2}, damage, {"until": {"/load/cause": "tint.glsl changed"}},
+                   {"expect": {"/load/succeeded": good, "/load/frames": {"min": 1}, "/doing": "",
+                               "/load/longestFrame": {"min": 0.0001}}}, repair,
+                   {"until": {"/load/succeeded": True, "/loads": 3}},
+                   {"expect": {"/load/frames": {"min": 1}, "/glErrors": 0}}])
+
+
+def what_a_step_asks_for_waits_for_an_edit_in_progress(test):
+    test.view([{"frames": 2}, {"replace": "pack/shaders/lib/tint.glsl", "old": "color;", "new": "color * 0.5;"},
+               {"until": {"/doing": "tint.glsl changed"}}, {"set": {"TINT": "2"}},
+               {"expect": {"/loads": 3, "/load/cause": "TINT=2", "/load/succeeded": True, "/doing": ""}}])
+
+
+def write_live_options(test):
+    """GAIN and STEPS are numbers in code, SIZE is that of an array, TINT is asked for by #if."""
+    shaders = test.folder / "pack" / "shaders"
+    (shaders / "composite.fsh").write_text("""#version 330 compatibility
+#include "/lib/tint.glsl"
+#define GAIN 1.0 // [0.25 0.5 0.7 1.0 2.0]
+#define STEPS 3 // [1 2 3 4]
+#define SIZE 2 // [1 2 3]
+uniform sampler2D colortex0;
+in vec2 uv;
+/* RENDERTARGETS: 0 */
+float shade(float gain) { return gain * 0.5 + 0.25; }
+void main() {
+  float weights[SIZE];
+  weights[0] = 0.25;
+  vec3 color = vec3(0.0);
+  for (int i = 0; i < STEPS; ++i) color += texture(colortex0, uv + vec2(0.01) * float(i)).rgb * weights[0];
+  gl_FragData[0] = vec4(tinted(color) * GAIN + shade(GAIN) * 0.1, 1.0);
+}
+""")
+    (shaders / "composite.vsh").write_text("#version 330 compatibility\nout vec2 uv;\nvoid main() {"
+                                           " gl_Position = ftransform(); uv = gl_MultiTexCoord0.st; }\n")
+    with (shaders / "shaders.properties").open("a") as file:
+        file.write("screen=GAIN STEPS TINT\nsliders=GAIN STEPS TINT\n")
+
+
+def live_options_build_nothing_and_give_the_same_bytes(test):
+    write_live_options(test)
+    picture = [{"frames": 2}, {"picture": "NAME.png"}]
+
+    def taken(name):
+        return [dict(step, **{"picture": name + ".png"}) if "picture" in step else step for step in picture]
+
+    values = [{"GAIN": "0.7", "STEPS": "4"}, {"GAIN": "0.25", "STEPS": "1"}, {"GAIN": "2.0"}]
+    steps = [{"frames": 1}]
+    for i, value in enumerate(values):
+        steps += [{"set": value}] + taken(f"built{i}")
+    steps += [{"set": {"GAIN": "", "STEPS": ""}}, {"live": ["GAIN", "STEPS"]},
+              {"expect": {"/live": ["GAIN", "STEPS"], "/load/built": ["composite"], "/changed": {}}}]
+    for i, value in enumerate(values):
+        steps += [{"set": value}, {"expect": {"/load/built": [], "/live": ["GAIN", "STEPS"]}}] + taken(f"live{i}")
+    steps += [{"expect": {"/values/GAIN": "2.0", "/glErrors": 0}}, {"set": {"TINT": "1"}},
+              {"expect": {"/live": [], "/load/built": ["composite"], "/values/GAIN": "2.0"}}]
+    test.view(steps)
+    for i in range(len(values)):
+        assert test.picture(f"built{i}.png") == test.picture(f"live{i}.png"), i
+    assert test.picture("live0.png") != test.picture("live1.png")
+    assert (test.folder / "pack.txt").read_text() == "GAIN=2.0\nSTEPS=1\nTINT=1\n"
+
+
+def a_live_slider_is_followed_while_it_is_dragged(test):
+    write_live_options(test)
+    test.view([{"frames": 2}, {"key": "O"}, {"frames": 2}, {"drag": "GAIN", "to": 0.99}, {"frames": 1},
+               {"expect": {"/changed": {"GAIN": "2.0"}, "/live": ["GAIN"], "/load/built": [], "/loads": 3}},
+               {"drag": "GAIN", "to": 0.01}, {"frames": 1},
+               {"expect": {"/changed": {"GAIN": "0.25"}, "/load/built": [], "/loads": 4}},
+               {"drag": "TINT", "to": 0.99}, {"frames": 1},
+               {"expect": {"/live": [], "/load/built": ["composite"], "/values/TINT": "2"}},
+               {"key": "O"}, {"frames": 1}, {"picture": "dragged.png"}])
+    assert (test.folder / "pack.txt").read_text() == "GAIN=0.25\nTINT=2\n"
+    test.view([{"frames": 4}, {"picture": "again.png"}])
+    assert test.picture("again.png") == test.picture("dragged.png")
+
+
+def what_cannot_be_live_is_said(test):
+    write_live_options(test)
+    for option, expected in (("SIZE", "SIZE cannot be live: it is a size or an index (/composite.fsh:"),
+                             ("TINT", "TINT cannot be live: #if asks for it in composite"),
+                             ("NONE", "the pack has no option NONE")):
+        process = test.view([{"frames": 1}, {"live": [option]}], 1)
+        assert expected in process.stderr, process.stderr
+
+
+def rows_of(picture, columns):
+    """The lower rows without what stands on them, for comparing parts of a picture."""
+    return [row[columns] for row in picture[len(picture) // 2 + 10:-40]]
+
+
+def two_sets_are_compared(test):
+    test.view([{"frames": 2}, {"expect": {"/compare": None}}, {"set": {"TINT": "1"}}, {"frames": 2},
+               {"picture": "b.png"}, {"key": "C"}, {"frames": 2}, {"compare": "difference"}, {"frames": 2},
+               {"expect": {"/compare/differing": 0, "/compare/values": {}, "/panels/compare": True}},
+               {"set": {"TINT": "0"}}, {"frames": 2}, {"picture": "a.png"},
+               {"expect": {"/compare/values": {"TINT": ["0", "1"]}, "/compare/differing": {"min": 1000},
+                           "/compare/largest": {"min": 100}, "/compare/secondsA": {"min": 1e-6},
+                           "/compare/secondsB": {"min": 1e-6}, "/glErrors": 0}},
+               {"click": "wipe"}, {"frames": 1}, {"screenshot": "wipe.png"}, {"frames": 1},
+               {"click": "flicker"}, {"frames": 1}, {"expect": {"/compare/shows": "A"}}, {"screenshot": "first.png"},
+               {"frames": 1}, {"key": "X"}, {"expect": {"/compare/shows": "B"}}, {"screenshot": "second.png"},
+               {"frames": 1}, {"click": "side"}, {"frames": 1}, {"screenshot": "side.png"}, {"frames": 1},
+               {"resize": [200, 150]}, {"frames": 2}, {"expect": {"/glErrors": 0}}, {"resize": [320, 240]}, {"frames": 2},
+               {"click": "take B"}, {"frames": 2}, {"expect": {"/values/TINT": "1", "/compare/values": {}}},
+               {"key": "C"}, {"frames": 1}, {"expect": {"/compare": None, "/items": []}}])
+    a, b = test.picture("a.png"), test.picture("b.png")
+    everything, left, right = slice(0, 320), slice(0, 160), slice(160, 320)
+    assert rows_of(test.picture("first.png"), everything) == rows_of(a, everything)
+    assert rows_of(test.picture("second.png"), everything) == rows_of(b, everything)
+    wipe = test.picture("wipe.png")
+    assert rows_of(wipe, left) == rows_of(a, left) and rows_of(wipe, right) == rows_of(b, right)
+    side = test.picture("side.png")
+    assert mean([row[160:] for row in side[130:170]])[1] < 0.5 * mean([row[:160] for row in side[130:170]])[1]
+    assert mean(side[-40:]) == [0, 0, 0], "above and below the halves is nothing"
+
+
+def b_keeps_the_files_as_they_were(test):
+    test.view([{"frames": 2}, {"compare": "difference"}, {"frames": 2}, {"expect": {"/compare/differing": 0}},
+               {"replace": "pack/shaders/lib/tint.glsl", "old": "color;", "new": "color * 0.5;"},
+               {"until": {"/loads": 2}}, {"frames": 2}, {"expect": {"/compare/differing": {"min": 1000}}},
+               {"key": "K"}, {"frames": 1}, {"expect": {"/compare": None, "/packOn": False}}])
+    process = test.view([{"compare": "both"}], 1)
+    assert "there is no \"both\": sets are compared by side, wipe, flicker, difference" in process.stderr
+
+
+def programs_are_read_with_the_authors_lines(test):
+    composite = test.folder / "pack" / "shaders" / "composite.fsh"
+    composite.write_text(composite.read_text().replace("vec4(tinted", "vec4(1f * tinted"))
+    test.view([{"resize": [900, 700]}, {"frames": 1}, {"expect": {"/program": None}}, {"set": {"TINT": "2"}},
+               {"key": "F5"}, {"frames": 2}, {"expect": {"/panels/program": True, "/program/name": {"contains": ".vsh"}}},
+               {"program": "composite.fsh"}, {"frames": 1},
+               {"expect": {"/program/options": ["TINT=2"], "/program/rules/float-literals": 1,
+                           "/program/includes": ["/composite.fsh", "/lib/tint.glsl"], "/program/line": 0}},
+               {"click": "find in program"}, {"text": "/lib/tint.glsl:7"}, {"click": "next line"}, {"frames": 1},
+               {"expect": {"/program/author": "/lib/tint.glsl:7", "/program/text": {"contains": "vec3(0.25, 0.25, 1.0)"}}},
+               {"state": "found.json"}, {"screenshot": "program.png"}, {"frames": 1}, {"click": "line 1"}, {"frames": 1},
+               {"expect": {"/program/line": 1, "/program/text": {"contains": "#version"}}},
+               {"set": {"TINT": "1"}}, {"frames": 2},
+               {"expect": {"/program/options": ["TINT=1"], "/program/name": "composite.fsh", "/glErrors": 0}},
+               {"program": ""}, {"frames": 1}, {"expect": {"/program": None, "/items": []}}])
+    found = json.loads((test.folder / "found.json").read_text())["program"]
+    assert found["line"] in found["linesOfAuthor"], found
+    process = test.view([{"program": "none.fsh"}], 1)
+    assert "there is no program none.fsh: the pack has " in process.stderr, process.stderr
+
+
+def worlds_of_the_folder_and_shown_before_are_offered(test):
+    shelf = test.folder / "shelf"
+    for name in ("first", "second"):
+        shutil.copytree(HERE / "world", shelf / name)
+        text = (shelf / name / "world.json").read_text()
+        (shelf / name / "world.json").write_text(text.replace('"name": "', f'"name": "{name} ', 1))
+    recent = test.folder / "state" / "orris" / "recent-worlds"
+    recent.parent.mkdir(parents=True)
+    recent.write_text(f"{shelf}/first\n{shelf}/gone\nrelative\n")
+    os.environ["XDG_STATE_HOME"] = str(test.folder / "state")
+    names = [json.loads((shelf / name / "world.json").read_text())["name"] for name in ("first", "second")]
+    test.view([{"resize": [900, 700]}, {"frames": 1}, {"key": "T"}, {"frames": 2}, {"click": "world"}, {"frames": 2},
+               {"state": "items.json"}, {"click": f"world shown before {shelf}/first"}, {"frames": 2},
+               {"expect": {"/world": names[0]}}, {"click": "world"}, {"frames": 2},
+               {"click": f"world in this folder {shelf}/second"}, {"frames": 2},
+               {"expect": {"/world": names[1], "/glErrors": 0}}])
+    items = json.loads((test.folder / "items.json").read_text())["items"]
+    assert not [item for item in items if "gone" in item or "relative" in item], items
+    assert recent.read_text() == f"{shelf}/first\n{shelf}/gone\nrelative\n", "a script is no user"
+
+
+CASES = [worlds_of_the_folder_and_shown_before_are_offered, programs_are_read_with_the_authors_lines, two_sets_are_compared, b_keeps_the_files_as_they_were, frames_go_on_while_an_edit_is_loaded, what_a_step_asks_for_waits_for_an_edit_in_progress,
+         live_options_build_nothing_and_give_the_same_bytes, a_live_slider_is_followed_while_it_is_dragged,
+         what_cannot_be_live_is_said, buffers_are_shown_after_any_pass, buffers_cost_nothing_while_none_is_shown, buffers_are_chosen_by_hand,
          what_cannot_be_shown_is_said, passes_say_what_they_read_and_write, options_are_walked_changed_and_reset, problems_are_on_screen_over_the_last_good_picture,
          passes_are_timed_and_pixels_probed_only_while_shown, scene_is_chosen_in_its_panel,
          panels_survive_any_size, error_is_opened_in_the_editor,

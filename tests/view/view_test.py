@@ -420,7 +420,12 @@ def ends_by_the_window_needing_a_display(test):
     assert "view needs a window: glfw, or egl with --script" in process.stderr, process.stderr
 
 
-CASES = [shows_what_render_draws, window_shows_the_screenshot,
+def worlds_are_remembered(test):
+    test.picture()
+    assert (pathlib.Path(os.environ["XDG_STATE_HOME"]) / "orris" / "recent-worlds").read_text() == f"{HERE / 'world'}\n"
+
+
+CASES = [worlds_are_remembered, shows_what_render_draws, window_shows_the_screenshot,
          edited_shader_changes_the_picture,
          broken_edit_changes_nothing_and_is_reported_once, repaired_edit_is_taken_over,
          missing_include_is_located_and_changes_nothing, option_file_takes_effect,
@@ -436,6 +441,7 @@ def main():
     orris, name = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2]
     case = next(case for case in CASES if case.__name__ == name)
     with tempfile.TemporaryDirectory() as folder:
+        os.environ["XDG_STATE_HOME"] = folder
         try:
             test = Test(orris, pathlib.Path(folder))
         except Skip as reason:

@@ -1,5 +1,4 @@
-// Noticing that files were edited, by their sizes and times: no system facility to run out of, and
-// the same on every file system.
+// Noticing that files were edited, by their sizes and times: the same on every file system.
 #pragma once
 
 #include <cstdint>
@@ -22,18 +21,25 @@ class FileWatch {
   std::vector<std::string> poll();
   /// What `path` is now counts as seen.
   void accept(const std::string& path);
+  /// Did the last call see nothing that is not returned yet?
+  bool settled() const { return last_ == seen_; }
 
  private:
+  /// Of the content and of the file: who may read it counts, and what was moved here with an older time.
   struct Stamp {
-    std::filesystem::file_time_type time;
-    std::uintmax_t size = 0;
+    std::int64_t content = 0, change = 0;  ///< nanoseconds
+    std::int64_t size = 0;
     bool operator==(const Stamp&) const = default;
   };
+  static bool read(const std::string& path, Stamp& stamp);
   using Snapshot = std::map<std::string, Stamp>;
   Snapshot take() const;
 
   std::vector<std::filesystem::path> roots_;
   Snapshot seen_, last_;
 };
+
+/// The folders in which something may happen to the roots: with all below them, and what they lie in.
+std::vector<std::filesystem::path> watchedFolders(const std::vector<std::filesystem::path>& roots);
 
 }  // namespace orris

@@ -1,6 +1,7 @@
 #include "app/view/live_pack.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
@@ -10,6 +11,8 @@
 #include "app/input/inputs.h"
 #include "core/read_file.h"
 #include "core/replace_file.h"
+#include "pack/programs/folder_build.h"
+#include "pack/programs/live_check.h"
 
 namespace orris {
 namespace {
@@ -26,6 +29,19 @@ std::string optionFileOf(const PackOptions& options) {
   return withoutEndSlash(options.path).string() + ".txt";
 }
 
+/// The request for a pack as the command line and its option file, where one is named, have it now.
+std::optional<LoadRequest> readChoices(const std::shared_ptr<const FileSource>& files,
+                                       const PackOptions& options, const MacroDefinitions& environment,
+                                       Diagnostics& diagnostics) {
+  auto request = makeLoadRequest(files, options, environment, diagnostics);
+  if (request) request->name = withoutEndSlash(options.path).filename().string();
+  return request;
+}
+
+std::shared_ptr<const ShaderPack> shared(std::optional<ShaderPack> pack) {
+  return pack ? std::make_shared<const ShaderPack>(std::move(*pack)) : nullptr;
+}
+
 }  // namespace
 
 LivePack::LivePack(const PackOptions& options, gl::Context& context, Report& report)
@@ -33,11 +49,16 @@ LivePack::LivePack(const PackOptions& options, gl::Context& context, Report& rep
 
 bool LivePack::open(const SceneOptions& scene, const ImageOptions& image, World world,
                     const Camera& camera) {
-  const auto load = readChoices(true);
+  const auto files = openPackFiles(options_.path, report_);
+  if (!files) return false;
+  Diagnostics diagnostics;
+  const auto load = readChoices(files, optionsNow(), environmentFor(context_.driver(), options_.versions),
+                                diagnostics);
+  report_.add(diagnostics);
   if (!load) return false;
   SessionRequest request;
-  request.openPack = [path = options_.path](Diagnostics& diagnostics) {
-    return std::shared_ptr<const FileSource>(openPack(path, diagnostics));
+  request.openPack = [path = options_.path](Diagnostics& problems) {
+    return std::shared_ptr<const FileSource>(openPack(path, problems));
   };
   request.load = *load;
   request.versions = options_.versions;
@@ -45,113 +66,193 @@ bool LivePack::open(const SceneOptions& scene, const ImageOptions& image, World 
   request.renderer = {.width = image.width, .height = image.height};
   request.camera = camera;
   request.seed = scene.seed;
-  Diagnostics diagnostics;
   session_ = RenderSession::create(context_, std::move(request), std::move(world), diagnostics);
   report_.add(diagnostics);
   return session_ != nullptr;
 }
 
-// The command line's choices with those of the option file as it is now; a pack need not have one.
-std::optional<LoadRequest> LivePack::readChoices(bool withOptionFile) {
+// The command line's choices with the option file; a pack need not have one.
+PackOptions LivePack::optionsNow() const {
   PackOptions pack = options_;
   // Beside a pack lies what came with it: a link there may not lead out of the folder.
   const fs::path folder = fs::absolute(optionFile_).parent_path();
-  const bool wanted =
-      withOptionFile && (!pack.settingsFile.empty() || liesBelow(folder, optionFile_));
+  const bool wanted = !pack.settingsFile.empty() || liesBelow(folder, optionFile_);
   pack.settingsFile = wanted ? optionFile_ : "";
-  const auto files = openPackFiles(pack.path, report_);
-  if (!files) return std::nullopt;
-  const MacroDefinitions environment = environmentFor(context_.driver(), options_.versions);
-  auto request = makeLoadRequest(files, pack, environment, report_);
-  if (request) request->name = withoutEndSlash(pack.path).filename().string();
-  return request;
+  return pack;
 }
 
-/// Runs `change`, which says whether it succeeded, and notes what came of it.
-template <class Change>
-bool LivePack::attempt(const std::string& cause, const Change& change) {
-  report_.beginAgain();
-  const auto began = std::chrono::steady_clock::now();
-  const std::size_t before = session_->reloads().size();
-  Diagnostics diagnostics;
-  outcome_ = {.cause = cause};
-  outcome_.succeeded = change(diagnostics);
-  outcome_.seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-  if (session_->reloads().size() > before) outcome_.report = session_->reloads().back().report;
-  for (const Diagnostic& one : diagnostics)
-    if (one.severity != Severity::Note) outcome_.problems.push_back(one);
-  report_.add(diagnostics);
-  return outcome_.succeeded;
+PackLoader LivePack::readingAgain(bool withOptionFile) const {
+  PackOptions options = optionsNow();
+  if (!withOptionFile) options.settingsFile.clear();
+  return [options, environment = environmentFor(context_.driver(), options_.versions)](
+             LoadRequest& request, Diagnostics& diagnostics) -> std::shared_ptr<const ShaderPack> {
+    const std::shared_ptr<const FileSource> files = openPack(options.path, diagnostics);
+    if (!files) return nullptr;
+    const auto choices = readChoices(files, options, environment, diagnostics);
+    if (!choices) return nullptr;
+    request.fileValues = choices->fileValues;
+    request.live.clear();
+    return shared(loadShaderPack(files, request, diagnostics));
+  };
 }
 
-bool LivePack::reload(const std::string& cause, bool withOptionFile) {
-  return attempt(cause, [&](Diagnostics& diagnostics) {
-    const std::size_t reported = report_.all().size();
-    const auto choices = readChoices(withOptionFile);
-    if (!choices) {
-      diagnostics.assign(
-          report_.all().begin() + std::ptrdiff_t(std::min(reported, report_.all().size())),
-          report_.all().end());
-      return false;
-    }
-    LoadRequest& request = session_->loadRequest();
-    const OptionValues before = std::exchange(request.fileValues, choices->fileValues);
-    if (session_->reload(cause, diagnostics)) return true;
-    request.fileValues = before;
-    return false;
-  });
+PackLoader LivePack::withValues(const OptionValues& values) const {
+  return [values, asked = session_->sharedAsked()](LoadRequest& request, Diagnostics& diagnostics) {
+    // What an #if asks for may be another under other values.
+    for (const std::string& name : differingOptions(asked->options, values, asked->values))
+      if (!request.live.contains(name)) request.live = {};
+    request.fileValues = values;
+    request.profile.clear();
+    request.values.clear();
+    return shared(rebuildShaderPack(*asked, request, diagnostics));
+  };
 }
 
-bool LivePack::setProfile(const std::string& name) {
-  LoadRequest& request = session_->loadRequest();
-  const std::string before = std::exchange(request.profile, name);
-  const OptionValues fileBefore = std::exchange(request.fileValues, {});
-  const bool done = attempt("profile " + name, [&](Diagnostics& diagnostics) {
-    return session_->setProfile(name, diagnostics);
-  });
-  if (!done) {
-    request.profile = before;
-    request.fileValues = fileBefore;
-  }
-  return done;
+PackLoader LivePack::withLive(const std::set<std::string>& names) const {
+  return [names, asked = session_->sharedAsked()](LoadRequest& request, Diagnostics& diagnostics) {
+    request.live = names;
+    return shared(rebuildShaderPack(*asked, request, diagnostics));
+  };
 }
 
-bool LivePack::nextProfile() {
+void LivePack::reload(const std::string& cause, bool withOptionFile) {
+  // One that has not begun will read the same files.
+  for (std::size_t i = 1; i < attempts_.size(); ++i)
+    if (attempts_[i].cause == cause) return;
+  attempts_.push_back({cause, [=, this] { return readingAgain(withOptionFile); }});
+}
+
+void LivePack::setProfile(const std::string& name) {
+  attempts_.push_back({"profile " + name, [this, name]() -> PackLoader {
+    return [name, asked = session_->sharedAsked()](LoadRequest& request, Diagnostics& diagnostics) {
+      request.profile = name;
+      request.fileValues.clear();
+      request.live.clear();
+      return shared(rebuildShaderPack(*asked, request, diagnostics));
+    };
+  }});
+}
+
+void LivePack::nextProfile() {
   const ShaderPack& pack = session_->renderer().pack();
   const std::vector<Profile>& profiles = pack.properties.profiles;
-  if (profiles.empty()) return false;
+  if (profiles.empty()) return;
   const auto at = std::ranges::find(profiles, pack.currentProfile(), &Profile::name);
   const bool last = at == profiles.end() || at + 1 == profiles.end();
-  return setProfile(last ? profiles.front().name : (at + 1)->name);
+  setProfile(last ? profiles.front().name : (at + 1)->name);
 }
 
-bool LivePack::choose(const std::string& cause, const OptionValues& values) {
-  const bool done = attempt(cause, [&](Diagnostics& diagnostics) {
-    return session_->setValues(cause, values, diagnostics);
-  });
-  if (done) save();
-  return done;
-}
-
-bool LivePack::setOptions(const std::string& cause, const OptionValues& changes) {
-  OptionValues values = this->values();
-  for (const auto& [name, value] : changes) {
-    if (value.empty()) {
-      values.erase(name);
-    } else {
-      values[name] = value;
+void LivePack::setOptions(const std::string& cause, const OptionValues& changes) {
+  const auto loader = [this, changes] {
+    OptionValues values = this->values();
+    for (const auto& [name, value] : changes) {
+      if (value.empty()) {
+        values.erase(name);
+      } else {
+        values[name] = value;
+      }
     }
-  }
-  return choose(cause, values);
+    return withValues(values);
+  };
+  attempts_.push_back({.cause = cause, .loader = loader, .saves = true});
 }
 
-bool LivePack::resetOptions() { return choose("all options reset", {}); }
+void LivePack::chooseValues(const std::string& cause, const OptionValues& values) {
+  attempts_.push_back(
+      {.cause = cause, .loader = [this, values] { return withValues(values); }, .saves = true});
+}
 
-bool LivePack::chooseProfile(const std::string& name) {
+void LivePack::chooseProfile(const std::string& name) {
   const std::vector<Profile>& profiles = session_->asked().properties.profiles;
   const auto found = std::ranges::find(profiles, name, &Profile::name);
-  return found != profiles.end() && setOptions("profile " + name, found->values);
+  if (found != profiles.end()) setOptions("profile " + name, found->values);
+}
+
+void LivePack::setLive(const std::set<std::string>& names) {
+  attempts_.push_back({.cause = fmt::format("live: {}", fmt::join(names, " ")),
+                       .loader = [this, names] { return withLive(names); }});
+}
+
+void LivePack::drag(const std::string& name, const std::string& value) {
+  dragged_[name] = value;
+  if (session_->asked().live.contains(name)) return session_->renderer().setLive(name, value);
+  const auto waits = [&](const Attempt& one) { return one.drags == name; };
+  if (std::ranges::any_of(attempts_, waits)) return;
+  const auto loader = [this, name] {
+    std::set<std::string> names = session_->asked().live;
+    names.insert(name);
+    return withLive(names);
+  };
+  attempts_.push_back({.cause = name + " live", .loader = loader, .drags = name});
+}
+
+const std::map<std::string, std::string>* LivePack::liveReasons(bool wait) {
+  const auto& asked = session_->sharedAsked();
+  const auto ready = [&] {
+    return wait || live_.coming.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+  };
+  if (live_.coming.valid() && ready()) live_.reasons = live_.coming.get();
+  if (live_.coming.valid()) return nullptr;
+  if (live_.pack == asked) return &live_.reasons;
+  live_.pack = asked;
+  live_.coming = std::async(std::launch::async, [asked] { return liveOptions(*asked); });
+  return wait ? liveReasons(true) : nullptr;
+}
+
+std::string LivePack::doing() const { return attempts_.empty() ? "" : attempts_.front().cause; }
+
+void LivePack::begin() {
+  Attempt& first = attempts_.front();
+  first.begun = Clock::now();
+  loadsBefore_ = session_->reloads().size();
+  session_->begin(first.cause, first.loader());
+}
+
+bool LivePack::advance(double seconds, double passed) {
+  if (attempts_.empty()) return false;
+  Attempt& first = attempts_.front();
+  if (first.begun == Clock::time_point()) {
+    begin();
+  } else {
+    ++first.frames;
+    first.longestFrame = std::max(first.longestFrame, passed);
+  }
+  Diagnostics diagnostics;
+  const auto succeeded = session_->advance(seconds, diagnostics);
+  return end(succeeded, std::move(diagnostics));
+}
+
+bool LivePack::finish() {
+  if (attempts_.empty()) return false;
+  if (attempts_.front().begun == Clock::time_point()) begin();
+  Diagnostics diagnostics;
+  const auto succeeded = session_->finish(diagnostics);
+  return end(succeeded, std::move(diagnostics));
+}
+
+/// Notes what came of the attempt that was in progress.
+bool LivePack::end(std::optional<bool> succeeded, Diagnostics diagnostics) {
+  if (!succeeded) return false;
+  const Attempt attempt = std::move(attempts_.front());
+  attempts_.pop_front();
+  if (!*succeeded && !attempt.drags.empty()) {
+    // No mistake of the pack: the option is built like any other when it is let go.
+    live_.reasons[attempt.drags] = "its programs cannot be built with a uniform";
+    dragged_.erase(attempt.drags);
+    return false;
+  }
+  outcome_ = {.cause = attempt.cause, .succeeded = *succeeded, .frames = attempt.frames,
+              .longestFrame = attempt.longestFrame};
+  outcome_.seconds = std::chrono::duration<double>(Clock::now() - attempt.begun).count();
+  if (session_->reloads().size() > loadsBefore_) outcome_.report = session_->reloads().back().report;
+  for (const Diagnostic& one : diagnostics)
+    if (one.severity != Severity::Note) outcome_.problems.push_back(one);
+  report_.beginAgain();
+  report_.add(diagnostics);
+  if (*succeeded && attempt.saves) save();
+  if (*succeeded && attempt.drags.empty()) dragged_.clear();
+  for (const auto& [name, value] : dragged_) session_->renderer().setLive(name, value);
+  return true;
 }
 
 void LivePack::save() {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/input/inputs.h"
+#include "app/input/world_shelf.h"
 #include "app/view/hidden_surface.h"
 #include "app/view/view_window.h"
 #include "gl/functions.h"
@@ -20,7 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr auto kPollInterval = std::chrono::milliseconds(100);
 constexpr auto kTitleInterval = std::chrono::milliseconds(500);
 // A driver that does not wait for the screen must not draw thousands of frames a second.
 constexpr auto kShortestFrame = std::chrono::milliseconds(4);
@@ -86,8 +86,12 @@ bool Viewer::open() {
   if (!openSurface()) return false;
   pack_ = std::make_unique<LivePack>(options_.pack, *context_, report_);
   watchFiles();
-  lastFrame_ = lastPoll_ = titleSince_ = Clock::now();
-  return pack_->open(options_.scene, options_.image, std::move(*world), *camera);
+  lastFrame_ = titleSince_ = Clock::now();
+  worldPath_ = options_.scene.path;
+  if (!pack_->open(options_.scene, options_.image, std::move(*world), *camera)) return false;
+  // A script is no person, who may want a world again.
+  if (!player_) noteRecentWorld(worldPath_);
+  return true;
 }
 
 bool Viewer::openSurface() {
@@ -128,19 +132,22 @@ std::vector<ViewEvent> Viewer::pollEvents() {
 
 void Viewer::drawFrame() {
   const Clock::time_point now = Clock::now();
-  const double passed = std::min(secondsBetween(lastFrame_, now), kLongestStep);
+  const double passed = secondsBetween(lastFrame_, now);
   // A script or a given number of frames is a recording: every frame takes the same time.
-  const double seconds = hasFixedTime() ? kFixedStep : passed;
+  const double seconds = hasFixedTime() ? kFixedStep : std::min(passed, kLongestStep);
   lastFrame_ = now;
   const bool held = controls_.holdsMouse();
   std::vector<ViewEvent> events = pollEvents();
   beginPanels(events, seconds);
   handle(controls_.take(events, taken_), seconds);
   if (controls_.holdsMouse() != held) surface_->holdMouse(!held);
-  pollFiles();
+  followFiles();
+  followPack(passed);
   followWindowSize();
+  const Clock::time_point began = Clock::now();
   drawPicture(seconds);
   showPicture();
+  drawSeconds_ = secondsBetween(began, Clock::now());
   sayGlErrors();
   showTimes();
   if (!hasFixedTime() || player_) std::this_thread::sleep_until(now + kShortestFrame);
@@ -162,7 +169,9 @@ void Viewer::drawPicture(double seconds) {
       if (inspector_) inspector_->after(renderer, step);
     });
   Diagnostics diagnostics;
+  if (comparison_) comparison_->drawOther(session(), diagnostics);
   session().renderFrame(diagnostics);
+  if (comparison_) comparison_->endFrame(renderer);
   report_.add(diagnostics);
   if (panels_.passes) times_.add(renderer.schedule(), renderer.stepTimes());
   if (probe || inspector_) renderer.watchSteps({});
@@ -178,9 +187,13 @@ void Viewer::showPicture() {
   int width = 0, height = 0;
   surface_->size(width, height);
   gl::Disable(GL_SCISSOR_TEST);
-  gl::BlitNamedFramebuffer(renderer.screenFramebuffer(), surface_->framebuffer(), 0, 0,
-                           renderer.schedule().width, renderer.schedule().height, 0, 0, width,
-                           height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  if (comparison_) {
+    comparison_->show(renderer, *surface_);
+  } else {
+    gl::BlitNamedFramebuffer(renderer.screenFramebuffer(), surface_->framebuffer(), 0, 0,
+                             renderer.schedule().width, renderer.schedule().height, 0, 0, width,
+                             height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  }
   endPanels();
   if (!windowPicture_.empty()) saveWindow(std::exchange(windowPicture_, ""));
   surface_->show();
@@ -213,21 +226,22 @@ void Viewer::followWindowSize() {
   singleFrames_ = std::max(singleFrames_, 1);  // a pause has no picture of this size
 }
 
-void Viewer::pollFiles() {
-  if (pack_->takeSaved()) watch_->accept(pack_->optionFile());
-  const Clock::time_point now = Clock::now();
-  if (now - lastPoll_ < kPollInterval) return;
-  lastPoll_ = now;
-  const std::vector<std::string> changed = watch_->poll();
+void Viewer::followFiles() {
+  const std::vector<std::string> changed = watch_->take();
   if (changed.empty()) return;
   std::vector<std::string> names;
   for (const std::string& path : changed) names.push_back(fs::path(path).filename().string());
-  reload(fmt::format("{} changed", fmt::join(names, ", ")), true);
+  pack_->reload(fmt::format("{} changed", fmt::join(names, ", ")), true);
 }
 
-void Viewer::reload(const std::string& cause, bool withOptionFile) {
-  pack_->reload(cause, withOptionFile);
-  sayOutcome();
+// Building may take as long as drawing does: the picture goes on at half the pace at worst.
+void Viewer::followPack(double passed) {
+  if (pack_->advance(drawSeconds_, passed)) sayOutcome();
+}
+
+void Viewer::finishPack() {
+  if (!hasFixedTime()) return;
+  while (pack_->finish()) sayOutcome();
 }
 
 void Viewer::showTimes() {

@@ -9,10 +9,12 @@
 
 #include "app/input/common.h"
 #include "app/report/report.h"
+#include "app/view/background_watch.h"
 #include "app/view/buffer_inspector.h"
-#include "app/view/file_watch.h"
 #include "app/view/live_pack.h"
+#include "app/view/program_text.h"
 #include "app/view/script_player.h"
+#include "app/view/set_comparison.h"
 #include "app/view/view_controls.h"
 #include "app/view/view_surface.h"
 #include "app/window/panels.h"
@@ -60,16 +62,27 @@ class Viewer final : public ScriptTarget {
   bool panelsShown() const;
   void closePanels();
   bool setWorld(const std::string& name);
+  /// At the first error, or there.
   void openEditor();
+  void openEditor(const SourceLocation& at);
+  /// Opens the text; false: there is none of that name.
+  bool showProgram(const std::string& name);
+  const ProgramText* shownProgram();
   /// Opens the buffers.
   void show(ShownBuffer shown);
   void toggleBuffers();
+  /// B is the set in force, unless there is a B already.
+  bool compare(CompareMode mode);
+  void endComparison();
   std::vector<ViewEvent> pollEvents();
   void handle(const ViewInput& input, double seconds);
   void run(ViewCommand command);
   void followWindowSize();
-  void pollFiles();
-  void reload(const std::string& cause, bool withOptionFile);
+  void followFiles();
+  /// Goes on with what was asked of the pack, while frames are drawn.
+  void followPack(double passed);
+  /// Where every frame counts, as in scripts, what a step asks of the pack is done before the next frame.
+  void finishPack();
   void sayOutcome();
   void sayGlErrors();
   void sayCounters();
@@ -86,6 +99,7 @@ class Viewer final : public ScriptTarget {
 
   std::string setOptionsStep(const JsonNode& value);
   std::string profileStep(const JsonNode& value);
+  std::string liveStep(const JsonNode& value);
   std::string timeStep(const JsonNode& value);
   std::string rainStep(const JsonNode& value);
   std::string thunderStep(const JsonNode& value);
@@ -95,6 +109,8 @@ class Viewer final : public ScriptTarget {
   std::string resizeStep(const JsonNode& value);
   std::string screenshotStep(const JsonNode& value);
   std::string pictureStep(const JsonNode& value);
+  std::string compareStep(const JsonNode& value);
+  std::string programStep(const JsonNode& value);
   std::string showStep(const JsonNode& value);
   std::string shownStep(const JsonNode& value);
   std::string stateStep(const JsonNode& value);
@@ -107,7 +123,7 @@ class Viewer final : public ScriptTarget {
   std::unique_ptr<LivePack> pack_;
   std::unique_ptr<RenderSession> plain_;  ///< only while the pack is off
   std::optional<ScriptPlayer> player_;
-  std::optional<FileWatch> watch_;
+  std::optional<BackgroundWatch> watch_;
   ViewControls controls_;
   std::unique_ptr<Interface> interface_;  ///< made when the first panel opens
   PanelState panels_;
@@ -118,12 +134,17 @@ class Viewer final : public ScriptTarget {
   std::optional<std::pair<int, int>> pixel_;  ///< that is probed, from the top left
   std::vector<ProbeValue> probe_;
   std::optional<BufferInspector> inspector_;  ///< only while the buffers are open
+  std::optional<ProgramText> program_;  ///< only while a program is shown, of this pack
+  std::shared_ptr<const ShaderPack> programOf_;
+  std::unique_ptr<SetComparison> comparison_;  ///< only while sets are compared
   FlyCamera fly_{Camera{}};
   bool closed_ = false, paused_ = false, fullScreen_ = false;
   int singleFrames_ = 0;  ///< to be drawn although paused
   int framesDrawn_ = 0, glErrors_ = 0;
-  Clock::time_point lastFrame_, lastPoll_, titleSince_;
+  Clock::time_point lastFrame_, titleSince_;
+  double drawSeconds_ = 0;  ///< of the last frame
   int titleFrames_ = 0;
+  std::string worldPath_;
   std::string said_;          ///< the last line
   std::string windowPicture_;  ///< file for the window as the next frame shows it, "" for none
   std::set<int> saidCounters_;  ///< lines of shaders.properties

@@ -12,6 +12,7 @@
 #include "app/view/viewer.h"
 #include "gl/functions.h"
 #include "image/image.h"
+#include "pack/programs/live_check.h"
 #include "render/counters.h"
 
 namespace orris {
@@ -42,15 +43,25 @@ void Viewer::run(ViewCommand command) {
       return toggle(panels_.passes);
     case ViewCommand::Buffers:
       return toggleBuffers();
+    case ViewCommand::Program:
+      return toggle(panels_.program);
+    case ViewCommand::Compare:
+      if (comparison_) return endComparison();
+      compare(CompareMode::Side);
+      return;
+    case ViewCommand::Flicker:
+      if (comparison_) comparison_->showsB = !comparison_->showsB;
+      return;
     case ViewCommand::Editor:
       return openEditor();
     case ViewCommand::Reload:
-      return reload("R pressed", true);
+      pack_->reload("R pressed", true);
+      return finishPack();
     case ViewCommand::NextProfile:
       if (session().renderer().pack().properties.profiles.empty())
         return say("this pack has no profiles");
       pack_->nextProfile();
-      return sayOutcome();
+      return finishPack();
     case ViewCommand::Screenshot:
       return saveScreenshot(freeScreenshotName());
     case ViewCommand::PackOnOff:
@@ -71,6 +82,7 @@ void Viewer::run(ViewCommand command) {
 
 bool Viewer::setPackOn(bool on) {
   if (on == (plain_ == nullptr)) return true;
+  endComparison();
   RenderSession& other = pack_->session();
   if (on) {
     other.setCamera(plain_->camera());
@@ -103,6 +115,7 @@ bool Viewer::setCamera(const std::string& name) {
 }
 
 void Viewer::sayOutcome() {
+  if (pack_->takeSaved()) watch_->accept(pack_->optionFile());
   const LoadOutcome& last = pack_->outcome();
   status_ = last.succeeded ? kClean : kProblems;
   panels_.problems = true;
@@ -166,11 +179,13 @@ std::string Viewer::perform(const ScriptStep& step) {
   };
   static constexpr Row kRows[] = {
       {"set", &Viewer::setOptionsStep},      {"profile", &Viewer::profileStep},
+      {"live", &Viewer::liveStep},
       {"time", &Viewer::timeStep},           {"rain", &Viewer::rainStep},
       {"thunder", &Viewer::thunderStep},     {"camera", &Viewer::cameraStep},
       {"pause", &Viewer::pauseStep},         {"pack", &Viewer::packStep},
       {"resize", &Viewer::resizeStep},       {"screenshot", &Viewer::screenshotStep},
       {"picture", &Viewer::pictureStep},     {"state", &Viewer::stateStep},
+      {"compare", &Viewer::compareStep},      {"program", &Viewer::programStep},
       {"show", &Viewer::showStep},           {"shown", &Viewer::shownStep}};
   const auto row = std::ranges::find_if(kRows, [&](const Row& one) { return one.name == step.action; });
   return row == std::end(kRows) ? "cannot be done here" : (this->*row->action)(step.value);
@@ -191,14 +206,28 @@ std::string Viewer::setOptionsStep(const JsonNode& value) {
   std::vector<std::string> words;
   for (const auto& [name, wanted] : changes) words.push_back(name + "=" + wanted);
   pack_->setOptions(fmt::format("{}", fmt::join(words, " ")), changes);
-  sayOutcome();
+  finishPack();
   return "";
 }
 
 std::string Viewer::profileStep(const JsonNode& value) {
   pack_->setProfile(value.text);
-  sayOutcome();
+  finishPack();
   return pack_->outcome().succeeded ? "" : "the profile cannot be taken";
+}
+
+std::string Viewer::liveStep(const JsonNode& value) {
+  const auto reasons = liveOptions(pack_->session().asked());
+  std::set<std::string> names;
+  for (const JsonNode& item : value.items) {
+    const auto found = reasons.find(item.text);
+    if (found == reasons.end()) return fmt::format("the pack has no option {}", item.text);
+    if (!found->second.empty()) return fmt::format("{} cannot be live: {}", item.text, found->second);
+    names.insert(item.text);
+  }
+  pack_->setLive(names);
+  finishPack();
+  return pack_->outcome().succeeded ? "" : "the programs cannot be built so";
 }
 
 std::string Viewer::timeStep(const JsonNode& value) {
@@ -249,6 +278,25 @@ std::string Viewer::screenshotStep(const JsonNode& value) {
 std::string Viewer::pictureStep(const JsonNode& value) {
   saveScreenshot(value.text);
   return "";
+}
+
+std::string Viewer::compareStep(const JsonNode& value) {
+  if (value.text.empty()) {
+    endComparison();
+    return "";
+  }
+  const auto mode = std::ranges::find(kCompareModes, value.text);
+  if (mode == kCompareModes.end())
+    return fmt::format("there is no \"{}\": sets are compared by {}", value.text,
+                       fmt::join(kCompareModes, ", "));
+  return compare(CompareMode(mode - kCompareModes.begin())) ? "" : "the pack cannot be drawn twice";
+}
+
+std::string Viewer::programStep(const JsonNode& value) {
+  panels_.program = false;
+  if (value.text.empty() || showProgram(value.text)) return "";
+  return fmt::format("there is no program {}: the pack has {}", value.text,
+                     fmt::join(programTextNames(session().renderer().pack()), ", "));
 }
 
 std::string Viewer::showStep(const JsonNode& value) {

@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "app/input/shipped_worlds.h"
+#include "app/input/world_shelf.h"
 #include "app/view/open_editor.h"
 #include "app/view/viewer.h"
 
@@ -15,12 +16,12 @@ namespace orris {
 bool Viewer::panelsShown() const {
   const bool problems = panels_.problems && !pack_->outcome().succeeded;
   return panels_.help || panels_.options || panels_.scene || panels_.passes ||
-         panels_.buffers || problems;
+         panels_.buffers || panels_.compare || panels_.program || problems;
 }
 
 void Viewer::closePanels() {
   panels_.help = panels_.options = panels_.scene = panels_.passes = panels_.buffers =
-      panels_.problems = false;
+      panels_.compare = panels_.program = panels_.problems = false;
 }
 
 void Viewer::beginPanels(std::vector<ViewEvent>& events, double seconds) {
@@ -52,17 +53,21 @@ void Viewer::beginPanels(std::vector<ViewEvent>& events, double seconds) {
 void Viewer::endPanels() {
   if (!building_) return;
   building_ = false;
-  const PanelFacts facts{*pack_,  session(), plain_ == nullptr, paused_,
-                         times_, pixel_,    probe_,
-                         inspector_ ? &*inspector_ : nullptr};
+  const PanelFacts facts{*pack_,  session(), plain_ == nullptr, paused_, hasFixedTime(),
+                         worldPath_, times_, pixel_,    probe_,
+                         inspector_ ? &*inspector_ : nullptr, shownProgram(),
+                         comparison_.get()};
   if (panels_.options) drawOptions(*interface_, panels_, facts, requests_);
   if (panels_.scene) drawScene(*interface_, panels_, facts, requests_);
   if (panels_.passes) drawPasses(*interface_, panels_, facts, requests_);
   if (panels_.buffers) drawBuffers(*interface_, panels_, facts, requests_);
+  if (panels_.program) drawProgram(*interface_, panels_, facts, requests_);
+  if (panels_.compare) drawCompare(*interface_, panels_, facts, requests_);
   if (panels_.problems && !pack_->outcome().succeeded) drawProblems(*interface_, panels_, facts);
   if (panels_.help) drawHelp(*interface_, panels_);
   interface_->end(surface_->framebuffer());
   if (!panels_.buffers) inspector_.reset();
+  if (!panels_.compare) comparison_.reset();
   if (!panels_.passes) {
     times_ = {};
     pixel_.reset();
@@ -71,11 +76,15 @@ void Viewer::endPanels() {
 }
 
 void Viewer::apply(const PanelRequests& requests) {
+  for (const auto& [name, value] : requests.drag) pack_->drag(name, value);
   if (requests.resetAll) pack_->resetOptions();
+  if (requests.values) pack_->chooseValues("values of B", *requests.values);
   if (!requests.profile.empty()) pack_->chooseProfile(requests.profile);
   for (const auto& [name, value] : requests.set)
     pack_->setOptions(value.empty() ? name + " reset" : fmt::format("{}={}", name, value), {{name, value}});
-  if (requests.resetAll || !requests.profile.empty() || !requests.set.empty()) sayOutcome();
+  if (requests.resetAll || requests.values || !requests.profile.empty() || !requests.set.empty() ||
+      !requests.drag.empty())
+    finishPack();
   Environment& environment = session().environment();
   if (requests.time) session().setTime(*requests.time);
   if (requests.rain) environment.rain = *requests.rain;
@@ -89,11 +98,14 @@ void Viewer::apply(const PanelRequests& requests) {
     probe_.clear();
   }
   if (requests.show) show(*requests.show);
+  if (!requests.program.empty()) showProgram(requests.program);
+  if (requests.edit) openEditor(*requests.edit);
   if (requests.packOn) setPackOn(*requests.packOn);
 }
 
 bool Viewer::setWorld(const std::string& name) {
   setPackOn(true);
+  endComparison();
   const std::string path = findWorld(name);
   Diagnostics diagnostics;
   auto world = path.empty() ? std::nullopt : loadWorld(path, options_.scene.seed, diagnostics);
@@ -104,6 +116,10 @@ bool Viewer::setWorld(const std::string& name) {
     done = pack_->session().setWorld(std::move(*world), camera, diagnostics);
   }
   report_.add(diagnostics);
+  if (done) {
+    worldPath_ = name;
+    if (!player_) noteRecentWorld(path);
+  }
   say(done ? "world " + name : fmt::format("the world {} cannot be drawn", name));
   return done;
 }
@@ -128,14 +144,69 @@ void Viewer::toggleBuffers() {
   show(first);
 }
 
+bool Viewer::compare(CompareMode mode) {
+  setPackOn(true);
+  if (!comparison_) {
+    Diagnostics diagnostics;
+    comparison_ = SetComparison::create(*context_, pack_->session(), options_.scene.seed, diagnostics);
+    report_.add(diagnostics);
+  }
+  panels_.compare = comparison_ != nullptr;
+  if (!comparison_) {
+    say("this pack cannot be drawn twice");
+    return false;
+  }
+  controls_.giveMouseBack();
+  comparison_->mode = mode;
+  singleFrames_ = std::max(singleFrames_, 1);
+  return true;
+}
+
+void Viewer::endComparison() {
+  panels_.compare = false;
+  comparison_.reset();
+}
+
+bool Viewer::showProgram(const std::string& name) {
+  const auto& pack = session().renderer().sharedPack();
+  auto text = programText(*pack, name);
+  if (!text) return false;
+  program_ = std::move(text);
+  programOf_ = pack;
+  panels_.program = true;
+  panels_.programLine = 0;
+  return true;
+}
+
+// After a reload that of the new pack; a program that it lacks closes the panel.
+const ProgramText* Viewer::shownProgram() {
+  if (!panels_.program) {
+    program_.reset();
+    programOf_.reset();
+    return nullptr;
+  }
+  const auto& pack = session().renderer().sharedPack();
+  if (program_ && programOf_ == pack) return &*program_;
+  const std::vector<std::string> names = programTextNames(*pack);
+  const std::string name = program_ ? program_->name : names.empty() ? "" : names.front();
+  const int line = panels_.programLine;
+  panels_.program = showProgram(name);
+  panels_.programLine = line;
+  return panels_.program ? &*program_ : nullptr;
+}
+
 void Viewer::openEditor() {
   const Diagnostics& problems = pack_->outcome().problems;
   const auto located = std::ranges::find_if(problems, [](const Diagnostic& one) {
     return one.severity == Severity::Error && one.at.line > 0;
   });
   if (located == problems.end()) return say("there is no error to open");
-  const std::string opened = openInEditor(options_.pack.path, located->at);
-  say(opened.empty() ? "opened " + formatLocation(located->at) : opened);
+  openEditor(located->at);
+}
+
+void Viewer::openEditor(const SourceLocation& at) {
+  const std::string problem = openInEditor(options_.pack.path, at);
+  say(problem.empty() ? "opened " + formatLocation(at) : problem);
 }
 
 }  // namespace orris

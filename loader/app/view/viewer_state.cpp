@@ -1,4 +1,7 @@
 // The state of the viewer as JSON: what scripts wait for and assert. docs/view.md lists it.
+#include <unistd.h>
+
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "app/view/viewer.h"
@@ -18,6 +21,8 @@ nlohmann::json outcomeState(const LoadOutcome& outcome) {
   return {{"cause", outcome.cause},
           {"succeeded", outcome.succeeded},
           {"seconds", outcome.seconds},
+          {"frames", outcome.frames},
+          {"longestFrame", outcome.longestFrame},
           {"built", outcome.report.built},
           {"kept", outcome.report.programsReused}};
 }
@@ -28,6 +33,8 @@ nlohmann::json panelsState(const PanelState& panels) {
           {"scene", panels.scene},
           {"passes", panels.passes},
           {"buffers", panels.buffers},
+          {"compare", panels.compare},
+          {"program", panels.program},
           {"screen", panels.screens.empty() ? "" : panels.screens.back()},
           {"search", panels.search}};
 }
@@ -52,6 +59,27 @@ nlohmann::json passesState(const FrameRenderer& renderer) {
     passes[step.name] = {{"reads", sidesState(renderer.readsOf(step))},
                          {"writes", sidesState(renderer.writesOf(step))}};
   return passes;
+}
+
+nlohmann::json programState(const ProgramText& program, int chosen) {
+  nlohmann::json rules = nlohmann::json::object();
+  for (const AppliedRule& rule : program.rules) rules[rule.rule] = rule.count;
+  nlohmann::json json = {{"name", program.name},   {"lines", program.lines.size()}, {"rules", rules},
+                         {"options", program.options}, {"includes", program.includes},  {"line", chosen}};
+  if (chosen < 1 || std::size_t(chosen) > program.lines.size()) return json;
+  const ProgramLine& line = program.lines[std::size_t(chosen) - 1];
+  json["text"] = line.text;
+  json["author"] = authorText(line);
+  json["linesOfAuthor"] = program.linesFrom(line.author.file, line.author.line);
+  return json;
+}
+
+/// Memory of this process, 0 where the system does not say.
+double residentMegabytes() {
+  std::ifstream file("/proc/self/statm");
+  double all = 0, resident = 0;
+  if (!(file >> all >> resident)) return 0;
+  return resident * double(sysconf(_SC_PAGESIZE)) / 1e6;
 }
 
 }  // namespace
@@ -83,21 +111,26 @@ nlohmann::json Viewer::state() {
           {"timedSteps", renderer.stepTimes().size()},
           {"probe", probeState(probe_)},
           {"shown", inspector_ ? inspector_->state() : nlohmann::json()},
+          {"program", panels_.program && program_ ? programState(*program_, panels_.programLine) : nlohmann::json()},
+          {"compare", comparison_ ? comparison_->state(pack) : nlohmann::json()},
           {"copies", BufferInspector::copies()},
           {"packOn", plain_ == nullptr},
           {"pack", pack.name},
           {"profile", pack.currentProfile()},
           {"values", values},
           {"changed", pack.values},
+          {"live", pack.live},
           {"world", world.name},
           {"camera", cameraState(session().camera())},
           {"time", environment.time},
           {"rain", environment.rain},
           {"thunder", environment.thunder},
           {"loads", own.reloads().size()},
+          {"doing", pack_->doing()},
           {"load", outcomeState(pack_->outcome())},
           {"problems", toJson(pack_->outcome().problems)},
           {"glErrors", glErrors_},
+          {"residentMegabytes", residentMegabytes()},
           {"said", said_}};
 }
 

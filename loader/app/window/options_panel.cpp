@@ -14,6 +14,7 @@ namespace orris {
 namespace {
 
 const ImVec4 kChangedColor(1, 0.79f, 0.29f, 1);
+const ImVec4 kLiveColor(0.5f, 0.85f, 1, 1);
 const ImVec4 kMissingColor(0.6f, 0.6f, 0.6f, 1);
 
 class OptionsPanel {
@@ -21,7 +22,7 @@ class OptionsPanel {
   OptionsPanel(Interface& interface, PanelState& state, const PanelFacts& facts,
                PanelRequests& requests)
       : interface_(interface), state_(state), facts_(facts), requests_(requests),
-        pack_(facts.pack.session().asked()) {}
+        pack_(facts.pack.session().asked()), live_(facts.pack.liveReasons(facts.exact)) {}
 
   void draw() {
     drawHead();
@@ -61,7 +62,9 @@ class OptionsPanel {
     interface_.name("Search");
     const LoadOutcome& last = facts_.pack.outcome();
     const std::string file = facts_.pack.optionFile();
-    if (last.cause.empty()) {
+    if (const std::string doing = facts_.pack.doing(); !doing.empty()) {
+      ImGui::TextUnformatted((doing + ": building ...").c_str());
+    } else if (last.cause.empty()) {
       ImGui::TextUnformatted(fmt::format("{} changed; saved to {}", pack_.values.size(), file).c_str());
     } else {
       ImGui::TextUnformatted(
@@ -140,6 +143,12 @@ class OptionsPanel {
     if (!cell.comment.empty()) add(cell.comment);
     if (cell.labelMissing && cell.kind != OptionCell::Kind::Screen)
       add("no text option." + cell.name + " in the language file");
+    if (cell.kind == OptionCell::Kind::Slider && live_ != nullptr) {
+      const auto found = live_->find(cell.name);
+      if (found != live_->end())
+        add(found->second.empty() ? "live: the picture follows while it is dragged, nothing is built"
+                                  : "not live: " + found->second);
+    }
     if (const Option* option = pack_.options.find(cell.name); option != nullptr && cell.changed)
       add(fmt::format("default: {}; shift and click to reset",
                       withoutCodes(valueLabelOf(pack_, *option, option->defaultValue))));
@@ -178,7 +187,13 @@ class OptionsPanel {
                                    : valueBeside(*option, cell.value, clicked == 1 ? 1 : -1);
   }
 
-  /// Taken over when it is let go: building for each value on the way would hold up the dragging.
+  bool canBeLive(const std::string& option) const {
+    if (live_ == nullptr) return pack_.live.contains(option);
+    const auto found = live_->find(option);
+    return found != live_->end() && found->second.empty();
+  }
+
+  /// Taken over when it is let go, but a live option while it is dragged, too.
   void drawSlider(const OptionCell& cell) {
     const auto found = std::ranges::find(cell.values, cell.value);
     int index = found == cell.values.end() ? 0 : int(found - cell.values.begin());
@@ -196,7 +211,10 @@ class OptionsPanel {
     interface_.name(cell.name);
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     const ImVec2 size = ImGui::CalcTextSize(format.c_str());
-    const ImVec4 color = cell.changed ? kChangedColor : ImGui::GetStyle().Colors[ImGuiCol_Text];
+    const bool live = canBeLive(cell.name);
+    const ImVec4 color = cell.changed ? kChangedColor
+                         : live       ? kLiveColor
+                                      : ImGui::GetStyle().Colors[ImGuiCol_Text];
     ImGui::PushClipRect(low, high, true);
     ImGui::GetWindowDrawList()->AddText(
         ImVec2(std::max(low.x, (low.x + high.x - size.x) / 2), low.y + ImGui::GetStyle().FramePadding.y),
@@ -204,7 +222,9 @@ class OptionsPanel {
     ImGui::PopClipRect();
     const bool released = ImGui::IsItemDeactivated();
     if (ImGui::IsItemActive()) {
-      state_.dragged[cell.name] = index;
+      const auto [entry, first] = state_.dragged.try_emplace(cell.name, -1);
+      if (live && entry->second != index) requests_.drag[cell.name] = cell.values[std::size_t(index)];
+      entry->second = index;
     } else if (released && state_.dragged.erase(cell.name) > 0) {
       const std::string& value = cell.values[std::size_t(index)];
       if (value != cell.value) requests_.set[cell.name] = value;
@@ -218,6 +238,7 @@ class OptionsPanel {
   const PanelFacts& facts_;
   PanelRequests& requests_;
   const ShaderPack& pack_;
+  const std::map<std::string, std::string>* live_;  ///< nullptr: not known yet
 };
 
 }  // namespace

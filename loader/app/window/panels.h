@@ -18,13 +18,19 @@
 namespace orris {
 
 class BufferInspector;
+class SetComparison;
+struct ProgramText;
 
 /// Which panels are open and where the user is in them.
 struct PanelState {
-  bool help = false, options = false, scene = false, passes = false, buffers = false;
+  bool help = false, options = false, scene = false, passes = false, buffers = false,
+       compare = false, program = false;
   bool problems = true;              ///< shown while the last load failed
   std::vector<std::string> screens;  ///< from the main screen to the one shown
   std::string search;
+  int programLine = 0;       ///< of the final text, from 1; 0: none
+  bool programMoved = false;  ///< the line must come into view
+  std::string programWords;   ///< looked for
   int wordKind = 0;                  ///< how the words of a bufferObject are written
   std::map<std::string, int> dragged;  ///< sliders being dragged: index of the value under the mouse
 };
@@ -46,15 +52,21 @@ struct PanelFacts {
   LivePack& pack;
   RenderSession& session;  ///< what is drawn: the pack's, or that of the host's own programs
   bool packOn = true, paused = false;
+  bool exact = false;  ///< what is asked for is known and done before the next frame
+  const std::string& worldPath;  ///< of the world that is drawn, or its name among those that come with Orris
   const StepHistory& times;
   const std::optional<std::pair<int, int>>& pixel;  ///< that is probed
   const std::vector<ProbeValue>& probe;
   const BufferInspector* inspector = nullptr;  ///< nullptr: no buffer is shown
+  const ProgramText* program = nullptr;        ///< nullptr: none is shown
+  SetComparison* comparison = nullptr;         ///< nullptr: nothing is compared; how it is shown is its own
 };
 
 /// What the user asked for in this frame.
 struct PanelRequests {
   OptionValues set;  ///< "" for the default
+  OptionValues drag;  ///< live options for the next frame, not to be saved
+  std::optional<OptionValues> values;  ///< all at once
   bool resetAll = false;
   std::string profile;
   std::optional<int> time;
@@ -64,6 +76,8 @@ struct PanelRequests {
   bool singleFrame = false;
   bool dropPixel = false;
   std::optional<ShownBuffer> show;  ///< opens the buffers
+  std::string program;              ///< text to show, "composite.fsh"
+  std::optional<SourceLocation> edit;  ///< place to open in the editor
 };
 
 void drawHelp(Interface& interface, PanelState& state);
@@ -74,6 +88,10 @@ void drawScene(Interface& interface, PanelState& state, const PanelFacts& facts,
 void drawPasses(Interface& interface, PanelState& state, const PanelFacts& facts,
                 PanelRequests& requests);
 void drawBuffers(Interface& interface, PanelState& state, const PanelFacts& facts,
+                 PanelRequests& requests);
+void drawProgram(Interface& interface, PanelState& state, const PanelFacts& facts,
+                 PanelRequests& requests);
+void drawCompare(Interface& interface, PanelState& state, const PanelFacts& facts,
                  PanelRequests& requests);
 void drawProblems(Interface& interface, PanelState& state, const PanelFacts& facts);
 

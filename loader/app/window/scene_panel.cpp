@@ -1,7 +1,10 @@
 // Time of day, weather, world and camera.
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include "app/input/shipped_worlds.h"
+#include "app/input/world_shelf.h"
 #include "app/window/panel_parts.h"
 #include "app/window/panels.h"
 
@@ -34,9 +37,26 @@ void drawTime(Interface& interface, const Environment& environment, PanelRequest
   weather("thunder", environment.thunder, requests.thunder);
 }
 
-void drawPlaces(Interface& interface, const World& world, const Camera& at,
+/// Items of the open list; their names for scripts are whole paths.
+void drawWorldsOf(Interface& interface, const char* head, const std::vector<std::string>& worlds,
+                  PanelRequests& requests) {
+  if (worlds.empty()) return;
+  ImGui::TextDisabled("%s", head);
+  for (const std::string& path : worlds) {
+    ImGui::PushID((head + path).c_str());
+    if (ImGui::Selectable(std::filesystem::path(path).filename().c_str())) requests.world = path;
+    ImGui::PopID();
+    drawTooltip(path);
+    interface.name(std::string("world ") + head + " " + path);
+  }
+}
+
+void drawPlaces(Interface& interface, const World& world, const std::string& worldPath, const Camera& at,
                 PanelRequests& requests) {
-  if (ImGui::BeginCombo("world", world.name.c_str())) {
+  if (ImGui::BeginCombo("world", world.name.c_str(), ImGuiComboFlags_HeightLarge)) {
+    drawWorldsOf(interface, "shown before", recentWorlds(), requests);
+    drawWorldsOf(interface, "in this folder", worldsBeside(worldPath), requests);
+    ImGui::TextDisabled("that come with Orris");
     for (const std::string& name : shippedWorldNames()) {
       if (ImGui::Selectable(name.c_str(), name == world.name)) requests.world = name;
       interface.name("world " + name);
@@ -66,7 +86,7 @@ void drawScene(Interface& interface, PanelState& state, const PanelFacts& facts,
                  ImVec2(22, 16))) {
     const World& world = facts.session.scene().world;
     drawTime(interface, world.environment, requests);
-    drawPlaces(interface, world, facts.session.camera(), requests);
+    drawPlaces(interface, world, facts.worldPath, facts.session.camera(), requests);
     bool paused = facts.paused, packOn = facts.packOn;
     if (ImGui::Checkbox("paused", &paused)) requests.pause = paused;
     interface.name("paused");
