@@ -89,6 +89,7 @@ TEST(BlockFacts, emission_is_that_of_the_game) {
       {"ender_chest", 7},
       {"brewing_stand", 1},
       {"glow_lichen[north=true]", 7},
+      {"glow_lichen[north=false]", 0},
       {"beacon", 15},
       {"nether_portal", 11},
       {"copper_bulb[lit=true]", 15},
@@ -113,6 +114,9 @@ TEST(BlockFacts, opacity_layer_and_culling) {
   EXPECT_EQ(facts("water").opacity, 1);
   EXPECT_EQ(facts("oak_leaves").opacity, 1);
   EXPECT_EQ(facts("ice").opacity, 1);
+  EXPECT_EQ(facts("oak_fence[waterlogged=false]").opacity, 0);
+  EXPECT_EQ(facts("oak_fence[waterlogged=true]").opacity, 1);
+  EXPECT_EQ(facts("red_shulker_box").opacity, 1);
   EXPECT_EQ(facts("glass").layer, RenderLayer::Cutout);
   EXPECT_EQ(facts("oak_leaves").layer, RenderLayer::Cutout);
   EXPECT_EQ(facts("poppy").layer, RenderLayer::Cutout);

@@ -70,7 +70,8 @@ BlockFacts factsFrom(const FactsPatch& spec, const BlockProperties& properties) 
   }
   const bool solid = facts.layer == RenderLayer::Solid && !facts.cross && !facts.fluid;
   facts.fullOpaqueCube = solid && isFullCube(facts.boxes);
-  facts.opacity = spec.opacity.value_or(facts.fullOpaqueCube ? 15 : 0);
+  // What stands in water dims light as water does.
+  facts.opacity = spec.opacity.value_or(facts.fullOpaqueCube ? 15 : facts.waterlogged ? 1 : 0);
   return facts;
 }
 
