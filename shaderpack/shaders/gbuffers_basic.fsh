@@ -1,5 +1,5 @@
 #version 330 compatibility
-// Lines and leashes into the G-buffer: a colour without texture.
+// Leashes into the G-buffer: a colour without texture.
 #define PROGRAM_BASIC
 #define FRAGMENT_STAGE
 #include "/program/gbuffers/opaque.glsl"

@@ -1,4 +1,5 @@
-// Opaque geometry into the G-buffer. PROGRAM_BASIC: without a texture.
+// Opaque geometry into the G-buffer. PROGRAM_BASIC: without a texture. PROGRAM_GLOW: lightning, beams and eyes, which
+// the game adds to the picture and which here glow. PROGRAM_ENTITIES: red when hurt.
 #include "/settings.glsl"
 #include "/include/blocks.glsl"
 #include "/include/gbuffer.glsl"
@@ -37,6 +38,9 @@ void main() {
 #if GLOSSY
     material += material_gloss * float(block_gloss(id));
 #endif
+#if defined PROGRAM_GLOW
+    material = 5.0;  // bright, and not white whatever the colour
+#endif
 }
 
 #else
@@ -57,6 +61,9 @@ in vec3 player;
 #if !defined PROGRAM_BASIC
 uniform sampler2D gtexture;
 #endif
+#if defined PROGRAM_ENTITIES
+uniform vec4 entityColor;
+#endif
 
 #if LAMPS_FORWARD
 /* RENDERTARGETS: 1,2,7 */
@@ -73,6 +80,15 @@ void main() {
 #if !defined PROGRAM_BASIC
     color *= texture(gtexture, uv);
     if (color.a < alphaTestRef) discard;
+#endif
+#if defined PROGRAM_GLOW || defined PROGRAM_ENTITIES
+    if (tint.a < 0.3) discard;  // the veil around a beam, the board behind a name
+#endif
+#if defined PROGRAM_ENTITIES
+    color.rgb = mix(color.rgb, entityColor.rgb, entityColor.a);
+#endif
+#if defined PROGRAM_GLOW
+    color.rgb /= max(max(color.r, color.g), max(color.b, 0.01));
 #endif
     out_albedo = vec4(color.rgb, material / 255.0);
 #if LAMPS_FORWARD

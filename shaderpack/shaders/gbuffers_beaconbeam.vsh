@@ -1,0 +1,5 @@
+#version 330 compatibility
+// Beams that glow into the G-buffer, without the veil around them.
+#define PROGRAM_GLOW
+#define VERTEX_STAGE
+#include "/program/gbuffers/opaque.glsl"
