@@ -150,7 +150,7 @@ TEST(indirect, plants_pass_light) {
 std::pair<double, double> floorOverFrames(const std::string& lamps) {
   PackSession pack(darkRoom(R"({"box": "stone", "min": [1, 0, 1], "max": [7, 0, 7]},
                                {"block": "glowstone", "at": [4, 5, 4]}, {"block": "lantern", "at": [6, 1, 2]})"),
-                   indirectOptions({{"GI_LAMPS", lamps}, {"TEMPORAL_ACCUMULATION", "false"}}));
+                   indirectOptions({{"GI_LAMPS", lamps}, {"GI_SAMPLES", "2"}, {"TEMPORAL_ACCUMULATION", "false"}}));
   pack.look({4.5, 4.5, 7.0}, {3.5, 1, 4});
   pack.renderFrames(60);
   double sum = 0, squares = 0;

@@ -130,15 +130,16 @@ TEST(B2, more_bounces_win_only_after_many_frames) {
   EXPECT_GT(bias + one.variance / room.frames, four.variance / room.frames);
 }
 
-// The lamp that rays find by chance, sampled: (3.16 / .35)^2 = 82 times less variance.
+// The lamp that rays find by chance, sampled: (3.16 / .35)^2 = 82 times less variance of one ray of each kind, 41 times less
+// than of two that find it by chance.
 TEST(B3, rays_to_the_lamp_take_away_nearly_all_noise) {
   const Drawn room{.world = "b_room", .warmUp = 90, .frames = 64};
-  const OptionValues cache = {{"GI_METHOD", "FACE_CACHE"}, {"GI_LAMPS", "HIT"}};
+  const OptionValues cache = {{"GI_METHOD", "FACE_CACHE"}, {"GI_LAMPS", "HIT"}, {"GI_SAMPLES", "2"}};
   OptionValues sampled = cache;
   sampled["GI_LAMPS"] = "SAMPLED";
   const Noise hit = noiseOf(cache, room), aimed = noiseOf(sampled, room);
   EXPECT_NEAR(aimed.mean / hit.mean, 1, .1);
-  EXPECT_GT(hit.variance / aimed.variance, 40);
+  EXPECT_GT(hit.variance / aimed.variance, 30);
 }
 
 }  // namespace

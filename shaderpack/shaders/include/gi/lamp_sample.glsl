@@ -1,16 +1,13 @@
 // Light of one lamp, drawn at random from the list of the shadow pass, by a ray to it. Rays into the
 // hemisphere find lamps too, near ones more surely: both count a share of each, by the balance
 // heuristic (Veach & Guibas 1995), and together all of it. The images face_list and face_tally belong to
-// the program.
+// the program, and lamp_candidates: how many lamps are looked at for each that gets a ray; all if there are no more.
 #if !defined INCLUDED_GI_LAMP_SAMPLE
 #define INCLUDED_GI_LAMP_SAMPLE
 
 #include "/include/face_cache/face_cache.glsl"
 #include "/include/gi/hit.glsl"
 #include "/include/math/random.glsl"
-
-// Lamps looked at for each that gets a ray; all if there are no more.
-const int lamp_candidates = 16;
 
 /// Where light arrives: volume space.
 struct Receiver {
@@ -140,8 +137,7 @@ LampSample sample_cube(Receiver r, ivec3 cell, int face, bool lava, vec3 radianc
     return LampSample(cell, direction, radiance * share, density_of_face(far, cosine));
 }
 
-LampSample sample_lamp(Receiver r, uint entry, uint lamps) {
-    vec2 u = next_random().xy;
+LampSample sample_lamp(Receiver r, uint entry, uint lamps, vec2 u) {
     ivec3 cell = packed_cell(entry);
     Voxel voxel = voxel_at(cell);
     vec3 radiance = lamp_light(voxel);
@@ -152,32 +148,41 @@ LampSample sample_lamp(Receiver r, uint entry, uint lamps) {
     return lamp;
 }
 
-/// Light of one lamp of a few from all parts of the list, chosen by what they promise (resampling,
-/// Talbot et al. 2005).
-vec3 lamp_sample(Receiver r) {
-    uint lamps = listed_lamps();
-    if (lamps == 0u) return vec3(0.0);
+/// One lamp of a few from all parts of the list, chosen by what they promise (resampling, Talbot et al. 2005), and by `u`
+/// a point of it; light: what it gives where it is seen, over the probability of the choice.
+LampSample choose_lamp(Receiver r, uint lamps, vec2 u) {
+    LampSample lamp = LampSample(ivec3(-1), r.normal, vec3(0.0), 0.0);
     uint chosen = 0u;
     float sum = 0.0;
     float weight = 0.0;
     int candidates = min(lamp_candidates, int(lamps));
     float stride = float(lamps) / float(candidates);
+    // One number for all choices: where it falls within what it decided is as random as it was.
+    vec2 v = next_random().xy;
     for (int i = 0; i < candidates; ++i) {
-        vec2 u = next_random().xy;
-        uint index = uint((float(i) + u.x) * stride);
-        uint entry = imageLoad(face_list, lamp_slot(min(index, lamps - 1u))).r;
+        uint index = min(uint((float(i) + v.x) * stride), lamps - 1u);
+        uint entry = imageLoad(face_list, lamp_slot(index)).r;
         float own = promise(r, entry);
         sum += own;
-        if (u.y * sum < own) {
-            chosen = entry;
-            weight = own;
-        }
+        float bound = own / max(sum, 1e-30);
+        bool taken = v.y < bound;
+        chosen = taken ? entry : chosen;
+        weight = taken ? own : weight;
+        v.y = taken ? v.y / bound : (v.y - bound) / (1.0 - bound);
     }
-    if (weight <= 0.0) return vec3(0.0);
-    LampSample lamp = sample_lamp(r, chosen, lamps);
+    if (weight <= 0.0) return lamp;
+    lamp = sample_lamp(r, chosen, lamps, u);
+    lamp.light *= sum * stride / weight;
+    return lamp;
+}
+
+/// Light of one lamp, by a ray to it.
+vec3 lamp_sample(Receiver r) {
+    uint lamps = listed_lamps();
+    if (lamps == 0u) return vec3(0.0);
+    LampSample lamp = choose_lamp(r, lamps, next_random().xy);
     Hit hit = trace_from_face(r.origin, lamp.direction);
-    bool seen = hit.found && hit.cell == lamp.cell;
-    return seen ? hit.transmittance * lamp.light * (sum * stride / weight) : vec3(0.0);
+    return hit.found && hit.cell == lamp.cell ? hit.transmittance * lamp.light : vec3(0.0);
 }
 
 #endif

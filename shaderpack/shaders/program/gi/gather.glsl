@@ -47,6 +47,7 @@ uniform sampler2D colortex8;
 #if LAMP_RAYS
 layout(r32ui) uniform readonly uimage2D face_list;
 layout(r32ui) uniform readonly uimage2D face_tally;
+const int lamp_candidates = 4;
 #include "/include/gi/lamp_sample.glsl"
 #endif
 
@@ -96,26 +97,46 @@ vec3 choose_side(Surface s, inout vec3 normal) {
     return 2.0 * passed_share(s.albedo);
 }
 
-/// One sample of the mean incoming radiance.
-vec3 gather(Surface s, vec3 light, int index) {
+/// One sample of the mean incoming radiance, the pixel's n-th over all frames.
+vec3 gather(Surface s, vec3 light, int number) {
     vec3 normal = s.normal;
     vec3 throughput = choose_side(s, normal);
     vec3 origin = to_volume(s.player) + normal * pixel_offset(s.player);
     vec3 radiance = vec3(0.0);
     begins_on_lamp = s.emission > 0.0;
 #if LAMP_RAYS
-    radiance += throughput * lamp_sample(Receiver(origin, normal));
+    // Rays into the hemisphere and to lamps take turns, over frames and over squares of 4 x 4 pixels: processors draw these
+    // together, so that what either kind of ray costs is spent on half of the picture.
+    uint lamps = listed_lamps();
+    ivec2 square = ivec2(gl_FragCoord.xy) / 4;
+    int turn = number + square.x + square.y;
+    bool aimed = lamps > 0u && (turn & 1) == 1;
+    if (lamps > 0u) number = turn >> 1;
 #endif
     for (int bounce = 0; bounce < gi_bounces; ++bounce) {
         vec2 u = next_random().xy;
 #if FACES
-        if (bounce == 0) u = spread_point(ivec2(gl_FragCoord.xy), drawing * GI_SAMPLES + index);
+        if (bounce == 0) u = spread_point(ivec2(gl_FragCoord.xy), number);
 #endif
         vec3 direction = cosine_direction(normal, u);
+        vec3 from = origin;
+#if LAMP_RAYS
+        LampSample lamp;
+        for (int i = 0; i < int(aimed); ++i) {
+            lamp = choose_lamp(Receiver(origin, normal), lamps, u);
+            direction = lamp.direction;
+        }
+        Hit hit = trace_from_face(from, direction);
+        if (lamps > 0u) throughput *= 2.0;
+        if (aimed) {
+            if (hit.found && hit.cell == lamp.cell) radiance += throughput * hit.transmittance * lamp.light;
+            break;
+        }
+#else
+        Hit hit = trace_from_face(from, direction);
+#endif
         for (int i = 0; i < int(s.thin && bounce == 0 && begins_in_leaves(origin)); ++i)
             radiance += throughput * light_of_leaves(origin, direction, light, s.light.y);
-        vec3 from = origin;
-        Hit hit = trace_from_face(from, direction);
         throughput *= hit.transmittance;
         if (!hit.found) {
             radiance += throughput * sky_beyond(hit, direction, s.light.y);
@@ -144,7 +165,7 @@ vec3 gather(Surface s, vec3 light, int index) {
         // maps does (Jensen 2001, "Realistic Image Synthesis Using Photon Mapping").
         if (bounce == 0 && distance(hit.position, from) < FACE_NEAR) {
 #if LAMP_RAYS
-            radiance += throughput * lamp_sample(Receiver(origin, normal));
+            aimed = lamps > 0u && next_random().x < 0.5;
 #endif
             continue;
         }
@@ -222,7 +243,12 @@ void main() {
     vec3 radiance = vec3(0.0);
     // Of the sky no ray is sent: a loop without turns costs nothing, a branch may.
     int samples = s.sky ? 0 : GI_SAMPLES;
-    for (int i = 0; i < samples; ++i) radiance += gather(s, light, i);
+#if FACES
+    int first = drawing * GI_SAMPLES;
+#else
+    int first = 0;
+#endif
+    for (int i = 0; i < samples; ++i) radiance += gather(s, light, first + i);
     radiance /= float(GI_SAMPLES);
 
     out_radiance = vec4(radiance, 1.0);
