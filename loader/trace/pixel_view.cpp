@@ -65,7 +65,7 @@ float PathTracer::seeTranslucent(const Look& from, const RayHit& hit, const glm:
       quad.water ? kWaterReflectance + (1 - kWaterReflectance) * std::pow(grazing, 5.0f) : 0;
   const float alpha = glm::mix(scene_.grid.texel(quad, hit.at, level).a, 1.0f, mirror);
   const glm::vec3 diffuse = weight * (alpha * (1 - mirror));
-  view.constant += diffuse * drawnSun(surface, toViewer, counts);
+  view.constant += diffuse * (surface.albedo * scene_.emissionScale[quad.emission] + drawnSun(surface, toViewer, counts));
   view.layers.push_back({surface, diffuse});
   if (mirror > 0) {
     const glm::vec3 direction = glm::reflect(from.ray.direction, surface.normal);

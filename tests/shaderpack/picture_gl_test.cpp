@@ -35,6 +35,23 @@ TEST(picture, four_bounces_bleed_more) { EXPECT_GT(colourBleeding("BOUNCE_4"), 3
 
 TEST(picture, lightmap_alone_does_not_bleed) { EXPECT_NEAR(colourBleeding("NONE"), 1, 0.1); }
 
+// Radiance 16 at level 15, of a portal (11) 16 * (11 / 15)^2 = 8.6 times its texture, which is violet and .7 to .8 dense;
+// by the lightmap alone it would have a seventeenth.
+TEST(picture, portals_shine_where_the_camera_sees_them) {
+  PackSession pack(R"({"size": [9, 7, 9],
+      "blocks": [{"hollow": "black_concrete", "min": [0, 0, 0], "max": [8, 6, 8]},
+                 {"box": "nether_portal[axis=x]", "min": [1, 1, 4], "max": [7, 5, 4]}],
+      "cameras": [{"name": "eye", "position": [4.5, 3.5, 6.5]}],
+      "environment": {"time": 18000}})",
+                   {{"GI_METHOD", "NONE"}});
+  pack.look({4.5, 3.5, 6.5}, {4.5, 3.5, 4.6});
+  pack.renderFrames(1);
+  const glm::dvec3 seen = pack.meanRadiance();
+  EXPECT_GT(seen.b, 2);
+  EXPECT_LT(seen.b, 8.6);
+  EXPECT_GT(seen.b, 2 * seen.g);
+}
+
 // A floor under a low sun, which every shadow bias must leave unshadowed, and a wall on it.
 const char* const kSunWorld = R"({
   "size": [64, 4, 64],

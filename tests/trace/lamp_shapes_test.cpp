@@ -125,6 +125,24 @@ INSTANTIATE_TEST_SUITE_P(
       return block.substr(0, block.find('['));
     });
 
+// Of light the room has no other, so that what is behind the portal adds nothing.
+TEST(SeenLamps, portals_show_their_texture_times_their_level) {
+  const BlockScene portal = roomWith("nether_portal[axis=x]");
+  TraceCamera camera;
+  camera.width = camera.height = 1;
+  camera.position = {4.4, 4.3, 7};
+  camera.projectionInverse = glm::mat4(0);
+  camera.projectionInverse[0][0] = camera.projectionInverse[1][1] = 0.01f;
+  camera.projectionInverse[3] = glm::vec4(0, 0, -1, 1);
+  RayCounts counts;
+  const PixelView view = PathTracer(portal.scene, camera, {}).view(0, 0, counts);
+  ASSERT_GE(view.layers.size(), 1u);
+  const PixelView::Layer& seen = view.layers.front();
+  const glm::vec3 shown = seen.weight * seen.surface.albedo * portal.scene.emissionScale[11];
+  EXPECT_GT(shown.b, .1f);
+  for (int c = 0; c < 3; ++c) EXPECT_FLOAT_EQ(view.constant[c], shown[c]) << c;
+}
+
 /// Share of a hemisphere's cosine that a rectangle fills, from above its corner at height 1.
 double cornerShare(double a, double b) {
   const double p = std::sqrt(1 + a * a), q = std::sqrt(1 + b * b);

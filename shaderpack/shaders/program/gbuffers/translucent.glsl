@@ -14,8 +14,9 @@ out vec2 light;
 out vec3 player;
 flat out vec3 normal;
 flat out float is_water;
-#if FACES && !LAMPS
+flat out float emission;  // level 0..15
 in vec4 at_midBlock;
+#if FACES && !LAMPS
 flat out vec3 block;  // its middle, player space
 #endif
 
@@ -34,7 +35,9 @@ void main() {
 #if FACES && !LAMPS
     block = player + at_midBlock.xyz / 64.0;
 #endif
-    is_water = float(int(floor(mc_Entity.x + 0.5)) == block_water);
+    int id = int(floor(mc_Entity.x + 0.5));
+    is_water = float(id == block_water);
+    emission = block_emission(id, at_midBlock.w);
 }
 
 #else
@@ -66,6 +69,7 @@ in vec2 light;
 in vec3 player;
 flat in vec3 normal;
 flat in float is_water;
+flat in float emission;
 #if FACES && !LAMPS
 flat in vec3 block;
 #endif
@@ -142,7 +146,8 @@ void main() {
     vec3 v = -normalize(player);
     vec3 n = dot(normal, v) < 0.0 ? -normal : normal;
     vec3 l = light_direction();
-    vec3 radiance = albedo * indirect_radiance(n);
+    float level = emission / 15.0;
+    vec3 radiance = albedo * (EMISSION_STRENGTH * level * level + indirect_radiance(n));
 #if DIRECT_LIGHT != NONE
     radiance += light_irradiance() * light_visibility(player, n, l, shadow_radius, light.y) *
                 reflect_direct(albedo, n, v, l);
