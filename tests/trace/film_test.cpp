@@ -111,7 +111,7 @@ TEST_F(Films, of_another_picture_or_damaged_are_refused) {
   std::vector<std::string> messages;
   for (const Diagnostic& diagnostic : diagnostics_) messages.push_back(diagnostic.message);
   EXPECT_THAT(messages,
-              ElementsAre("is of another world, camera, size, seed or option", "is damaged",
+              ElementsAre("is of another world, camera, size, seed, option or version of the tracer", "is damaged",
                           "is damaged", "cannot be read as a checkpoint of trace"));
 }
 
@@ -124,6 +124,12 @@ TEST_F(Films, keys_differ_with_scene_camera_and_settings) {
   EXPECT_NE(traceKey(scene_, camera(41, 20), settings_), key);
   EXPECT_NE(traceKey(scene_, camera(), {8, -1}), key);
   EXPECT_NE(traceKey(scene_, camera(), {7, 4}), key);
+}
+
+TEST_F(Films, key_differs_with_the_code_of_the_tracer) {
+  EXPECT_NE(kTracerCode, 0u);
+  EXPECT_EQ(traceKey(scene_, camera(), settings_), traceKey(scene_, camera(), settings_, kTracerCode));
+  EXPECT_NE(traceKey(scene_, camera(), settings_), traceKey(scene_, camera(), settings_, kTracerCode + 1));
 }
 
 // The halves differ as two seeds do, and as their own spread says.

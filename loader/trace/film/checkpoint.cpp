@@ -88,14 +88,15 @@ std::string refusal(const Header& header, std::uint64_t key) {
                      header.height <= kMostSide && header.shardCount >= 1 &&
                      header.shardIndex < header.shardCount && header.shardCount <= kMostSide;
   if (!sizes) return "is damaged";
-  return header.key == key ? "" : "is of another world, camera, size, seed or option";
+  return header.key == key ? "" : "is of another world, camera, size, seed, option or version of the tracer";
 }
 
 }  // namespace
 
-std::uint64_t traceKey(const TraceScene& scene, const TraceCamera& camera,
-                       const TraceSettings& settings) {
+std::uint64_t traceKey(const TraceScene& scene, const TraceCamera& camera, const TraceSettings& settings,
+                       std::uint64_t code) {
   Digest digest;
+  digest.add(code);
   addScene(digest, scene);
   digest.add(camera.position).add(camera.modelViewInverse).add(camera.projectionInverse);
   digest.add(camera.width).add(camera.height).add(settings.seed).add(settings.bounces);

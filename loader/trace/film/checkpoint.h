@@ -11,10 +11,13 @@
 
 namespace orris {
 
-/// A number that differs when a picture would: made from scene, light, camera and settings. Films of
+/// Of the sources of the path tracer and of the formulas that it shares with the pack.
+extern const std::uint64_t kTracerCode;
+
+/// A number that differs when a picture would: made from scene, light, camera, settings and the tracer's code. Films of
 /// equal keys may be continued and merged.
-std::uint64_t traceKey(const TraceScene& scene, const TraceCamera& camera,
-                       const TraceSettings& settings);
+std::uint64_t traceKey(const TraceScene& scene, const TraceCamera& camera, const TraceSettings& settings,
+                       std::uint64_t code = kTracerCode);
 
 /// Written beside `path` and renamed. false and a diagnostic on failure.
 bool writeCheckpoint(const std::string& path, const TraceFilm& film, std::uint64_t key,
