@@ -95,7 +95,7 @@ void addSceneListFlags(CLI::App& command, SceneListOptions& options) {
   command.add_option("--trace-noise", options.traceNoise, "of --scenes: stop tracing at this noise")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
-  command.add_flag("!--no-costs", options.costs, "of --scenes: measure no costs");
+  command.add_flag("!--no-costs", options.costs, "of --scenes: measure neither costs nor lag");
 }
 
 }  // namespace

@@ -160,8 +160,9 @@ bool RowMeter::run(SessionRequest request, int number, Sums& sums, SceneRow& row
   row.chosen = session->chosen();
   row.megabytes = megabytesOf(session->renderer());
   sums.begin();
-  sums.brightness.resize(std::size_t(plan_.frames + kLagFrames));
-  for (int frame = 0; frame < judged + kLagFrames; ++frame) {
+  const int drawn = judged + (plan_.rounds > 0 ? kLagFrames : 0);
+  sums.brightness.resize(std::size_t(drawn - plan_.warmUp));
+  for (int frame = 0; frame < drawn; ++frame) {
     if (frame == plan_.warmUp) session->stopClock();
     session->draw(diagnostics);
     if (frame < plan_.warmUp) continue;

@@ -15,7 +15,7 @@ struct RowPlan {
   int runs = 4;      ///< three at least
   int warmUp = 180;  ///< frames of a run before the first that counts
   int frames = 64;   ///< of a run that are judged
-  int rounds = 30;   ///< pairs of times; 0: no costs
+  int rounds = 30;   ///< pairs of times; 0: neither costs nor lag
   int visit = 6;     ///< frames in a row, twice a round
   FrameClock clock = FrameClock::Processor;
   std::string buffer;  ///< "" for the screen
@@ -28,7 +28,7 @@ class RowMeter {
   RowMeter(gl::Context& context, const World& world, const ReferencePicture& reference, const RowPlan& plan)
       : context_(context), world_(world), reference_(reference), plan_(plan) {}
 
-  /// All but the costs, which are 0. nullopt: see diagnostics.
+  /// All but the costs, which are 0; a lag of -1 where costs are not asked for. nullopt: see diagnostics.
   std::optional<SceneRow> row(const SessionRequest& request, const std::string& setting, Diagnostics& diagnostics);
   /// Fills in the costs of rows beside the first; `requests` are theirs. false: see diagnostics.
   bool addCosts(const std::vector<SessionRequest>& requests, std::vector<SceneRow>& rows, Diagnostics& diagnostics);
