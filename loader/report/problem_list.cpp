@@ -52,10 +52,20 @@ void ProblemList::restore(Diagnostics all, std::vector<std::set<std::string>> en
 }
 
 void ProblemList::beginAgain() {
-  std::erase_if(seen_, [&](const auto& entry) {
-    return all_[entry.second].severity == Severity::Error || !met_.contains(entry.first);
-  });
-  met_.clear();
+  ProblemList kept;
+  kept.context_ = std::move(context_);
+  std::vector<const std::string*> keys(all_.size());
+  for (const auto& [key, index] : seen_) keys[index] = &key;
+  for (std::size_t i = 0; i < all_.size(); ++i) {
+    const bool stays = keys[i] != nullptr && met_.contains(*keys[i]);
+    if (all_[i].severity == Severity::Error || !stays) continue;
+    kept.seen_.emplace(*keys[i], kept.all_.size());
+    kept.all_.push_back(std::move(all_[i]));
+    kept.entryFiles_.push_back(std::move(entryFiles_[i]));
+    kept.causes_.emplace_back();
+    kept.contexts_.push_back(std::move(contexts_[i]));
+  }
+  *this = std::move(kept);
 }
 
 void ProblemList::noteContexts(std::size_t count) {

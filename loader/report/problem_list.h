@@ -22,7 +22,7 @@ class ProblemList {
   /// "": under all.
   void setContext(std::string context) { context_ = std::move(context); }
   /// For another load of the same files: errors, and what the last load did not meet, are new when they
-  /// come again; warnings and notes that stay are not.
+  /// come again, and leave the list: a window is open for days. Warnings and notes that stay are not new.
   void beginAgain();
   /// Notes at each problem the first of the contexts it was met under, if not under all `count`.
   void noteContexts(std::size_t count);

@@ -50,6 +50,22 @@ TEST(ProblemList, afterAnotherLoadErrorsAreNewAndWarningsThatStayAreNot) {
   list.beginAgain();
   addOne(list, problem("a"));
   addOne(list, problem("b", Severity::Warning));
+  ASSERT_EQ(list.all().size(), 2u);
+  EXPECT_EQ(list.all()[0].message, "b") << "it stayed";
+  EXPECT_EQ(list.all()[1].message, "a") << "it came again";
+}
+
+TEST(ProblemList, hundredsOfLoadsNeitherFillTheListNorUseUpItsLimits) {
+  ProblemList list;
+  for (int load = 0; load < 300; ++load) {
+    list.beginAgain();
+    addOne(list, problem("warning", Severity::Warning));
+    const std::size_t before = list.all().size();
+    addOne(list, problem("load " + std::to_string(load)));
+    addOne(list, problem("the same"));
+    ASSERT_EQ(list.all().size(), before + 2) << load;
+    ASSERT_EQ(list.all().back().id, problem("").id) << "no message stands for others";
+  }
   EXPECT_EQ(list.all().size(), 3u);
 }
 
