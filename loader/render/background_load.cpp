@@ -5,13 +5,25 @@
 
 namespace orris {
 
-BackgroundLoad::BackgroundLoad(LoadRequest request, PackLoader load)
-    : result_(std::async(std::launch::async, [request = std::move(request),
-                                              load = std::move(load)]() mutable {
+namespace {
+
+void settle(const AutoChoices& guess, BackgroundLoad::Result& result) {
+  if (!result.pack || guess.all().empty()) return;
+  auto pack = rebuildShaderPack(*result.pack, guess.applied(result.request), result.settledProblems);
+  if (pack && !hasErrors(result.settledProblems))
+    result.settled = std::make_shared<const ShaderPack>(std::move(*pack));
+}
+
+}  // namespace
+
+BackgroundLoad::BackgroundLoad(LoadRequest request, PackLoader load, AutoChoices guess)
+    : result_(std::async(std::launch::async, [request = std::move(request), load = std::move(load),
+                                              guess = std::move(guess)]() mutable {
         Result result;
         result.pack = load(request, result.problems);
         if (hasErrors(result.problems)) result.pack = nullptr;
         result.request = std::move(request);
+        settle(guess, result);
         return result;
       })) {}
 

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "pack/shader_pack.h"
+#include "plan/auto_choices.h"
 
 namespace orris {
 
@@ -19,10 +20,14 @@ class BackgroundLoad {
     std::shared_ptr<const ShaderPack> pack;  ///< nullptr where there are errors
     LoadRequest request;
     Diagnostics problems;
+    /// The same pack with the choices that were guessed; nullptr without any, and where it has errors.
+    std::shared_ptr<const ShaderPack> settled;
+    Diagnostics settledProblems;
   };
 
-  /// Begins at once. The destructor waits.
-  BackgroundLoad(LoadRequest request, PackLoader load);
+  /// Begins at once. The destructor waits. `guess`: what options that are AUTO will probably become, so
+  /// that no second load is needed where they do.
+  BackgroundLoad(LoadRequest request, PackLoader load, AutoChoices guess);
   bool ready() const;
   void wait() const { result_.wait(); }
   /// Waits, too; once.

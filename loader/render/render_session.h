@@ -110,6 +110,7 @@ class RenderSession {
   bool take(const std::string& cause, std::shared_ptr<const ShaderPack> pack,
             Diagnostics& diagnostics, LoadReport report = {});
   bool takeLoaded();
+  void loadSettled();
   bool endChange(bool good, Diagnostics& diagnostics);
   void waitForChange(Diagnostics& diagnostics);
   SceneMeter meterFor(const ShaderPack& asked) const;

@@ -18,7 +18,7 @@ void appendTo(Diagnostics& all, Diagnostics more) {
 void RenderSession::begin(const std::string& cause, PackLoader load) {
   change_ = std::make_unique<Change>();
   change_->cause = cause;
-  change_->load.emplace(request_.load, std::move(load));
+  change_->load.emplace(request_.load, std::move(load), auto_);
 }
 
 std::optional<bool> RenderSession::advance(double seconds, Diagnostics& diagnostics) {
@@ -27,7 +27,7 @@ std::optional<bool> RenderSession::advance(double seconds, Diagnostics& diagnost
   if (!change_->pack) {
     if (!change_->load->ready()) return std::nullopt;
     if (!takeLoaded()) return endChange(false, diagnostics);
-    return std::nullopt;
+    if (!change_->pack) return std::nullopt;
   }
   using Clock = std::chrono::steady_clock;
   const Clock::time_point began = Clock::now();
@@ -65,14 +65,22 @@ bool RenderSession::takeLoaded() {
   change.choices.choose(*change.asked, change.request, meterFor(*change.asked));
   if (change.choices.all().empty()) {
     change.pack = change.asked;
-    return true;
+  } else if (result.settled && change.choices.text() == auto_.text()) {
+    change.pack = std::move(result.settled);
+    appendTo(change.problems, std::move(result.settledProblems));
+  } else {
+    loadSettled();
   }
-  change.load.emplace(change.choices.applied(change.request),
-                      [asked = change.asked](LoadRequest& request, Diagnostics& diagnostics) {
-                        auto pack = rebuildShaderPack(*asked, request, diagnostics);
-                        return pack ? std::make_shared<const ShaderPack>(std::move(*pack)) : nullptr;
-                      });
   return true;
+}
+
+/// AUTO has become another value than it had.
+void RenderSession::loadSettled() {
+  const auto again = [asked = change_->asked](LoadRequest& request, Diagnostics& diagnostics) {
+    auto pack = rebuildShaderPack(*asked, request, diagnostics);
+    return pack ? std::make_shared<const ShaderPack>(std::move(*pack)) : nullptr;
+  };
+  change_->load.emplace(change_->choices.applied(change_->request), again, AutoChoices());
 }
 
 bool RenderSession::endChange(bool good, Diagnostics& diagnostics) {
