@@ -166,7 +166,7 @@ def everything_is_used(session):
              {"write": name, "text": text + "\n}}} broken\n"}, {"until": {"/load/succeeded": False}, "seconds": 120},
              {"frames": 1}, {"expect": {"/items": {"contains": "problem"}}}, {"screenshot": "broken.png"}, {"frames": 1},
              {"write": name, "text": text}, {"until": {"/load/succeeded": True}, "seconds": 120}, {"frames": 2},
-             {"expect": {"/problems": [], "/glErrors": 0}}]
+             {"expect": {"/glErrors": 0}}, {"state": "mended.json"}]
     steps += [{"pause": True}, {"resize": large}, {"frames": 2}, {"key": "O"}, {"frames": 2}, *walk,
               {"screenshot": "options.png"}, {"frames": 1}, *drags, {"resize": [session.width, session.height]},
               {"key": "O"}, {"pause": False}, {"frames": 2}]
@@ -185,7 +185,8 @@ def everything_is_used(session):
         steps += [{"resize": size}, {"frames": 2}, {"expect": {"/width": size[0], "/glErrors": 0}}]
     steps += [{"state": "end.json"}]
     errors = session.view(steps)
-    probed, end = session.state("probed"), session.state("end")
+    probed, end, good, mended = (session.state(name) for name in ("probed", "end", "good", "mended"))
+    assert mended["problems"] == good["problems"], mended["problems"]
     assert probed["probe"] and probed["probe"][-1]["buffer"] == "screen", probed["probe"]
     print(f"{len(steps)} steps, {end['loads']} loads, {len(screens)} screens, {len(options['profiles'])} profiles,"
           f" {len(sliders)} sliders, {PROBES} pixels, {len(session.state('views')['steps'])} passes,"

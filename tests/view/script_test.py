@@ -516,7 +516,25 @@ def worlds_of_the_folder_and_shown_before_are_offered(test):
     assert recent.read_text() == f"{shelf}/first\n{shelf}/gone\nrelative\n", "a script is no user"
 
 
-CASES = [worlds_of_the_folder_and_shown_before_are_offered, programs_are_read_with_the_authors_lines, two_sets_are_compared, b_keeps_the_files_as_they_were, frames_go_on_while_an_edit_is_loaded, what_a_step_asks_for_waits_for_an_edit_in_progress,
+def the_last_program_may_change_while_paused(test):
+    final = test.folder / "pack" / "shaders" / "final.fsh"
+    final.write_text(final.read_text().replace("void main", "#define SHADE 1 // [1 2 3]\nvoid main")
+                     .replace("texture2D(colortex0, uv)", "texture2D(colortex0, uv) / float(SHADE)"))
+    test.view([{"frames": 2}, {"key": "O"}, {"frames": 2}, {"pause": True}, {"frames": 2}, {"set": {"SHADE": "2"}},
+               {"frames": 3}, {"expect": {"/load/built": ["final"], "/glErrors": 0}}, {"pause": False}, {"frames": 2},
+               {"expect": {"/glErrors": 0}}])
+
+
+def a_mistake_in_a_shared_file_is_one_problem(test):
+    shaders = test.folder / "pack" / "shaders"
+    for name in ("composite1", "composite2"):
+        for ending in (".fsh", ".vsh"):
+            shutil.copy(shaders / f"composite{ending}", shaders / f"{name}{ending}")
+    test.view([{"frames": 2}, BREAK, {"until": {"/load/succeeded": False}}, {"state": "broken.json"}], 1)
+    assert len(json.loads((test.folder / "broken.json").read_text())["problems"]) == 1
+
+
+CASES = [a_mistake_in_a_shared_file_is_one_problem, the_last_program_may_change_while_paused, worlds_of_the_folder_and_shown_before_are_offered, programs_are_read_with_the_authors_lines, two_sets_are_compared, b_keeps_the_files_as_they_were, frames_go_on_while_an_edit_is_loaded, what_a_step_asks_for_waits_for_an_edit_in_progress,
          live_options_build_nothing_and_give_the_same_bytes, a_live_slider_is_followed_while_it_is_dragged,
          what_cannot_be_live_is_said, buffers_are_shown_after_any_pass, buffers_cost_nothing_while_none_is_shown, buffers_are_chosen_by_hand,
          what_cannot_be_shown_is_said, passes_say_what_they_read_and_write, options_are_walked_changed_and_reset, problems_are_on_screen_over_the_last_good_picture,

@@ -13,6 +13,7 @@
 #include "core/replace_file.h"
 #include "pack/programs/folder_build.h"
 #include "pack/programs/live_check.h"
+#include "report/problem_list.h"
 
 namespace orris {
 namespace {
@@ -245,7 +246,11 @@ bool LivePack::end(std::optional<bool> succeeded, Diagnostics diagnostics) {
               .longestFrame = attempt.longestFrame};
   outcome_.seconds = std::chrono::duration<double>(Clock::now() - attempt.begun).count();
   if (session_->reloads().size() > loadsBefore_) outcome_.report = session_->reloads().back().report;
-  for (const Diagnostic& one : diagnostics)
+  // A mistake in a file that many programs include is one problem.
+  ProblemList problems;
+  Diagnostics found = diagnostics;
+  problems.add(found);
+  for (const Diagnostic& one : problems.all())
     if (one.severity != Severity::Note) outcome_.problems.push_back(one);
   report_.beginAgain();
   report_.add(diagnostics);

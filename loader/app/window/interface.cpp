@@ -121,6 +121,8 @@ void Interface::name(const std::string& item) {
 void Interface::end(unsigned framebuffer) {
   ImGui::Render();
   gl::BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  // Dear ImGui takes the program in use back afterwards; one that a reload has deleted is gone by then.
+  gl::UseProgram(0);
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
   shown_ = std::exchange(building_, {});
 }
