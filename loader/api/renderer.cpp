@@ -2,6 +2,7 @@
 
 #include <cstring>
 
+#include "core/add_diagnostic.h"
 #include "world/world.h"
 
 namespace orris::api {
@@ -87,12 +88,8 @@ void finishLoad(OrrisRenderer& renderer, bool succeeded, const Diagnostics& diag
 }
 
 void addGlErrors(OrrisContext& context, Diagnostics& diagnostics) {
-  for (std::string& message : context.gl->takeErrors()) {
-    Diagnostic diagnostic;
-    diagnostic.id = "gl-error";
-    diagnostic.message = "the GL driver reports: " + std::move(message);
-    diagnostics.push_back(std::move(diagnostic));
-  }
+  for (const std::string& message : context.gl->takeErrors())
+    addError(diagnostics, "gl-error", {}, "the GL driver reports: " + message);
 }
 
 void checkSize(int width, int height) {

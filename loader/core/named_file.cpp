@@ -2,25 +2,21 @@
 
 #include <filesystem>
 
+#include "core/add_diagnostic.h"
 #include "core/read_file.h"
 #include "core/replace_file.h"
 
 namespace orris {
 namespace {
 
-void reportNamedFile(const char* id, const std::string& path, const std::string& message,
-                     const char* hint, Diagnostics& diagnostics) {
-  diagnostics.push_back({.id = id, .at = {.file = path}, .message = message, .hint = hint});
-}
-
 void reportUnreadable(const std::string& path, ReadFault fault, Diagnostics& diagnostics) {
-  reportNamedFile("file-unreadable", path, describe(fault), "", diagnostics);
+  addError(diagnostics, "file-unreadable", {path}, describe(fault));
 }
 
 void reportUnwritable(const std::string& path, Diagnostics& diagnostics) {
   const std::string problem = outputProblem(path);
-  reportNamedFile("file-unwritable", path, problem.empty() ? "cannot be written" : problem,
-                  "name a file in a folder that exists and may be written", diagnostics);
+  addError(diagnostics, "file-unwritable", {path}, problem.empty() ? "cannot be written" : problem,
+           "name a file in a folder that exists and may be written");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <memory>
 #include <mutex>
 
+#include "core/add_diagnostic.h"
 #include "core/pack_path.h"
 #include "core/read_places.h"
 
@@ -14,15 +15,6 @@ namespace {
 
 using Archive = std::unique_ptr<zip_t, decltype(&zip_discard)>;
 using Entry = std::unique_ptr<zip_file_t, decltype(&zip_fclose)>;
-
-void fail(const std::string& file, std::string id, std::string message, std::string hint,
-          Diagnostics& diagnostics) {
-  diagnostics.push_back({.severity = Severity::Error,
-                         .id = std::move(id),
-                         .at = {.file = file},
-                         .message = std::move(message),
-                         .hint = std::move(hint)});
-}
 
 constexpr const char* kDamagedHint = "the archive is damaged or cut off; fetch or zip it again";
 
@@ -35,13 +27,12 @@ Archive openArchive(const std::string& path, Diagnostics& diagnostics) {
     zip_error_t error;
     zip_error_init_with_code(&error, code);
     const bool twice = code == ZIP_ER_EXISTS;
-    fail(path, "zip-unreadable",
-         twice ? "two files in the zip have the same name"
-               : fmt::format("cannot read the zip: {}", zip_error_strerror(&error)),
-         twice                                           ? kTwiceHint
-         : code == ZIP_ER_NOZIP || code == ZIP_ER_INCONS ? kDamagedHint
-                                                         : "",
-         diagnostics);
+    addError(diagnostics, "zip-unreadable", {path},
+             twice ? "two files in the zip have the same name"
+                   : fmt::format("cannot read the zip: {}", zip_error_strerror(&error)),
+             twice                                           ? kTwiceHint
+             : code == ZIP_ER_NOZIP || code == ZIP_ER_INCONS ? kDamagedHint
+                                                             : "");
     zip_error_fini(&error);
   }
   return archive;
@@ -147,8 +138,8 @@ std::unique_ptr<FileSource> openZipBelow(const std::string& path, const std::str
   if (!archive) return nullptr;
   const zip_int64_t count = zip_get_num_entries(archive.get(), 0);
   if (count > static_cast<zip_int64_t>(limits.files)) {
-    fail(path, "pack-too-large", fmt::format("the zip has more than {} files", limits.files), "",
-         diagnostics);
+    addError(diagnostics, "pack-too-large", {path},
+             fmt::format("the zip has more than {} files", limits.files));
     return nullptr;
   }
   const auto root = findRoot(archive.get(), count, folder);
@@ -183,8 +174,9 @@ std::optional<std::map<std::string, std::string>> readZip(const std::string& pat
   const zip_int64_t count = zip_get_num_entries(archive.get(), 0);
   const auto root = findRoot(archive.get(), count);
   if (!root) {
-    fail(path, "pack-unreadable", "no shader pack: the zip has no folder named shaders",
-         "zip the folder that holds shaders/", diagnostics);
+    addError(diagnostics, "pack-unreadable", {path},
+             "no shader pack: the zip has no folder named shaders",
+             "zip the folder that holds shaders/");
     return std::nullopt;
   }
   std::map<std::string, std::string> files;
@@ -196,21 +188,20 @@ std::optional<std::map<std::string, std::string>> readZip(const std::string& pat
       continue;
     EntryText entry = readEntry(archive.get(), static_cast<zip_uint64_t>(i), limits.fileBytes);
     if (!entry.bytes) {
-      fail(path, "zip-unreadable", fmt::format("{} in the zip {}", *inside, entry.problem),
-           std::move(entry.hint), diagnostics);
+      addError(diagnostics, "zip-unreadable", {path},
+               fmt::format("{} in the zip {}", *inside, entry.problem), std::move(entry.hint));
       return std::nullopt;
     }
     total += entry.bytes->size();
     if (total > limits.totalBytes || files.size() >= limits.files) {
-      fail(path, "pack-too-large",
-           fmt::format("the pack has more than {} bytes or {} files", limits.totalBytes,
-                       limits.files),
-           "", diagnostics);
+      addError(diagnostics, "pack-too-large", {path},
+               fmt::format("the pack has more than {} bytes or {} files", limits.totalBytes,
+                           limits.files));
       return std::nullopt;
     }
     if (!files.emplace(inside->substr(root->size()), std::move(*entry.bytes)).second) {
-      fail(path, "zip-unreadable", fmt::format("{} is twice in the zip", *inside), kTwiceHint,
-           diagnostics);
+      addError(diagnostics, "zip-unreadable", {path},
+               fmt::format("{} is twice in the zip", *inside), kTwiceHint);
       return std::nullopt;
     }
   }

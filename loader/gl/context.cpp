@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "core/add_diagnostic.h"
 #include "gl/context_backends.h"
 #include "gl/functions.h"
 
@@ -46,8 +47,8 @@ class ForeignContext final : public Context {
   bool take(const GetProcAddress& getProcAddress, Diagnostics& diagnostics) {
     getString_ = reinterpret_cast<decltype(getString_)>(getProcAddress("glGetString"));
     if (!bind()) {
-      addContextError(diagnostics, "gl-no-current-context", "no GL context is current on this thread",
-                      "make the engine's context current before Orris is to use it");
+      addError(diagnostics, "gl-no-current-context", {}, "no GL context is current on this thread",
+               "make the engine's context current before Orris is to use it");
       return false;
     }
     using GetPointer = decltype(&::glGetPointerv);
@@ -240,18 +241,18 @@ bool Context::initialise(const GetProcAddress& getProcAddress, Diagnostics& diag
     driver_ = readDriver();
     const std::string lacks = lacking(driver_);
     if (!lacks.empty()) {
-      addContextError(diagnostics, "gl-too-old",
-                      fmt::format("the GL driver \"{}\" ({}) lacks {}", driver_.renderer,
-                                  driver_.version, lacks),
-                      "use a newer driver, or Mesa's software driver: --backend osmesa, or "
-                      "LIBGL_ALWAYS_SOFTWARE=1 with --backend egl");
+      addError(diagnostics, "gl-too-old", {},
+               fmt::format("the GL driver \"{}\" ({}) lacks {}", driver_.renderer, driver_.version,
+                           lacks),
+               "use a newer driver, or Mesa's software driver: --backend osmesa, or "
+               "LIBGL_ALWAYS_SOFTWARE=1 with --backend egl");
       return false;
     }
   }
   if (!missing.empty()) {
-    addContextError(diagnostics, "gl-function-missing",
-                    fmt::format("the GL driver does not offer {}", fmt::join(missing, ", ")),
-                    "use another driver or --backend");
+    addError(diagnostics, "gl-function-missing", {},
+             fmt::format("the GL driver does not offer {}", fmt::join(missing, ", ")),
+             "use another driver or --backend");
     return false;
   }
   installDebugCallback(&errors_);
@@ -288,15 +289,6 @@ std::unique_ptr<Context> useCurrentContext(const GetProcAddress& getProcAddress,
   auto context = std::make_unique<ForeignContext>();
   if (!context->take(getProcAddress, diagnostics)) return nullptr;
   return context;
-}
-
-void addContextError(Diagnostics& diagnostics, std::string id, std::string message,
-                     std::string hint) {
-  Diagnostic diagnostic;
-  diagnostic.id = std::move(id);
-  diagnostic.message = std::move(message);
-  diagnostic.hint = std::move(hint);
-  diagnostics.push_back(std::move(diagnostic));
 }
 
 void* loadLibrary(const std::vector<std::string>& names) {

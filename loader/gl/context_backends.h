@@ -23,9 +23,6 @@ std::unique_ptr<Context> createOsmesaContext(const ContextRequest&, Diagnostics&
 std::unique_ptr<Context> createEglContext(const ContextRequest&, Diagnostics&);
 std::unique_ptr<Context> createGlfwContext(const ContextRequest&, Diagnostics&);
 
-void addContextError(Diagnostics& diagnostics, std::string id, std::string message,
-                     std::string hint);
-
 /// Handle of the first library of `names` that loads, else nullptr. It is never unloaded: a driver
 /// may leave threads and exit handlers behind that still need its code.
 void* loadLibrary(const std::vector<std::string>& names);

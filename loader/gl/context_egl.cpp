@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "core/add_diagnostic.h"
 #include "gl/context_backends.h"
 
 namespace orris::gl {
@@ -190,17 +191,16 @@ std::unique_ptr<Context> createEglContext(const ContextRequest& request, Diagnos
   EglApi api;
   void* library = loadLibrary(request.eglLibraries);
   if (library == nullptr || !api.load(library)) {
-    addContextError(
-        diagnostics, "gl-library-missing",
-        fmt::format("cannot load EGL (tried {})", fmt::join(request.eglLibraries, ", ")),
-        "install libegl1 with libegl-mesa0, or run with --backend osmesa");
+    addError(diagnostics, "gl-library-missing", {},
+             fmt::format("cannot load EGL (tried {})", fmt::join(request.eglLibraries, ", ")),
+             "install libegl1 with libegl-mesa0, or run with --backend osmesa");
     return nullptr;
   }
   auto context = std::make_unique<EglContext>(api, request.profile);
   if (!context->create()) {
-    addContextError(diagnostics, "gl-context-refused",
-                    "EGL gives no context: " + context->lastFailure(),
-                    "install libegl-mesa0 and libgl1-mesa-dri, or run with --backend osmesa");
+    addError(diagnostics, "gl-context-refused", {},
+             "EGL gives no context: " + context->lastFailure(),
+             "install libegl-mesa0 and libgl1-mesa-dri, or run with --backend osmesa");
     return nullptr;
   }
   if (!context->load(diagnostics)) return nullptr;

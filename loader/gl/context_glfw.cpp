@@ -2,6 +2,7 @@
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 
+#include "core/add_diagnostic.h"
 #include "gl/context_backends.h"
 #include "gl/functions.h"
 
@@ -15,10 +16,9 @@ std::string lastGlfwError() {
 }
 
 bool refuse(Diagnostics& diagnostics, std::string_view action) {
-  addContextError(diagnostics, "gl-no-window",
-                  fmt::format("cannot {}: {}", action, lastGlfwError()),
-                  "a display is needed: set DISPLAY, or run under xvfb-run, or draw without a "
-                  "window with --backend osmesa or egl");
+  addError(diagnostics, "gl-no-window", {}, fmt::format("cannot {}: {}", action, lastGlfwError()),
+           "a display is needed: set DISPLAY, or run under xvfb-run, or draw without a "
+           "window with --backend osmesa or egl");
   return false;
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "core/add_diagnostic.h"
 #include "gl/context_backends.h"
 #include "gl/functions.h"
 
@@ -57,9 +58,8 @@ class OsmesaContext final : public Context {
     }
     // The library wants a buffer; frames are drawn into framebuffer objects.
     if (handle_ == nullptr || !bind()) {
-      addContextError(diagnostics, "gl-context-refused",
-                      "OSMesa gives no " + describeWanted(asked),
-                      "install Mesa 21 or newer, or run with --backend egl");
+      addError(diagnostics, "gl-context-refused", {}, "OSMesa gives no " + describeWanted(asked),
+               "install Mesa 21 or newer, or run with --backend egl");
       return false;
     }
     const auto resolve = [this](const char* name) {
@@ -93,10 +93,9 @@ std::unique_ptr<Context> createOsmesaContext(const ContextRequest& request,
   OsmesaApi api;
   void* library = loadLibrary(request.osmesaLibraries);
   if (library == nullptr || !api.load(library)) {
-    addContextError(
-        diagnostics, "gl-library-missing",
-        fmt::format("cannot load OSMesa (tried {})", fmt::join(request.osmesaLibraries, ", ")),
-        "install libosmesa6 where the system still has it, or run with --backend egl");
+    addError(diagnostics, "gl-library-missing", {},
+             fmt::format("cannot load OSMesa (tried {})", fmt::join(request.osmesaLibraries, ", ")),
+             "install libosmesa6 where the system still has it, or run with --backend egl");
     return nullptr;
   }
   auto context = std::make_unique<OsmesaContext>(api);

@@ -1,6 +1,7 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
+#include "core/add_diagnostic.h"
 #include "image/codecs/image_codecs.h"
 
 namespace orris {
@@ -31,14 +32,9 @@ LoadedCodecs loadCodecs() {
 const ImageCodecs* imageCodecs(const std::string& picture, Diagnostics& diagnostics) {
   static const LoadedCodecs loaded = loadCodecs();
   if (!loaded.codecs) {
-    Diagnostic diagnostic;
-    diagnostic.id = "image-codecs";
-    diagnostic.at.file = picture;
-    diagnostic.message =
-        fmt::format("the picture codecs of Orris cannot be loaded: {}", loaded.reason);
-    diagnostic.hint =
-        "install Orris again: its module of codecs or a library of OpenImageIO is missing";
-    diagnostics.push_back(std::move(diagnostic));
+    addError(diagnostics, "image-codecs", {picture},
+             fmt::format("the picture codecs of Orris cannot be loaded: {}", loaded.reason),
+             "install Orris again: its module of codecs or a library of OpenImageIO is missing");
   }
   return loaded.codecs;
 }

@@ -1,5 +1,6 @@
 #include "image/encode_png.h"
 
+#include "core/add_diagnostic.h"
 #include "image/codecs/image_codecs.h"
 
 namespace orris {
@@ -13,11 +14,7 @@ std::optional<std::string> encodeAny(const Image& image, const std::string& file
   std::string bytes;
   const auto reason = codecs->encode(".png", image, bytes);
   if (!reason) return bytes;
-  Diagnostic diagnostic;
-  diagnostic.id = "image-write";
-  diagnostic.at.file = file;
-  diagnostic.message = "cannot make a PNG of its picture: " + *reason;
-  diagnostics.push_back(std::move(diagnostic));
+  addError(diagnostics, "image-write", {file}, "cannot make a PNG of its picture: " + *reason);
   return std::nullopt;
 }
 

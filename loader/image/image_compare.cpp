@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/add_diagnostic.h"
 #include "image/codecs/image_codecs.h"
 
 namespace orris {
@@ -136,12 +137,10 @@ std::optional<ImageDifference> compareImages(const ImageF& image, const ImageF& 
                           colourChannels(image) == colourChannels(reference) &&
                           !image.pixels.empty();
   if (!comparable) {
-    Diagnostic diagnostic;
-    diagnostic.id = "compare-size";
-    diagnostic.message = fmt::format("the images cannot be compared: {} against {}",
-                                     describe(image), describe(reference));
-    diagnostic.hint = "compare images of one size";
-    diagnostics.push_back(std::move(diagnostic));
+    addError(diagnostics, "compare-size", {},
+             fmt::format("the images cannot be compared: {} against {}", describe(image),
+                         describe(reference)),
+             "compare images of one size");
     return std::nullopt;
   }
   const ImageF a = colourOnly(image), b = colourOnly(reference);

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "core/add_diagnostic.h"
 #include "core/replace_file.h"
 #include "image/codecs/image_codecs.h"
 #include "image/image.h"
@@ -16,17 +17,6 @@ namespace {
 
 constexpr std::int64_t kMaxFilePixels = std::int64_t(1) << 26;
 constexpr int kMaxChannels = 16;
-
-bool fail(Diagnostics& diagnostics, const char* id, const std::string& file, std::string message,
-          std::string hint = {}) {
-  Diagnostic diagnostic;
-  diagnostic.id = id;
-  diagnostic.at.file = file;
-  diagnostic.message = std::move(message);
-  diagnostic.hint = std::move(hint);
-  diagnostics.push_back(std::move(diagnostic));
-  return false;
-}
 
 /// Format of an image by its first bytes; the name decides only for TGA, which has no signature.
 /// A pack's file name never reaches OpenImageIO, so it cannot make it open something else.
@@ -66,10 +56,10 @@ bool sizeAllowed(const PictureReader& picture, const std::string& name, Diagnost
                        std::int64_t(picture.width) * picture.height <= kMaxFilePixels &&
                        picture.channels > 0 && picture.channels <= kMaxChannels;
   if (allowed) return true;
-  return fail(diagnostics, "image-size", name,
-              fmt::format("image of {}x{} with {} channels is outside the limits", picture.width,
-                          picture.height, picture.channels),
-              fmt::format("at most {0}x{0}, {1} pixels in all", kMaxSide, kMaxFilePixels));
+  return addError(diagnostics, "image-size", {name},
+                  fmt::format("image of {}x{} with {} channels is outside the limits",
+                              picture.width, picture.height, picture.channels),
+                  fmt::format("at most {0}x{0}, {1} pixels in all", kMaxSide, kMaxFilePixels));
 }
 
 Image8 toRgba(const Image8& source) {
@@ -107,9 +97,9 @@ bool writePicture(const std::string& path, PictureToWrite picture, Diagnostics& 
   if (!codecs) return false;
   const std::string extension = lowerExtension(path);
   if (!codecs->canWrite(extension)) {
-    return fail(diagnostics, "image-format", path,
-                fmt::format("no image format has the extension \"{}\"", extension),
-                "use .png for display or .exr for linear values");
+    return addError(diagnostics, "image-format", {path},
+                    fmt::format("no image format has the extension \"{}\"", extension),
+                    "use .png for display or .exr for linear values");
   }
   picture.storeBytes = storesBytes(extension, picture.bytes != nullptr);
   std::optional<std::string> reason;
@@ -119,9 +109,10 @@ bool writePicture(const std::string& path, PictureToWrite picture, Diagnostics& 
   });
   if (!error) return true;
   const std::string problem = reason.value_or(outputProblem(path));
-  return fail(diagnostics, "image-write", path,
-              fmt::format("cannot write the image: {}", problem.empty() ? error.message() : problem),
-              "check that the folder exists and is writable");
+  return addError(
+      diagnostics, "image-write", {path},
+      fmt::format("cannot write the image: {}", problem.empty() ? error.message() : problem),
+      "check that the folder exists and is writable");
 }
 
 }  // namespace
@@ -130,13 +121,13 @@ std::optional<Image8> decodeImage(const std::string& bytes, const std::string& n
                                   Diagnostics& diagnostics) {
   const std::string format = formatOf(bytes, name);
   if (format.empty()) {
-    fail(diagnostics, "image-format", name, "not an image in a known format",
-         "use PNG, JPEG, TGA, BMP, HDR or EXR");
+    addError(diagnostics, "image-format", {name}, "not an image in a known format",
+             "use PNG, JPEG, TGA, BMP, HDR or EXR");
     return std::nullopt;
   }
   if (format == "png" && !isWholePng(bytes)) {
-    fail(diagnostics, "image-decode", name, "cannot read the image: the file is cut short",
-         "save the image again");
+    addError(diagnostics, "image-decode", {name}, "cannot read the image: the file is cut short",
+             "save the image again");
     return std::nullopt;
   }
   const ImageCodecs* codecs = imageCodecs(name, diagnostics);
@@ -144,13 +135,14 @@ std::optional<Image8> decodeImage(const std::string& bytes, const std::string& n
   std::string reason;
   const auto picture = codecs->open(bytes, format, reason);
   if (!picture) {
-    fail(diagnostics, "image-decode", name, fmt::format("cannot read the image: {}", reason));
+    addError(diagnostics, "image-decode", {name}, fmt::format("cannot read the image: {}", reason));
     return std::nullopt;
   }
   if (!sizeAllowed(*picture, name, diagnostics)) return std::nullopt;
   Image8 stored(picture->width, picture->height, picture->channels);
   if (const auto failure = picture->read(stored.pixels.data())) {
-    fail(diagnostics, "image-decode", name, fmt::format("cannot read the image: {}", *failure));
+    addError(diagnostics, "image-decode", {name},
+             fmt::format("cannot read the image: {}", *failure));
     return std::nullopt;
   }
   return stored.channels == 4 ? std::move(stored) : toRgba(stored);
@@ -162,14 +154,14 @@ std::optional<ImageF> readImage(const std::string& path, Diagnostics& diagnostic
   std::string reason;
   const auto picture = codecs->open(path, reason);
   if (!picture) {
-    fail(diagnostics, "image-read", path, fmt::format("cannot open the image: {}", reason),
-         "give an existing PNG, EXR or other image file");
+    addError(diagnostics, "image-read", {path}, fmt::format("cannot open the image: {}", reason),
+             "give an existing PNG, EXR or other image file");
     return std::nullopt;
   }
   if (!sizeAllowed(*picture, path, diagnostics)) return std::nullopt;
   ImageF image(picture->width, picture->height, picture->channels);
   if (const auto failure = picture->read(image.pixels.data())) {
-    fail(diagnostics, "image-read", path, fmt::format("cannot read the image: {}", *failure));
+    addError(diagnostics, "image-read", {path}, fmt::format("cannot read the image: {}", *failure));
     return std::nullopt;
   }
   return image;

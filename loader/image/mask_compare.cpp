@@ -1,6 +1,10 @@
 #include "image/mask_compare.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+
+#include "core/add_diagnostic.h"
 
 namespace orris {
 namespace {
@@ -23,12 +27,9 @@ bool isEdge(const ImageF& reference, int x, int y) {
 std::optional<MaskDifference> compareMasks(const ImageF& mask, const ImageF& reference,
                                            Diagnostics& diagnostics) {
   if (mask.width != reference.width || mask.height != reference.height) {
-    Diagnostic d;
-    d.id = "compare-size";
-    d.message = "the masks differ in size: " + std::to_string(mask.width) + "x" +
-                std::to_string(mask.height) + " and " + std::to_string(reference.width) + "x" +
-                std::to_string(reference.height);
-    diagnostics.push_back(std::move(d));
+    addError(diagnostics, "compare-size", {},
+             fmt::format("the masks differ in size: {}x{} and {}x{}", mask.width, mask.height,
+                         reference.width, reference.height));
     return std::nullopt;
   }
   MaskDifference difference;

@@ -194,16 +194,16 @@ class TargetPlanner {
   }
 
   void report(Severity severity, const Step& step, const TargetPlan& plan, const std::string& why) {
-    Diagnostic d;
-    d.severity = severity;
-    d.id = "target-size-mismatch";
-    d.at = pack_.programs[step.program].directives.drawBuffersAt;
-    if (d.at.file.empty()) d.at.file = pack_.programs[step.program].name;
-    d.message = fmt::format("{} draws to colortex{} of {}x{}, but {}", step.name, plan.index,
-                            plan.width, plan.height, why);
-    d.hint = "give all draw buffers of one program the same size.buffer, or drop it";
-    d.sourceLine = pack_.sourceLine(d.at.file, d.at.line);
-    diagnostics_.push_back(std::move(d));
+    SourceLocation at = pack_.programs[step.program].directives.drawBuffersAt;
+    if (at.file.empty()) at.file = pack_.programs[step.program].name;
+    diagnostics_.push_back(
+        {.severity = severity,
+         .id = "target-size-mismatch",
+         .at = at,
+         .message = fmt::format("{} draws to colortex{} of {}x{}, but {}", step.name, plan.index,
+                                plan.width, plan.height, why),
+         .sourceLine = pack_.sourceLine(at.file, at.line),
+         .hint = "give all draw buffers of one program the same size.buffer, or drop it"});
   }
 
   const ShaderPack& pack_;

@@ -1,4 +1,6 @@
 // Compiling and linking a program of a pack, with what a driver cannot do done otherwise.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <deque>
 #include <utility>
@@ -163,13 +165,12 @@ void readSharedBlocks(const std::vector<std::string>& names, GpuProgram& program
 }
 
 Diagnostic emulationNote(std::string_view rule, const StageText& stage) {
-  Diagnostic note;
-  note.severity = Severity::Note;
-  note.id = "driver-emulation";
-  note.at = stage.text.locate(1, 1);
-  note.message = "this driver lacks what the program asks for; rule " + std::string(rule) +
-                 " puts other code in its place";
-  return note;
+  return {.severity = Severity::Note,
+          .id = "driver-emulation",
+          .at = stage.text.locate(1, 1),
+          .message = fmt::format("this driver lacks what the program asks for; rule {} puts other "
+                                 "code in its place",
+                                 rule)};
 }
 
 struct Logs {

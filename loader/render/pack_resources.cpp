@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/add_diagnostic.h"
 #include "gl/functions.h"
 #include "image/image.h"
 
@@ -12,17 +13,6 @@ namespace orris {
 namespace {
 
 constexpr long long kMostBufferBytes = 1LL << 30;
-
-void warn(Diagnostics& diagnostics, const std::string& id, const SourceLocation& at,
-          std::string message, std::string hint, Severity severity = Severity::Warning) {
-  Diagnostic d;
-  d.severity = severity;
-  d.id = id;
-  d.at = at;
-  d.message = std::move(message);
-  d.hint = std::move(hint);
-  diagnostics.push_back(std::move(d));
-}
 
 /// Host texture for a "minecraft:..." path. Contract properties.csv "texture.<stage>.<sampler>".
 std::string resourceFor(const std::string& path) {
@@ -69,18 +59,19 @@ gl::Texture loadRaw(const std::string& bytes, const TextureBinding& b, Diagnosti
   const auto pixelFormat = findPixelFormat(b.pixelFormat);
   const auto pixelType = findPixelType(b.pixelType);
   if (format == nullptr || !pixelFormat || !pixelType) {
-    warn(diagnostics, "texture-format", b.at,
-         fmt::format("unknown format in '{} {} {}'", b.rawFormat, b.pixelFormat, b.pixelType),
-         "use names such as RGBA16F RGBA HALF_FLOAT");
+    addWarning(diagnostics, "texture-format", b.at,
+               fmt::format("unknown format in '{} {} {}'", b.rawFormat, b.pixelFormat, b.pixelType),
+               "use names such as RGBA16F RGBA HALF_FLOAT");
     return {};
   }
   const long long needed =
       1LL * b.size[0] * b.size[1] * b.size[2] * componentsOf(*pixelFormat) * pixelType->second;
   if (b.size[0] < 1 || b.size[1] < 1 || b.size[2] < 1 ||
       needed > static_cast<long long>(bytes.size())) {
-    warn(diagnostics, "texture-size", b.at,
-         fmt::format("{} has {} bytes, the declared size needs {}", b.path, bytes.size(), needed),
-         "correct the size or the file");
+    addWarning(
+        diagnostics, "texture-size", b.at,
+        fmt::format("{} has {} bytes, the declared size needs {}", b.path, bytes.size(), needed),
+        "correct the size or the file");
     return {};
   }
   gl::Texture texture = gl::createTexture(dimensionsOfRaw(b.rawType), *format, b.size[0], b.size[1],
@@ -112,8 +103,9 @@ void PackResources::addTexture(const ShaderPack& pack, const TextureBinding& bin
   }
   const auto bytes = pack.source->readResource(binding.path);
   if (!bytes) {
-    warn(diagnostics, "texture-missing", binding.at,
-         fmt::format("the pack has no file {}", binding.path), "add the file or drop the line");
+    addWarning(diagnostics, "texture-missing", binding.at,
+               fmt::format("the pack has no file {}", binding.path),
+               "add the file or drop the line");
     return;
   }
   const bool raw = !binding.rawType.empty();
@@ -133,10 +125,10 @@ void PackResources::addImage(const CustomImage& plan, int width, int height,
   image.plan = plan;
   image.format = findFormat(plan.internalFormat);
   if (image.format == nullptr || !image.format->imageLoadStore) {
-    warn(diagnostics, "image-format", plan.at,
-         fmt::format("image.{}: {} cannot be used for image load and store", plan.name,
-                     plan.internalFormat),
-         "use a format such as RGBA16F, R32UI or RGBA8", Severity::Error);
+    addError(diagnostics, "image-format", plan.at,
+             fmt::format("image.{}: {} cannot be used for image load and store", plan.name,
+                         plan.internalFormat),
+             "use a format such as RGBA16F, R32UI or RGBA8");
     return;
   }
   const float window[3] = {static_cast<float>(width), static_cast<float>(height), 1};
@@ -145,10 +137,10 @@ void PackResources::addImage(const CustomImage& plan, int width, int height,
     size[i] = std::clamp(static_cast<int>(plan.relative ? plan.size[i] * window[i] : plan.size[i]),
                          1, 16384);
   if (1LL * size[0] * size[1] * size[2] * image.format->bytesPerPixel > kMostBufferBytes) {
-    warn(diagnostics, "image-size", plan.at,
-         fmt::format("image.{} of {}x{}x{} is larger than 1 GiB", plan.name, size[0], size[1],
-                     size[2]),
-         "make it smaller", Severity::Error);
+    addError(diagnostics, "image-size", plan.at,
+             fmt::format("image.{} of {}x{}x{} is larger than 1 GiB", plan.name, size[0], size[1],
+                         size[2]),
+             "make it smaller");
     return;
   }
   image.texture =
@@ -168,9 +160,9 @@ void PackResources::addBuffer(const ShaderPack& pack, const BufferObject& plan, 
   if (!plan.file.empty())
     if (auto file = pack.source->readResource(plan.file)) contents = std::move(*file);
   if (bytes > kMostBufferBytes || static_cast<long long>(contents.size()) > bytes) {
-    warn(diagnostics, "buffer-size", plan.at,
-         fmt::format("bufferObject.{} of {} bytes cannot be made", plan.index, bytes),
-         "at most 1 GiB, and not less than its file", Severity::Error);
+    addError(diagnostics, "buffer-size", plan.at,
+             fmt::format("bufferObject.{} of {} bytes cannot be made", plan.index, bytes),
+             "at most 1 GiB, and not less than its file");
     return;
   }
   contents.resize(static_cast<size_t>(bytes), '\0');

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <utility>
 
+#include "core/add_diagnostic.h"
 #include "gl/functions.h"
 
 namespace orris {
@@ -22,12 +23,9 @@ RenderTarget makeTarget(const TargetPlan& plan, const char* kind, Diagnostics& d
   target.plan = plan;
   target.format = findFormat(plan.format);
   if (target.format == nullptr || !target.format->renderable) {
-    Diagnostic d;
-    d.id = "target-format";
-    d.message =
-        fmt::format("{}{} cannot be drawn to with format {}", kind, plan.index, plan.format);
-    d.hint = "use a renderable format such as RGBA16F";
-    diagnostics.push_back(std::move(d));
+    addError(diagnostics, "target-format", {},
+             fmt::format("{}{} cannot be drawn to with format {}", kind, plan.index, plan.format),
+             "use a renderable format such as RGBA16F");
     target.format = findFormat("RGBA8");
   }
   const int levels = plan.mipmaps ? levelsFor(plan.width, plan.height) : 1;

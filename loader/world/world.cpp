@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <set>
 
+#include "core/add_diagnostic.h"
 #include "core/limits.h"
 #include "core/read_file.h"
 #include "core/text_file.h"
@@ -28,16 +29,6 @@ constexpr const char* kWorldHint =
 const std::set<std::string> kSchematics = {".schem", ".schematic", ".litematic", ".nbt"};
 constexpr std::size_t kMaxFileBytes = std::size_t(1) << 28;
 
-void addError(Diagnostics& diagnostics, const std::string& file, std::string message,
-              std::string hint) {
-  Diagnostic diagnostic;
-  diagnostic.id = "world-unreadable";
-  diagnostic.at.file = file;
-  diagnostic.message = std::move(message);
-  diagnostic.hint = std::move(hint);
-  diagnostics.push_back(std::move(diagnostic));
-}
-
 /// Adds what may appear later or along with the blocks: the states that events set and the water of
 /// waterlogged blocks. Facts and textures of the palette then serve every frame.
 void completePalette(World& world) {
@@ -57,7 +48,8 @@ std::optional<World> loadSchematic(const fs::path& path, Diagnostics& diagnostic
   ReadFault fault{};
   const std::optional<std::string> bytes = readFile(path.string(), kMaxFileBytes, fault);
   if (!bytes) {
-    addError(diagnostics, path.string(), fmt::format("this schematic {}", describe(fault)), "");
+    addError(diagnostics, "world-unreadable", {path.string()},
+             fmt::format("this schematic {}", describe(fault)));
     return std::nullopt;
   }
   std::optional<BlockWorld> blocks =
@@ -76,19 +68,20 @@ std::optional<World> loadSchematic(const fs::path& path, Diagnostics& diagnostic
 std::optional<World> loadJson(const fs::path& path, const std::optional<std::string>& text,
                               ReadFault fault, unsigned seed, Diagnostics& diagnostics) {
   if (!text) {
-    addError(diagnostics, path.string(), fmt::format("this world {}", describe(fault)),
-             kWorldHint);
+    addError(diagnostics, "world-unreadable", {path.string()},
+             fmt::format("this world {}", describe(fault)), kWorldHint);
     return std::nullopt;
   }
   if (text->size() > limits::kWorldJsonBytes) {
-    addError(diagnostics, path.string(),
+    addError(diagnostics, "world-unreadable", {path.string()},
              fmt::format("this world has {} bytes: expected at most {}", text->size(),
                          limits::kWorldJsonBytes),
              "put blocks into a schematic and name it with \"from\"");
     return std::nullopt;
   }
   if (isUtf16(*text)) {
-    addError(diagnostics, path.string(), "this file is UTF-16", "save it as UTF-8");
+    addError(diagnostics, "world-unreadable", {path.string()}, "this file is UTF-16",
+             "save it as UTF-8");
     return std::nullopt;
   }
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
@@ -111,7 +104,8 @@ std::optional<World> loadJson(const fs::path& path, const std::optional<std::str
 std::optional<World> loadRandomRoom(const std::string& name, Diagnostics& diagnostics) {
   const auto seed = randomRoomSeed(name);
   if (!seed) {
-    addError(diagnostics, name, "expected a whole number from 0 to 4294967295 after random:", "random:17");
+    addError(diagnostics, "world-unreadable", {name},
+             "expected a whole number from 0 to 4294967295 after random:", "random:17");
     return std::nullopt;
   }
   World world = randomRoom(*seed);
@@ -141,7 +135,8 @@ std::optional<World> loadWorld(const std::string& path, unsigned seed, Diagnosti
     return world;
   }
   if (part.at || part.radius) {
-    addError(diagnostics, path, "this world is drawn whole: --at and --radius choose a part of a save", "");
+    addError(diagnostics, "world-unreadable", {path},
+             "this world is drawn whole: --at and --radius choose a part of a save");
     return std::nullopt;
   }
   if (fs::is_directory(given, problem)) {
@@ -154,8 +149,8 @@ std::optional<World> loadWorld(const std::string& path, unsigned seed, Diagnosti
     const auto text = readFile(path, kMaxFileBytes, fault);
     return loadJson(given, text, fault, seed, diagnostics);
   }
-  addError(diagnostics, path, fs::exists(given, problem) ? "not a world" : "no such file or folder",
-           kWorldHint);
+  addError(diagnostics, "world-unreadable", {path},
+           fs::exists(given, problem) ? "not a world" : "no such file or folder", kWorldHint);
   return std::nullopt;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "chart/study/digest.h"
+#include "core/add_diagnostic.h"
 
 namespace orris {
 namespace {
@@ -30,12 +31,6 @@ bool isMeanOfHalves(const ImageF& image) {
     }
   }
   return true;
-}
-
-void fail(const char* id, const std::string& path, std::string message, std::string hint,
-          Diagnostics& diagnostics) {
-  diagnostics.push_back(
-      {.id = id, .at = {.file = path}, .message = std::move(message), .hint = std::move(hint)});
 }
 
 }  // namespace
@@ -83,8 +78,8 @@ std::optional<ReferencePicture> readReference(const std::string& path, Diagnosti
   if (!image) return std::nullopt;
   if (!std::all_of(image->pixels.begin(), image->pixels.end(),
                    [](float value) { return std::isfinite(value); })) {
-    fail("reference-not-finite", path, "holds a value that is no number",
-         "trace the reference again", diagnostics);
+    addError(diagnostics, "reference-not-finite", {path}, "holds a value that is no number",
+             "trace the reference again");
     return std::nullopt;
   }
   ReferencePicture result;

@@ -6,16 +6,13 @@
 #include <cctype>
 
 #include "chart/study/digest.h"
+#include "core/add_diagnostic.h"
 #include "pack/files/text.h"
 
 namespace orris {
 namespace {
 
 constexpr std::size_t kLongestStem = 80;
-
-void failSetting(const char* id, std::string message, std::string hint, Diagnostics& diagnostics) {
-  diagnostics.push_back({.id = id, .message = std::move(message), .hint = std::move(hint)});
-}
 
 std::vector<std::string> profileNames(const ShaderPack& pack) {
   std::vector<std::string> names;
@@ -32,9 +29,9 @@ std::optional<std::vector<std::string>> valuesOf(const std::string& name, const 
   std::vector<std::string> names = {kProfileAxis, kSizeAxis};
   for (const auto& entry : pack.options.all()) names.push_back(entry.first);
   const std::string hint = missingOptionHint(pack.options, name);
-  failSetting("axis-unknown",
-              fmt::format("\"{}\" is no option of the pack, nor profile or size", name),
-              hint.empty() ? suggest(name, names) : hint, diagnostics);
+  addError(diagnostics, "axis-unknown", {},
+           fmt::format("\"{}\" is no option of the pack, nor profile or size", name),
+           hint.empty() ? suggest(name, names) : hint);
   return std::nullopt;
 }
 
@@ -42,17 +39,16 @@ bool checkValue(const std::string& name, const std::string& value,
                 const std::vector<std::string>& all, Diagnostics& diagnostics) {
   if (name == kSizeAxis) {
     if (parseImageSize(value)) return true;
-    failSetting("axis-value", fmt::format("size cannot be \"{}\"", value), "write it as 320x180",
-                diagnostics);
+    addError(diagnostics, "axis-value", {}, fmt::format("size cannot be \"{}\"", value),
+             "write it as 320x180");
     return false;
   }
   if (std::find(all.begin(), all.end(), value) != all.end()) return true;
   const std::string nearest = suggest(value, all);
-  failSetting("axis-value", fmt::format("{} cannot be \"{}\"", name, value),
-              all.empty()        ? fmt::format("the pack has no {}", name)
-              : !nearest.empty() ? nearest
-                                 : fmt::format("its values are {}", joinNames(all)),
-              diagnostics);
+  addError(diagnostics, "axis-value", {}, fmt::format("{} cannot be \"{}\"", name, value),
+           all.empty()        ? fmt::format("the pack has no {}", name)
+           : !nearest.empty() ? nearest
+                              : fmt::format("its values are {}", joinNames(all)));
   return false;
 }
 
@@ -62,10 +58,9 @@ bool resolveAxis(Axis& axis, const ShaderPack& pack, Diagnostics& diagnostics) {
   if (axis.values.empty()) {
     axis.values = *all;
     if (!axis.values.empty()) return true;
-    failSetting("axis-empty", fmt::format("the axis {} has no values", axis.name),
-                axis.name == kSizeAxis ? "write them behind it: size=160x90,320x180"
-                                       : "name other axes: --axis NAME",
-                diagnostics);
+    addError(diagnostics, "axis-empty", {}, fmt::format("the axis {} has no values", axis.name),
+             axis.name == kSizeAxis ? "write them behind it: size=160x90,320x180"
+                                    : "name other axes: --axis NAME");
     return false;
   }
   bool good = true;
@@ -107,8 +102,9 @@ bool resolveAxes(std::vector<Axis>& axes, const ShaderPack& pack, Diagnostics& d
         std::any_of(axes.begin(), axes.begin() + std::ptrdiff_t(i),
                     [&](const Axis& earlier) { return earlier.name == axes[i].name; });
     if (repeated) {
-      failSetting("axis-repeated", fmt::format("the axis {} is given twice", axes[i].name),
-                  "give all its values at once: NAME=A,B,C", diagnostics);
+      addError(diagnostics, "axis-repeated", {},
+               fmt::format("the axis {} is given twice", axes[i].name),
+               "give all its values at once: NAME=A,B,C");
       good = false;
     }
     good &= resolveAxis(axes[i], pack, diagnostics);
@@ -122,8 +118,9 @@ std::optional<std::vector<Setting>> combine(const std::vector<Axis>& axes, Image
       Setting{.profile = {}, .values = {}, .size = size, .series = {}, .label = {}}};
   for (const Axis& axis : axes) {
     if (settings.size() * axis.values.size() > kMaxSettings) {
-      failSetting("axis-too-many", fmt::format("the axes make more than {} settings", kMaxSettings),
-                  "give fewer axes, or fewer values: --axis NAME=A,B", diagnostics);
+      addError(diagnostics, "axis-too-many", {},
+               fmt::format("the axes make more than {} settings", kMaxSettings),
+               "give fewer axes, or fewer values: --axis NAME=A,B");
       return std::nullopt;
     }
     std::vector<Setting> next;
@@ -148,8 +145,9 @@ std::optional<Setting> parseSetting(const std::string& text, const ShaderPack& p
   for (const std::string_view part : splitAt(text, ',')) {
     Axis axis = parseAxis(std::string(part));
     if (axis.values.size() != 1) {
-      failSetting("setting-syntax", fmt::format("expected NAME=VALUE, got \"{}\"", part),
-                  "separate several with commas", diagnostics);
+      addError(diagnostics, "setting-syntax", {},
+               fmt::format("expected NAME=VALUE, got \"{}\"", part),
+               "separate several with commas");
       good = false;
     } else if (resolveAxis(axis, pack, diagnostics)) {
       assign(setting, axis.name, axis.values.front());

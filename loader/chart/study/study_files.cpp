@@ -5,21 +5,11 @@
 #include <filesystem>
 
 #include "chart/measure/setting.h"
+#include "core/add_diagnostic.h"
 #include "core/named_file.h"
 #include "core/read_file.h"
 
 namespace orris {
-namespace {
-
-void noteFile(const std::string& path, std::string message, Diagnostics& diagnostics) {
-  diagnostics.push_back({.severity = Severity::Warning,
-                         .id = "study-file",
-                         .at = {.file = path},
-                         .message = std::move(message)});
-}
-
-}  // namespace
-
 bool StudyFiles::create(Diagnostics& diagnostics) const {
   std::error_code error;
   const std::string settings = (std::filesystem::path(folder_) / "settings").string();
@@ -52,12 +42,12 @@ SettingResult StudyFiles::read(const std::string& label, const std::string& key,
   const std::optional<std::string> text = readNamedFile(file, diagnostics);
   std::optional<SettingResult> result = text ? parseResult(*text) : std::nullopt;
   if (!result) {
-    noteFile(file, "is no result; the setting is measured again", diagnostics);
+    addWarning(diagnostics, "study-file", {file}, "is no result; the setting is measured again");
     return fresh;
   }
   if (result->label == label && result->key == key) return std::move(*result);
-  noteFile(file, "was measured with another pack, world, reference or plan; it is measured again",
-           diagnostics);
+  addWarning(diagnostics, "study-file", {file},
+             "was measured with another pack, world, reference or plan; it is measured again");
   return fresh;
 }
 

@@ -6,12 +6,10 @@
 #include <charconv>
 #include <filesystem>
 
+#include "core/add_diagnostic.h"
+
 namespace orris {
 namespace {
-
-void failStudy(const char* id, std::string message, std::string hint, Diagnostics& diagnostics) {
-  diagnostics.push_back({.id = id, .message = std::move(message), .hint = std::move(hint)});
-}
 
 std::optional<PublishedMark> parseMark(const std::string& text, const ShaderPack& pack,
                                        Diagnostics& diagnostics) {
@@ -22,8 +20,9 @@ std::optional<PublishedMark> parseMark(const std::string& text, const ShaderPack
     const char* end = text.data() + text.size();
     const auto [stop, error] = std::from_chars(text.data() + colon + 1, end, ratio);
     if (error != std::errc() || stop != end || !(ratio > 0)) {
-      failStudy("mark-syntax", fmt::format("--mark {}: no cost ratio after the colon", text),
-                "write --mark NAME=VALUE,...:1.25", diagnostics);
+      addError(diagnostics, "mark-syntax", {},
+               fmt::format("--mark {}: no cost ratio after the colon", text),
+               "write --mark NAME=VALUE,...:1.25");
       return std::nullopt;
     }
     mark.ratio = ratio;
@@ -52,9 +51,9 @@ std::optional<std::pair<std::size_t, std::string>> splitReference(const std::str
   const std::string name = text.substr(0, text.find('='));
   for (std::size_t i = 0; i < cameras.size() && name.size() < text.size(); ++i)
     if (cameras[i].name == name) return std::pair(i, text.substr(name.size() + 1));
-  failStudy("reference-camera",
-            fmt::format("--reference {}: which of the cameras is this of?", text),
-            "write --reference CAMERA=FILE for each", diagnostics);
+  addError(diagnostics, "reference-camera", {},
+           fmt::format("--reference {}: which of the cameras is this of?", text),
+           "write --reference CAMERA=FILE for each");
   return std::nullopt;
 }
 
@@ -64,12 +63,11 @@ void reportMissing(const StudyInput& input, Diagnostics& diagnostics) {
     const std::string& name = input.asked.cameras[camera].name;
     for (const ImageSize size : sizesOf(input.settings)) {
       if (input.references.contains({camera, size})) continue;
-      failStudy("reference-size",
-                fmt::format("no --reference is {}x{} pixels large, from camera {}", size.width,
-                            size.height, name),
-                fmt::format("orris trace WORLD -o reference.exr --size {}x{} --camera {}", size.width,
-                            size.height, name),
-                diagnostics);
+      addError(diagnostics, "reference-size", {},
+               fmt::format("no --reference is {}x{} pixels large, from camera {}", size.width,
+                           size.height, name),
+               fmt::format("orris trace WORLD -o reference.exr --size {}x{} --camera {}",
+                           size.width, size.height, name));
     }
   }
 }
@@ -96,10 +94,11 @@ bool isSetting(const std::string& text, const StudyInput& input) {
 
 void readReferences(StudyInput& input, Diagnostics& diagnostics) {
   const std::vector<std::string>& references = input.asked.references;
-  if (references.empty())
-    return failStudy("reference-missing", "no --reference to measure errors against",
-                     "give a picture of orris trace, or a setting: --reference NAME=VALUE,...",
-                     diagnostics);
+  if (references.empty()) {
+    addError(diagnostics, "reference-missing", {}, "no --reference to measure errors against",
+             "give a picture of orris trace, or a setting: --reference NAME=VALUE,...");
+    return;
+  }
   if (references.size() > 1 || !isSetting(references.front(), input))
     return readReferenceFiles(input, diagnostics);
   input.reference = parseSetting(references.front(), *input.pack, {}, diagnostics);
@@ -117,8 +116,9 @@ void chooseBaseline(const std::string& text, StudyInput& study, Diagnostics& dia
     std::rotate(settings.begin(), found, found + 1);
     return;
   }
-  failStudy("baseline-unknown", fmt::format("--baseline {}: none of the settings is that", text),
-            "name values of the axes", diagnostics);
+  addError(diagnostics, "baseline-unknown", {},
+           fmt::format("--baseline {}: none of the settings is that", text),
+           "name values of the axes");
 }
 
 void readStudySettings(StudyInput& study, Diagnostics& diagnostics) {

@@ -135,16 +135,14 @@ std::string entryFile(const ProgramUnit& unit) {
 Diagnostic lostJob(const JobOutcome& outcome, std::string_view tool, const std::string& name,
                    const std::string& file) {
   const bool crashed = outcome.kind == JobOutcome::Kind::Crashed;
-  Diagnostic diagnostic;
-  diagnostic.id = crashed ? "compiler-crash" : "compiler-timeout";
-  diagnostic.at.file = file;
-  diagnostic.message = crashed
-                           ? fmt::format("{} died while checking {}: {}", tool, name, outcome.cause)
-                           : fmt::format("{} did not finish checking {} in time", tool, name);
-  diagnostic.hint =
-      "leave out parts of the program until the rest compiles: players' drivers may "
-      "fail on the same lines";
-  return diagnostic;
+  return {.id = crashed ? "compiler-crash" : "compiler-timeout",
+          .at = {.file = file},
+          .message = crashed
+                         ? fmt::format("{} died while checking {}: {}", tool, name, outcome.cause)
+                         : fmt::format("{} did not finish checking {} in time", tool, name),
+          .hint =
+              "leave out parts of the program until the rest compiles: players' drivers may "
+              "fail on the same lines"};
 }
 
 bool hasUnclosedComment(const ProgramSource& program) {

@@ -111,14 +111,12 @@ std::optional<Call> callAt(std::string_view text, size_t nameEnd) {
 
 Diagnostic diagnosticAt(const ShaderPack& pack, Severity severity, std::string id,
                         const SourceLocation& at, std::string message, std::string hint) {
-  Diagnostic d;
-  d.severity = severity;
-  d.id = std::move(id);
-  d.at = at;
-  d.message = std::move(message);
-  d.sourceLine = pack.sourceLine(at.file, at.line);
-  d.hint = std::move(hint);
-  return d;
+  return {.severity = severity,
+          .id = std::move(id),
+          .at = at,
+          .message = std::move(message),
+          .sourceLine = pack.sourceLine(at.file, at.line),
+          .hint = std::move(hint)};
 }
 
 std::vector<WordPlace> findUses(const ProgramSource& program, bool computes,

@@ -12,14 +12,12 @@ namespace {
 
 Diagnostic slip(std::string id, SourceLocation at, std::string_view line, std::string message,
                 const std::string& meant) {
-  Diagnostic d;
-  d.severity = Severity::Warning;
-  d.id = std::move(id);
-  d.at = std::move(at);
-  d.sourceLine = line;
-  d.message = std::move(message);
-  d.hint = fmt::format("did you mean {}?", meant);
-  return d;
+  return {.severity = Severity::Warning,
+          .id = std::move(id),
+          .at = std::move(at),
+          .message = std::move(message),
+          .sourceLine = std::string(line),
+          .hint = fmt::format("did you mean {}?", meant)};
 }
 
 void checkEntryCondition(const PropertyEntry& entry, const std::vector<std::string>& options,

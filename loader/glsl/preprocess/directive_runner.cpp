@@ -95,15 +95,13 @@ DirectiveRunner::DirectiveRunner(const FlatSource& source, const MacroDefinition
 void DirectiveRunner::report(Severity severity, std::string id, const Origin& at,
                              std::string message, std::string hint) {
   if (++reported_ > kMaxReports) return;
-  Diagnostic d;
-  d.severity = severity;
-  d.id = std::move(id);
-  d.at = locate(sites_, at);
-  d.message = std::move(message);
-  d.includedFrom = includedFrom(sites_, at.site);
-  d.sourceLine = quotedLine(reader_.textOf(at), at.column);
-  d.hint = std::move(hint);
-  diagnostics_.push_back(std::move(d));
+  diagnostics_.push_back({.severity = severity,
+                          .id = std::move(id),
+                          .at = locate(sites_, at),
+                          .message = std::move(message),
+                          .includedFrom = includedFrom(sites_, at.site),
+                          .sourceLine = quotedLine(reader_.textOf(at), at.column),
+                          .hint = std::move(hint)});
 }
 
 bool DirectiveRunner::next(Token& token) {

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/add_diagnostic.h"
 #include "glsl/preprocess/directive_runner.h"
 
 namespace orris {
@@ -22,12 +23,10 @@ TokenStream preprocess(const FlatSource& source, const MacroDefinitions& environ
 
 void requireVersion(const TokenStream& stream, Diagnostics& diagnostics) {
   if (stream.version > 0) return;
-  Diagnostic d;
-  d.id = "version-missing";
-  if (!stream.sites.empty()) d.at = {stream.sites.front().file, 1, 0};
-  d.message = "no active #version; exactly one is required";
-  d.hint = "begin the file with '#version 330 compatibility'";
-  diagnostics.push_back(std::move(d));
+  SourceLocation at;
+  if (!stream.sites.empty()) at = {stream.sites.front().file, 1, 0};
+  addError(diagnostics, "version-missing", at, "no active #version; exactly one is required",
+           "begin the file with '#version 330 compatibility'");
 }
 
 }  // namespace orris

@@ -4,19 +4,11 @@
 
 #include <algorithm>
 
+#include "core/add_diagnostic.h"
 #include "pack/files/text.h"
 
 namespace orris {
 namespace {
-
-void fail(std::string id, SourceLocation at, std::string message, std::string hint,
-          Diagnostics& diagnostics) {
-  diagnostics.push_back({.severity = Severity::Error,
-                         .id = std::move(id),
-                         .at = std::move(at),
-                         .message = std::move(message),
-                         .hint = std::move(hint)});
-}
 
 void applyProfile(const std::string& name, const std::vector<Profile>& profiles,
                   OptionValues& values, Diagnostics& diagnostics) {
@@ -29,12 +21,11 @@ void applyProfile(const std::string& name, const std::vector<Profile>& profiles,
   std::vector<std::string> names;
   for (const Profile& profile : profiles) names.push_back(profile.name);
   const std::string hint = suggest(name, names);
-  fail("profile-unknown", {.file = "/shaders.properties"},
-       fmt::format("the pack has no profile {}", name),
-       !hint.empty()   ? hint
-       : names.empty() ? "the pack has no profiles"
-                       : "profiles are " + joinNames(names),
-       diagnostics);
+  addError(diagnostics, "profile-unknown", {.file = "/shaders.properties"},
+           fmt::format("the pack has no profile {}", name),
+           !hint.empty()   ? hint
+           : names.empty() ? "the pack has no profiles"
+                           : "profiles are " + joinNames(names));
 }
 
 void applyRequested(const std::string& name, const std::string& value, const OptionSet& options,
@@ -43,12 +34,13 @@ void applyRequested(const std::string& name, const std::string& value, const Opt
   if (!option) {
     std::vector<std::string> names;
     for (const auto& entry : options.all()) names.push_back(entry.first);
-    fail("option-unknown", {}, fmt::format("the pack has no option {}", name), suggest(name, names),
-         diagnostics);
+    addError(diagnostics, "option-unknown", {}, fmt::format("the pack has no option {}", name),
+             suggest(name, names));
   } else if (std::find(option->values.begin(), option->values.end(), value) ==
              option->values.end()) {
-    fail("option-value", option->at.front(), fmt::format("{} cannot be {}", name, value),
-         "its values are " + joinNames(option->values), diagnostics);
+    addError(diagnostics, "option-value", option->at.front(),
+             fmt::format("{} cannot be {}", name, value),
+             "its values are " + joinNames(option->values));
   } else {
     values[name] = value;
   }

@@ -42,14 +42,13 @@ bool isConvertible(std::string_view type, const Attribute& attribute) {
 
 Diagnostic unconvertible(const TokenStream& stream, const Token& name, const Token& type,
                          const Attribute& attribute) {
-  Diagnostic d;
-  d.id = "attribute-type";
-  d.at = locate(stream.sites, name.origin);
-  d.message = fmt::format("Iris has no {} {}", type.text, attribute.name);
-  d.includedFrom = includedFrom(stream.sites, name.origin.site);
-  d.hint = attribute.integers ? "declare it as vec2, vec4 or float: x is the id"
-                              : "declare it as vec2, vec3 or vec4";
-  return withEffect(std::move(d), Effect::RefusesProgram);
+  return withEffect({.id = "attribute-type",
+                     .at = locate(stream.sites, name.origin),
+                     .message = fmt::format("Iris has no {} {}", type.text, attribute.name),
+                     .includedFrom = includedFrom(stream.sites, name.origin.site),
+                     .hint = attribute.integers ? "declare it as vec2, vec4 or float: x is the id"
+                                                : "declare it as vec2, vec3 or vec4"},
+                    Effect::RefusesProgram);
 }
 
 }  // namespace

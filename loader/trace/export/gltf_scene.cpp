@@ -4,6 +4,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <numbers>
 
+#include "core/add_diagnostic.h"
 #include "image/encode_png.h"
 #include "plan/frame_state.h"
 #include "trace/export/export_mesh.h"
@@ -230,14 +231,11 @@ GltfScene GltfWriter::finish() {
 std::optional<GltfScene> makeGltf(const GltfInput& input, const std::string& file,
                                   Diagnostics& diagnostics) {
   if (input.scene.grid.quads().size() > kMostQuads) {
-    Diagnostic diagnostic;
-    diagnostic.id = "export-size";
-    diagnostic.at.file = file;
-    diagnostic.message = "the world has more faces than a glTF file can hold: " +
-                         std::to_string(input.scene.grid.quads().size()) + ", at most " +
-                         std::to_string(kMostQuads);
-    diagnostic.hint = "export a part of it: --at and --radius";
-    diagnostics.push_back(std::move(diagnostic));
+    addError(diagnostics, "export-size", {file},
+             "the world has more faces than a glTF file can hold: " +
+                 std::to_string(input.scene.grid.quads().size()) + ", at most " +
+                 std::to_string(kMostQuads),
+             "export a part of it: --at and --radius");
     return std::nullopt;
   }
   const auto png = encodePng(srgbAtlas(input.scene.grid.texture()), file, diagnostics);

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "core/add_diagnostic.h"
 #include "core/replace_file.h"
 #include "trace/light/random.h"
 
@@ -21,17 +22,6 @@ struct Header {
   std::uint64_t key, checksum;
   std::uint32_t width, height, shardIndex, shardCount, samples, reserved;
 };
-
-bool fail(Diagnostics& diagnostics, const char* id, const std::string& file, std::string message,
-          std::string hint = "") {
-  Diagnostic diagnostic;
-  diagnostic.id = id;
-  diagnostic.at.file = file;
-  diagnostic.message = std::move(message);
-  diagnostic.hint = std::move(hint);
-  diagnostics.push_back(std::move(diagnostic));
-  return false;
-}
 
 class Digest {
  public:
@@ -125,8 +115,8 @@ bool writeCheckpoint(const std::string& path, const TraceFilm& film, std::uint64
     return bool(file);
   });
   if (!error) return true;
-  return fail(diagnostics, "checkpoint-write", path, "cannot write the checkpoint",
-              "check that the folder exists, is writable and has room");
+  return addError(diagnostics, "checkpoint-write", {path}, "cannot write the checkpoint",
+                  "check that the folder exists, is writable and has room");
 }
 
 std::optional<TraceFilm> readCheckpoint(const std::string& path, std::uint64_t key,
@@ -134,7 +124,7 @@ std::optional<TraceFilm> readCheckpoint(const std::string& path, std::uint64_t k
   std::ifstream file(path, std::ios::binary);
   Header header{};
   if (!file || !file.read(reinterpret_cast<char*>(&header), sizeof header)) {
-    fail(diagnostics, "checkpoint-read", path, "cannot be read as a checkpoint of trace");
+    addError(diagnostics, "checkpoint-read", {path}, "cannot be read as a checkpoint of trace");
     return std::nullopt;
   }
   std::string problem = refusal(header, key);
@@ -149,8 +139,8 @@ std::optional<TraceFilm> readCheckpoint(const std::string& path, std::uint64_t k
     if (file && checksumOf(film) == header.checksum) return film;
     problem = "is damaged";
   }
-  fail(diagnostics, "checkpoint-read", path, problem,
-       "trace again, or give the arguments that it was made with");
+  addError(diagnostics, "checkpoint-read", {path}, problem,
+           "trace again, or give the arguments that it was made with");
   return std::nullopt;
 }
 
@@ -184,8 +174,8 @@ std::optional<TraceFilm> mergeShards(const std::vector<TraceFilm>& shards,
     const TraceFilm& part = shards[i];
     const std::string problem = mismatch(part, first, names[0], seen);
     if (!problem.empty()) {
-      fail(diagnostics, "shard-mismatch", names[i], problem,
-           "name each shard of one picture once, all with as many samples (--samples)");
+      addError(diagnostics, "shard-mismatch", {names[i]}, problem,
+               "name each shard of one picture once, all with as many samples (--samples)");
       return std::nullopt;
     }
     seen[std::size_t(part.shard.index)] = true;
@@ -196,9 +186,9 @@ std::optional<TraceFilm> mergeShards(const std::vector<TraceFilm>& shards,
   }
   const auto missing = std::find(seen.begin(), seen.end(), false);
   if (missing == seen.end()) return whole;
-  fail(diagnostics, "shard-missing", names[0],
-       fmt::format("shard {}/{} is missing", missing - seen.begin() + 1, seen.size()),
-       "name all shards");
+  addError(diagnostics, "shard-missing", {names[0]},
+           fmt::format("shard {}/{} is missing", missing - seen.begin() + 1, seen.size()),
+           "name all shards");
   return std::nullopt;
 }
 

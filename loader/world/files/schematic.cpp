@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "core/add_diagnostic.h"
 #include "core/limits.h"
 #include "world/files/gunzip.h"
 #include "world/files/nbt.h"
@@ -18,13 +19,7 @@ struct SchematicReader {
   std::int64_t maximumBlocks;
 
   bool fail(std::string message, std::string hint = "") {
-    Diagnostic diagnostic;
-    diagnostic.id = "schematic-invalid";
-    diagnostic.at.file = name;
-    diagnostic.message = std::move(message);
-    diagnostic.hint = std::move(hint);
-    diagnostics.push_back(std::move(diagnostic));
-    return false;
+    return addError(diagnostics, "schematic-invalid", {name}, std::move(message), std::move(hint));
   }
 
   bool decompress(std::string_view bytes, std::string& data) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/add_diagnostic.h"
 #include "core/limits.h"
 #include "world/atlas/mixed_atlas.h"
 #include "world/mesh/block_mesh.h"
@@ -55,15 +56,13 @@ void dropTooManyFaces(const BlockWorld& blocks, BlockLook& look, Diagnostics& di
   for (const std::size_t i : order) {
     if (total <= limits::kModelMeshFaces) return;
     total -= faces(i);
-    Diagnostic& warning = diagnostics.emplace_back();
-    warning.severity = Severity::Warning;
-    warning.id = "resource-model";
-    warning.message = fmt::format(
-        "{} has a model of {} faces and stands {} times in the world: expected at most {} faces of "
-        "such "
-        "models in all; the block keeps its own look",
-        blocks.palette()[i].toString(), mostFaces(look.models[i]), counts[i],
-        limits::kModelMeshFaces);
+    addWarning(diagnostics, "resource-model", {},
+               fmt::format("{} has a model of {} faces and stands {} times in the world: expected "
+                           "at most {} faces of "
+                           "such "
+                           "models in all; the block keeps its own look",
+                           blocks.palette()[i].toString(), mostFaces(look.models[i]), counts[i],
+                           limits::kModelMeshFaces));
     look.models[i].parts.clear();
   }
 }
@@ -129,29 +128,26 @@ class LookTextures {
   void finish(BlockAtlas& atlas) {
     tiles_.push_back({"missing", drawnTile("missing")});
     if (packTiles(std::move(tiles_), atlas)) return;
-    Diagnostic& warning = diagnostics_.emplace_back();
-    warning.severity = Severity::Warning;
-    warning.id = "resource-texture";
-    warning.message =
-        "the largest textures of the resource packs are drawn at half of their size or less: they "
-        "would not fit into one atlas";
+    addWarning(
+        diagnostics_, "resource-texture", {},
+        "the largest textures of the resource packs are drawn at half of their size or less: "
+        "they would not fit into one atlas");
   }
 
   void warnOfMissingTextures() {
     if (missing_.empty()) return;
     constexpr std::size_t kNamed = 8;
     const std::size_t named = std::min(kNamed, missing_.size());
-    Diagnostic& warning = diagnostics_.emplace_back();
-    warning.severity = Severity::Warning;
-    warning.id = "resource-missing";
-    warning.message = fmt::format(
-        "{} of models {} in none of the resource packs, and drawn as ours where there is "
-        "one of that name: {}{}",
-        missing_.size() == 1 ? "a texture" : fmt::format("{} textures", missing_.size()),
-        missing_.size() == 1 ? "is" : "are",
-        fmt::join(missing_.begin(), missing_.begin() + std::ptrdiff_t(named), ", "),
-        named < missing_.size() ? ", ..." : "");
-    warning.hint = "give the game's .jar as the last --resources";
+    addWarning(
+        diagnostics_, "resource-missing", {},
+        fmt::format(
+            "{} of models {} in none of the resource packs, and drawn as ours where there is "
+            "one of that name: {}{}",
+            missing_.size() == 1 ? "a texture" : fmt::format("{} textures", missing_.size()),
+            missing_.size() == 1 ? "is" : "are",
+            fmt::join(missing_.begin(), missing_.begin() + std::ptrdiff_t(named), ", "),
+            named < missing_.size() ? ", ..." : ""),
+        "give the game's .jar as the last --resources");
   }
 
  private:

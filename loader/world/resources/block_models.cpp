@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "core/add_diagnostic.h"
 #include "core/limits.h"
 #include "world/blocks/block_data.h"
 #include "world/files/located_json.h"
@@ -102,15 +103,11 @@ void BlockModels::warnOfMissing() {
   }
   const std::size_t count = library_.missing().size();
   if (count > kNamed) names.push_back(fmt::format("and {} more", count - kNamed));
-  Diagnostic& warning = diagnostics_.emplace_back();
-  warning.severity = Severity::Warning;
-  warning.id = "resource-missing";
-  warning.message =
-      fmt::format("{} that blocks of this world use {} in none of the resource packs: {}",
-                  count == 1 ? "a model" : fmt::format("{} models", count),
-                  count == 1 ? "is" : "are", fmt::join(names, ", "));
-  warning.hint =
-      "packs build on the game's own models: give the game's .jar as the last --resources";
+  addWarning(diagnostics_, "resource-missing", {},
+             fmt::format("{} that blocks of this world use {} in none of the resource packs: {}",
+                         count == 1 ? "a model" : fmt::format("{} models", count),
+                         count == 1 ? "is" : "are", fmt::join(names, ", ")),
+             "packs build on the game's own models: give the game's .jar as the last --resources");
 }
 
 }  // namespace orris

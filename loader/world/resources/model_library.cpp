@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "core/add_diagnostic.h"
 #include "core/limits.h"
 #include "world/resources/builtin_models.h"
 
@@ -36,12 +37,7 @@ std::optional<ResourceFile> builtin(const ResourceName& name) {
 }  // namespace
 
 void ModelLibrary::warn(const SourceLocation& at, std::string message, std::string hint) {
-  Diagnostic& warning = diagnostics_.emplace_back();
-  warning.severity = Severity::Warning;
-  warning.id = "resource-model";
-  warning.at = at;
-  warning.message = std::move(message);
-  warning.hint = std::move(hint);
+  addWarning(diagnostics_, "resource-model", at, std::move(message), std::move(hint));
 }
 
 const ModelFile* ModelLibrary::file(const std::string& name, const SourceLocation& askedAt) {

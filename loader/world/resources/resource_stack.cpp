@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/add_diagnostic.h"
 #include "core/asset_source.h"
 
 namespace orris {
@@ -62,12 +63,9 @@ std::optional<ResourceFile> ResourceStack::read(const ResourceName& name, Resour
     if (!pack.files->contains(path)) continue;
     const std::string place = pack.label + "/assets" + path;
     if (auto bytes = pack.files->read(path)) return ResourceFile{std::move(*bytes), place};
-    Diagnostic& warning = diagnostics.emplace_back();
-    warning.severity = Severity::Warning;
-    warning.id = "resource-unreadable";
-    warning.at.file = place;
-    warning.message = "this file of the resource pack cannot be read, or is too large";
-    warning.hint = "zip the pack again without a password, with deflate";
+    addWarning(diagnostics, "resource-unreadable", {place},
+               "this file of the resource pack cannot be read, or is too large",
+               "zip the pack again without a password, with deflate");
     return std::nullopt;
   }
   return std::nullopt;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/add_diagnostic.h"
 #include "core/limits.h"
 #include "world/files/json_reader.h"
 
@@ -12,14 +13,6 @@ namespace orris {
 namespace {
 
 constexpr std::size_t kHeaderBytes = 24;  // of a PNG, up to the height
-
-void warnOfTexture(Diagnostics& diagnostics, const std::string& place, std::string message) {
-  Diagnostic& warning = diagnostics.emplace_back();
-  warning.severity = Severity::Warning;
-  warning.id = "resource-texture";
-  warning.at.file = place;
-  warning.message = std::move(message);
-}
 
 std::uint32_t headerNumber(const std::string& bytes, std::size_t at) {
   std::uint32_t value = 0;
@@ -68,11 +61,6 @@ std::optional<FramePart> readAnimation(const ResourceStack& resources, const Res
   if (!meta) return std::nullopt;
   const JsonText source{meta->bytes, meta->place, &kResourceJson};
   JsonReader reader(source, diagnostics);
-  if (meta->bytes.size() > limits::kResourceJsonBytes) {
-    reader.error(0, fmt::format("the file has {} bytes: expected at most {}", meta->bytes.size(),
-                                limits::kResourceJsonBytes));
-    return std::nullopt;
-  }
   const auto root = parseLocatedJson(source, diagnostics);
   const JsonNode* animation = root ? root->find("animation") : nullptr;
   if (!animation) return std::nullopt;
@@ -134,13 +122,13 @@ std::optional<Image8> readPicture(const ResourceStack& resources, const Resource
   const auto file = resources.read(name, kTextures, diagnostics);
   if (!file) return std::nullopt;
   if (std::string problem = problemOfHeader(file->bytes); !problem.empty()) {
-    warnOfTexture(diagnostics, file->place, std::move(problem));
+    addWarning(diagnostics, "resource-texture", {file->place}, std::move(problem));
     return std::nullopt;
   }
   Diagnostics problems;
   auto image = decodeImage(file->bytes, file->place, problems);
   for (const Diagnostic& problem : problems)
-    warnOfTexture(diagnostics, file->place, problem.message);
+    addWarning(diagnostics, "resource-texture", {file->place}, problem.message);
   return image;
 }
 

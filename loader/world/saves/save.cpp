@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/add_diagnostic.h"
 #include "core/limits.h"
 #include "core/printable.h"
 #include "core/read_file.h"
@@ -23,16 +24,6 @@ constexpr int kBlocksOfChunk = kSectionSize;
 constexpr std::size_t kNamedChunks = 20;
 constexpr double kEyeHeight = 1.62;
 
-void addSaveProblem(Diagnostics& diagnostics, Severity severity, const char* id,
-                    const std::filesystem::path& file, std::string message, std::string hint = "") {
-  Diagnostic& diagnostic = diagnostics.emplace_back();
-  diagnostic.severity = severity;
-  diagnostic.id = id;
-  diagnostic.at.file = file.string();
-  diagnostic.message = std::move(message);
-  diagnostic.hint = std::move(hint);
-}
-
 /// What level.dat says; a damaged one is a warning.
 LevelData readLevel(const SaveFiles& files, Diagnostics& diagnostics) {
   if (files.level.empty()) return {};
@@ -42,9 +33,9 @@ LevelData readLevel(const SaveFiles& files, Diagnostics& diagnostics) {
   std::string problem = describe(fault);
   auto level = bytes ? parseLevelData(*bytes, problem) : std::nullopt;
   if (level) return *level;
-  addSaveProblem(diagnostics, Severity::Warning, "level-unreadable", files.level,
-                 fmt::format("{}; the time is noon and nobody has a place", problem),
-                 "choose a place with --at X,Z; the game keeps an older copy in level.dat_old");
+  addWarning(diagnostics, "level-unreadable", {files.level.string()},
+             fmt::format("{}; the time is noon and nobody has a place", problem),
+             "choose a place with --at X,Z; the game keeps an older copy in level.dat_old");
   return {};
 }
 
@@ -85,9 +76,9 @@ void warnOfChunks(const std::vector<PlacedChunk>& chunks, const SaveFiles& files
   if (absent > 0) kinds.push_back(fmt::format("{} that the save does not hold", absent));
   if (unfinished > 0) kinds.push_back(fmt::format("{} that the game has only begun", unfinished));
   if (unreadable > 0) kinds.push_back(fmt::format("{} that cannot be read", unreadable));
-  addSaveProblem(diagnostics, Severity::Warning, "chunks-left-out", files.region,
-                 fmt::format("{} of {} chunks are left out: {}", absent + unfinished + unreadable,
-                             chunks.size(), fmt::join(kinds, ", ")));
+  addWarning(diagnostics, "chunks-left-out", {files.region.string()},
+             fmt::format("{} of {} chunks are left out: {}", absent + unfinished + unreadable,
+                         chunks.size(), fmt::join(kinds, ", ")));
   for (const PlacedChunk& placed : chunks) {
     if (placed.state != State::Unreadable) continue;
     std::vector<std::string>& notes = diagnostics.back().notes;
@@ -105,22 +96,21 @@ void warnOfChunks(const std::vector<PlacedChunk>& chunks, const SaveFiles& files
 
 void failWithoutRegions(const SaveFiles& files, Diagnostics& diagnostics) {
   const std::vector<std::string> has = dimensionsOf(files.root);
-  addSaveProblem(diagnostics, Severity::Error, "world-unreadable", files.root,
-                 fmt::format("this save has no region files (r.X.Z.mca) of {}", files.dimension),
-                 has.empty()
-                     ? "name a save of 1.2.1 or newer, a folder of .mca files or one of them"
-                     : fmt::format("it has {}", fmt::join(has, ", ")));
+  addError(diagnostics, "world-unreadable", {files.root.string()},
+           fmt::format("this save has no region files (r.X.Z.mca) of {}", files.dimension),
+           has.empty() ? "name a save of 1.2.1 or newer, a folder of .mca files or one of them"
+                       : fmt::format("it has {}", fmt::join(has, ", ")));
 }
 
 void failWithoutChunks(const SaveFiles& files, glm::ivec2 middle, int radius,
                        Diagnostics& diagnostics) {
   const auto held = middleOfRegions(files);
-  addSaveProblem(diagnostics, Severity::Error, "world-unreadable", files.region,
-                 fmt::format("no finished chunk lies within {} chunks of block ({}, {})", radius,
-                             middle.x * kBlocksOfChunk + 8, middle.y * kBlocksOfChunk + 8),
-                 held ? fmt::format("the middle of the save is --at {},{}",
-                                    held->x * kBlocksOfChunk + 8, held->y * kBlocksOfChunk + 8)
-                      : "");
+  addError(diagnostics, "world-unreadable", {files.region.string()},
+           fmt::format("no finished chunk lies within {} chunks of block ({}, {})", radius,
+                       middle.x * kBlocksOfChunk + 8, middle.y * kBlocksOfChunk + 8),
+           held ? fmt::format("the middle of the save is --at {},{}", held->x * kBlocksOfChunk + 8,
+                              held->y * kBlocksOfChunk + 8)
+                : "");
 }
 
 /// Fog and sky of the dimensions where they depend on no biome's weather.
@@ -181,7 +171,7 @@ std::optional<World> loadSave(const std::filesystem::path& path, const SavePart&
   std::string problem;
   auto blocks = joinChunks(chunks, spot->player ? spot->player->feet.y : 64, problem);
   if (!blocks) {
-    addSaveProblem(diagnostics, Severity::Error, "world-unreadable", files.region, problem);
+    addError(diagnostics, "world-unreadable", {files.region.string()}, problem);
     return std::nullopt;
   }
   World world;
