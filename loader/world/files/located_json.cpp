@@ -177,9 +177,10 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
 
 }  // namespace
 
-const JsonRules kWorldJson = {"world-json-syntax", "world-json-value", Severity::Error, true};
+const JsonRules kWorldJson = {"world-json-syntax", "world-json-value", Severity::Error, true,
+                              std::numeric_limits<std::size_t>::max()};
 const JsonRules kResourceJson = {"resource-json-syntax", "resource-json-value", Severity::Warning,
-                                 false};
+                                 false, limits::kResourceJsonBytes};
 
 const JsonNode* JsonNode::find(std::string_view key) const {
   for (const JsonMember& member : members) {
@@ -196,18 +197,22 @@ Diagnostic JsonText::error(std::size_t offset, std::string id, std::string messa
   const std::size_t lineStart = newline == std::string_view::npos ? 0 : newline + 1;
   std::string_view line = text.substr(lineStart, text.find('\n', offset) - lineStart);
   if (line.ends_with('\r')) line.remove_suffix(1);
-  Diagnostic diagnostic;
-  diagnostic.severity = rules->severity;
-  diagnostic.id = std::move(id);
-  diagnostic.at = {file, int(std::count(before.begin(), before.end(), '\n')) + 1,
-                   int(offset - lineStart) + 1};
-  diagnostic.message = std::move(message);
-  diagnostic.sourceLine = quotedLine(line, diagnostic.at.column);
-  diagnostic.hint = std::move(hint);
-  return diagnostic;
+  const int column = int(offset - lineStart) + 1;
+  return {.severity = rules->severity,
+          .id = std::move(id),
+          .at = {file, int(std::count(before.begin(), before.end(), '\n')) + 1, column},
+          .message = std::move(message),
+          .sourceLine = quotedLine(line, column),
+          .hint = std::move(hint)};
 }
 
 std::optional<JsonNode> parseLocatedJson(const JsonText& source, Diagnostics& diagnostics) {
+  if (source.text.size() > source.rules->mostBytes) {
+    diagnostics.push_back(source.error(0, source.rules->valueId,
+                                       fmt::format("the file has {} bytes: expected at most {}",
+                                                   source.text.size(), source.rules->mostBytes)));
+    return std::nullopt;
+  }
   JsonNode root;
   TreeBuilder builder(source, root, diagnostics);
   if (!nlohmann::json::sax_parse(source.text, &builder, nlohmann::json::input_format_t::json, source.rules->alone)) return std::nullopt;

@@ -41,6 +41,7 @@ struct JsonRules {
   const char *syntaxId, *valueId;
   Severity severity;
   bool alone;  ///< nothing may stand behind the value; in files of the game anything may
+  std::size_t mostBytes;  ///< a larger file is refused before it is read
 };
 extern const JsonRules kWorldJson, kResourceJson;
 

@@ -198,11 +198,6 @@ const ModelUses* BlockStateFile::variantFor(const Properties& properties) const 
 std::optional<BlockStateFile> parseBlockStates(ResourceFile file, Diagnostics& diagnostics) {
   const JsonText source{file.bytes, file.place, &kResourceJson};
   JsonReader reader(source, diagnostics);
-  if (file.bytes.size() > limits::kResourceJsonBytes) {
-    reader.error(0, fmt::format("the file has {} bytes: expected at most {}", file.bytes.size(),
-                                limits::kResourceJsonBytes));
-    return std::nullopt;
-  }
   const auto root = parseLocatedJson(source, diagnostics);
   BlockStateFile states;
   if (!root || !BlockStateReader(reader).read(*root, states)) return std::nullopt;

@@ -174,11 +174,6 @@ class ModelReader {
 std::optional<ModelFile> parseModel(const ResourceFile& file, Diagnostics& diagnostics) {
   const JsonText source{file.bytes, file.place, &kResourceJson};
   JsonReader reader(source, diagnostics);
-  if (file.bytes.size() > limits::kResourceJsonBytes) {
-    reader.error(0, fmt::format("the file has {} bytes: expected at most {}", file.bytes.size(),
-                                limits::kResourceJsonBytes));
-    return std::nullopt;
-  }
   const auto root = parseLocatedJson(source, diagnostics);
   ModelFile model;
   model.place = file.place;
