@@ -10,104 +10,16 @@
 #include <memory>
 #include <set>
 
+#include "core/add_diagnostic.h"
 #include "core/parallel.h"
 #include "world/mesh/block_faces.h"
 #include "world/mesh/face_light.h"
+#include "world/mesh/mesh_states.h"
 #include "world/mesh/model_dice.h"
 #include "world/resources/block_look.h"
 
 namespace orris {
 namespace {
-
-constexpr const char* kWater = "minecraft:water";
-
-/// 8/9 of a block for a source or falling fluid, less for flowing ones.
-float fluidHeight(const BlockState& state) {
-  const std::string_view level = state.property("level", "0");
-  const int flowed = level.size() == 1 && level[0] >= '0' && level[0] <= '7' ? level[0] - '0' : 0;
-  return float(8 - flowed) / 9;
-}
-
-/// A part of a model: one of these, by weight.
-struct MeshChoice {
-  std::vector<std::shared_ptr<const std::vector<BlockFace>>> alternatives;
-  std::vector<int> weights;
-};
-
-/// One palette entry, prepared.
-struct MeshState {
-  BlockFaces block;               // of a model: without faces
-  std::vector<MeshChoice> parts;  // of a model
-  bool multipart = false;
-  std::vector<BlockFace> fluidSurface, fluidFull;  // under air, submerged in the same fluid
-  std::string fluid;                               // name, "" = none
-  float height = 0;
-  std::uint16_t fluidState = 0;   // the palette index that fluid faces carry
-  std::uint8_t coveredSides = 0;  // bit 1 << FaceDirection: wholly opaque
-  bool cullsSame = false;
-
-  bool hides(FaceDirection side) const { return coveredSides >> int(side) & 1; }
-};
-
-/// What the palette's entries look like, for all sections.
-class MeshStates {
- public:
-  explicit MeshStates(const MeshInput& input) : input_(input) { prepareStates(); }
-  const MeshState& operator[](std::size_t index) const { return states_[index]; }
-
- private:
-  void prepareStates() {
-    const std::vector<BlockState>& palette = input_.blocks.palette();
-    const auto water = std::find_if(palette.begin(), palette.end(), [](const BlockState& state) {
-      return state.name == kWater && state.property("level", "0") == "0";
-    });
-    for (std::size_t i = 0; i < palette.size(); ++i) {
-      const BlockFacts& facts = input_.facts[i];
-      MeshState& state = states_.emplace_back();
-      state.block = makeBlockFaces(facts, input_.atlas);
-      if (input_.look) addModel(state, input_.look->models[i], facts.emission > 0);
-      state.coveredSides = facts.coveredFaces;
-      state.cullsSame = facts.cullsSame;
-      if (facts.fluid) {
-        // Bubble columns and flowing water join with still water.
-        const bool isWater = facts.tint == Tint::Water;
-        addFluid(state, isWater ? kWater : palette[i].name, i, fluidHeight(palette[i]));
-      } else if (facts.waterlogged && water != palette.end()) {
-        addFluid(state, kWater, std::size_t(water - palette.begin()), 8.0f / 9);
-      }
-    }
-  }
-
-  void addModel(MeshState& state, const BlockModel& model, bool emits) {
-    if (model.parts.empty()) return;
-    state.block.faces.clear();
-    state.multipart = model.multipart;
-    for (const ModelChoice& part : model.parts) {
-      MeshChoice& choice = state.parts.emplace_back();
-      for (const ModelAlternative& one : part.alternatives) {
-        auto& made = modelFaces_[{one.faces.get(), emits}];
-        if (!made)
-          made = std::make_shared<const std::vector<BlockFace>>(
-              makeModelFaces(*one.faces, emits, input_.atlas, input_.look->seeThrough));
-        choice.alternatives.push_back(made);
-        choice.weights.push_back(one.weight);
-      }
-    }
-  }
-
-  void addFluid(MeshState& state, const std::string& name, std::size_t index, float height) {
-    state.fluid = name;
-    state.height = height;
-    state.fluidState = std::uint16_t(index);
-    state.fluidSurface = makeFluidFaces(input_.facts[index], input_.atlas, height);
-    state.fluidFull = makeFluidFaces(input_.facts[index], input_.atlas, 1);
-  }
-
-  const MeshInput& input_;
-  std::vector<MeshState> states_;
-  std::map<std::pair<const std::vector<ModelFace>*, bool>, std::shared_ptr<const std::vector<BlockFace>>>
-      modelFaces_;
-};
 
 /// The faces of one section by layer.
 struct SectionFaces {
@@ -326,19 +238,16 @@ BlockMesh buildMesh(const MeshInput& input) {
   return mesh;
 }
 
-
 void warnOfUnknown(const BlockWorld& blocks, const std::vector<BlockFacts>& facts,
                    Diagnostics& diagnostics) {
   std::set<std::string> unknown;
   for (std::size_t i = 0; i < facts.size(); ++i) {
     const std::string& name = blocks.palette()[i].name;
     if (facts[i].known || !unknown.insert(name).second) continue;
-    Diagnostic diagnostic;
-    diagnostic.severity = Severity::Warning;
-    diagnostic.id = "unknown-block";
-    diagnostic.message =
-        fmt::format("the block \"{}\" is not known: drawn as a cube with the missing texture", name);
-    diagnostics.push_back(std::move(diagnostic));
+    addWarning(
+        diagnostics, "unknown-block", {},
+        fmt::format("the block \"{}\" is not known: drawn as a cube with the missing texture",
+                    name));
   }
 }
 
