@@ -14,6 +14,8 @@ namespace {
 
 using nlohmann::json;
 
+constexpr std::string_view kHomepage = ORRIS_HOMEPAGE;  // "": nobody publishes this build
+
 const char* levelOf(Severity severity) { return severityName(severity); }  // SARIF has our words
 
 /// Section 3.10: a relative URI reference, so that all but plain characters is escaped.
@@ -101,12 +103,13 @@ json resultOf(const PackResult& pack, const Finding& finding) {
 json ruleList() {
   json rules = json::array();
   for (const Rule& rule : ruleTable()) {
-    const std::string page = fmt::format("{}/blob/main/docs/checks.md#{}", ORRIS_HOMEPAGE, rule.id);
-    rules.push_back({{"id", rule.id},
-                     {"shortDescription", {{"text", rule.summary}}},
-                     {"help", {{"text", fmt::format("{}. See {}", rule.summary, page)}}},
-                     {"helpUri", page},
-                     {"defaultConfiguration", {{"level", levelOf(rule.severity)}}}});
+    const std::string page = fmt::format("docs/checks.md#{}", rule.id);
+    json& entry = rules.emplace_back(
+        json{{"id", rule.id},
+             {"shortDescription", {{"text", rule.summary}}},
+             {"help", {{"text", fmt::format("{}. See {}", rule.summary, page)}}},
+             {"defaultConfiguration", {{"level", levelOf(rule.severity)}}}});
+    if (!kHomepage.empty()) entry["helpUri"] = fmt::format("{}/blob/main/{}", kHomepage, page);
   }
   return rules;
 }
@@ -119,12 +122,12 @@ std::string writeSarif(const ValidateResult& result) {
                  {{"name", "orris"},
                   {"version", ORRIS_VERSION},
                   {"semanticVersion", ORRIS_VERSION},
-                  {"informationUri", ORRIS_HOMEPAGE},
                   {"rules", ruleList()}}}}},
               {"columnKind", "unicodeCodePoints"},
               {"originalUriBaseIds",
                {{"SRCROOT", {{"description", {{"text", "the root of the repository"}}}}}}},
               {"results", json::array()}};
+  if (!kHomepage.empty()) run["tool"]["driver"]["informationUri"] = kHomepage;
   for (const PackResult& pack : result.packs) {
     for (const Finding& finding : pack.findings) {
       const bool shown = finding.diagnostic.severity != Severity::Note || result.verbose;

@@ -134,8 +134,11 @@ class Sarif(unittest.TestCase):
         for result in run["results"]:
             self.assertEqual(rules[result["ruleIndex"]]["id"], result["ruleId"])
             self.assertTrue(result["locations"][0]["physicalLocation"]["artifactLocation"]["uri"])
+        home = run["tool"]["driver"].get("informationUri")
         for rule in rules:
-            self.assertRegex(rule["helpUri"], rf"^https://\S+/docs/checks\.md#{rule['id']}$")
+            page = f"docs/checks.md#{rule['id']}"
+            self.assertTrue(rule["help"]["text"].endswith(page))
+            self.assertEqual(rule.get("helpUri"), home and f"{home}/blob/main/{page}")
 
     def test_keeps_what_is_silenced_as_suppressions(self):
         folder = Folder()
