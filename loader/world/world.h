@@ -108,7 +108,7 @@ struct SavePart {
 constexpr int kDefaultSaveRadius = 8;
 
 /// Loads a folder with world.json, a world.json, a Sponge .schem, a part of a save, or random:SEED (random_room.h). Numeric limits:
-/// 512 blocks an axis and 2^27 blocks in all, but of saves. `seed` drives generated worlds. The palette
+/// 512 blocks an axis and 2^25 blocks in all, but of saves. `seed` drives generated worlds. The palette
 /// also holds the states that events set, so that facts and textures made from it serve every frame.
 std::optional<World> loadWorld(const std::string& path, unsigned seed, Diagnostics& diagnostics,
                                const SavePart& part = {});

@@ -29,7 +29,7 @@ struct FramePass {
   std::string name;                        ///< of the program ("composite3"), or what is copied
   const ProgramSource* program = nullptr;  ///< nullptr: built into the host
   ProgramGroup group = ProgramGroup::Composite;
-  bool drawn = true;   ///< false: a geometry program that this host never draws (entities, hand)
+  bool drawn = true;   ///< false: a geometry program that is drawn only where a world has its things
   bool setup = false;  ///< runs once after load, not in each frame
   bool translucent = false;  ///< geometry drawn after the deferred programs
   std::vector<int> writes;   ///< colortex (shadow groups: shadowcolor) in slot order

@@ -49,7 +49,7 @@ struct GraphPass {
   std::string group;        ///< "setup", "shadow", "gbuffers", "translucent", "deferred", ...
   std::string kind;         ///< "fullscreen", "geometry", "compute", "copy" or "present"
   std::string file;         ///< "/world0/composite.fsh"; "" when built into the host
-  bool drawn = true;        ///< false: geometry that this host has not (entities, hand)
+  bool drawn = true;        ///< false: geometry that is drawn only where a world has it
   int width = 0, height = 0;
   std::array<float, 3> scale{1, 0, 0};
   std::vector<GraphRead> reads;

@@ -13,7 +13,7 @@
 namespace orris {
 namespace {
 
-constexpr const char* kUnbalanced = "conditional-unbalanced";
+constexpr const char* kUnbalancedBlock = "conditional-unbalanced";
 // Each trial compiles this many programs of each folder; the rest are taken to be like them.
 constexpr std::size_t kMostOfFolder = 2;
 constexpr std::size_t kMostConditions = 5;
@@ -36,7 +36,7 @@ class Collector {
   explicit Collector(const std::vector<Diagnostics>& found) {
     for (const Diagnostics& diagnostics : found) {
       for (const Diagnostic& diagnostic : diagnostics) {
-        if (diagnostic.id == kUnbalanced) reported_.insert(diagnostic.at.file);
+        if (diagnostic.id == kUnbalancedBlock) reported_.insert(diagnostic.at.file);
       }
     }
   }
@@ -89,7 +89,7 @@ class Collector {
 
 int countProblems(const Diagnostics& diagnostics) {
   return int(std::ranges::count_if(diagnostics, [](const Diagnostic& d) {
-    return d.severity == Severity::Error || d.id == kUnbalanced;
+    return d.severity == Severity::Error || d.id == kUnbalancedBlock;
   }));
 }
 
@@ -158,7 +158,7 @@ class PlaceSearch {
 void replaceReport(const Unbalanced& unbalanced, const Diagnostic& settled, Diagnostics& found) {
   const Diagnostic guess = describeUnbalanced(unbalanced.what, unbalanced.file);
   for (Diagnostic& d : found) {
-    if (d.id != kUnbalanced || d.at != guess.at || d.message != guess.message) continue;
+    if (d.id != kUnbalancedBlock || d.at != guess.at || d.message != guess.message) continue;
     Diagnostic better = settled;
     better.hint = d.hint;
     better.includedFrom = d.includedFrom;
