@@ -199,10 +199,12 @@ INSTANTIATE_TEST_SUITE_P(
 // Two places of one side of a block of glass: .01956 and .02129 in green by orris trace --noise 0.005; with one value a
 // side the first shows more.
 TEST(ReferenceGlassSide, light_changes_over_the_side_of_a_block) {
+  OptionValues options = kSettling;
+  options["FACE_GAIN"] = "1.0";  // a plain mean of the updates: the two values differ by little more than their noise
   PackSession pack(stoneRoom(R"({"box": "light_blue_stained_glass", "min": [2, 2, 4], "max": [8, 6, 4]},
                                 {"block": "glowstone", "at": [5, 7, 8]})",
                              R"("position": [5.5, 3.6, 7.5])"),
-                   kSettling, 8, 8);
+                   options, 8, 8);
   pack.look({5.5, 3.6, 7.5}, {3.25, 4.5, 5});
   pack.renderFrames(120);
   const double far = pack.meanRadiance().g;

@@ -131,7 +131,7 @@ TEST(B2, more_bounces_win_only_after_many_frames) {
 }
 
 // The lamp that rays find by chance, sampled: (3.16 / .35)^2 = 82 times less variance of one ray of each kind, 41 times less
-// than of two that find it by chance.
+// than of two that find it by chance; a choice among 4 of the lamp's 16 blocks leaves half of that.
 TEST(B3, rays_to_the_lamp_take_away_nearly_all_noise) {
   const Drawn room{.world = "b_room", .warmUp = 90, .frames = 64};
   const OptionValues cache = {{"GI_METHOD", "FACE_CACHE"}, {"GI_LAMPS", "HIT"}, {"GI_SAMPLES", "2"}};
@@ -139,7 +139,7 @@ TEST(B3, rays_to_the_lamp_take_away_nearly_all_noise) {
   sampled["GI_LAMPS"] = "SAMPLED";
   const Noise hit = noiseOf(cache, room), aimed = noiseOf(sampled, room);
   EXPECT_NEAR(aimed.mean / hit.mean, 1, .1);
-  EXPECT_GT(hit.variance / aimed.variance, 30);
+  EXPECT_GT(hit.variance / aimed.variance, 15);
 }
 
 }  // namespace

@@ -1,0 +1,147 @@
+#!/usr/bin/env python3
+"""How wrong a pack is in random rooms, and what it costs beside one bounce: a row a room, in a page of docs/results.
+
+Bias by `orris chart --scenes random:SEED:1`, cost by `orris chart random:SEED`, both at the pack's default settings but for
+what BIAS and COST set. Rows stay in FOLDER and keep commit and date; rooms that have one are not measured again, so that the
+command can be interrupted. What stands in PAGE between the comments `rooms` and `end of rooms` is written anew."""
+
+import argparse
+import csv
+import datetime
+import json
+import pathlib
+import re
+import subprocess
+import time
+
+GOAL = 0.03
+CHANNELS = ("red", "green", "blue")
+BIAS = ["--size", "16x9", "--runs", "4", "--warm-up", "160", "--frames", "128", "--trace-seconds", "12", "--trace-noise",
+        "0.003", "--no-costs", "--buffer", "colortex0", "--axis", "GI_METHOD=FACE_CACHE", "--set", "AMBIENT_MINIMUM=0.0",
+        "DIRECT_LIGHT=NONE", "GI_FILTER=false", "TEMPORAL_ACCUMULATION=false", "GI_SAMPLES=4"]
+COST = ["--size", "160x90", "--axis", "GI_METHOD=BOUNCE_1,FACE_CACHE", "--clock", "cpu", "--reference",
+        "GI_METHOD=FACE_CACHE", "--reference-frames", "2", "--warm-up", "60", "--frames", "2", "--rounds", "12", "--visit", "3",
+        "--set", "TEMPORAL_FRAMES=1024"]
+
+
+def upper_end(row):
+    """Of the worst channel.
+
+    >>> upper_end({"red": [0, 0, .02], "green": [0, 0, .04], "blue": [0, 0, .01]})
+    0.04
+    """
+    return max(row[channel][2] for channel in CHANNELS)
+
+
+def estimate(row):
+    return max(row[channel][0] for channel in CHANNELS)
+
+
+def seeds(rows):
+    return ", ".join(str(row["seed"]) for row in rows) or "none"
+
+
+def summary(rows):
+    """
+    >>> row = lambda seed, value, high: {"seed": seed, **{channel: [value, 0, high] for channel in CHANNELS}}
+    >>> print(summary([row(1, .01, .02), row(3, .02, .04), row(5, .06, .08)]))
+    1 of 3 rooms have the upper end of every channel at most .03: 1. Estimates at most .03, intervals too wide: 3. Estimates above .03: 5.
+    """
+    meet = [row for row in rows if upper_end(row) <= GOAL]
+    wide = [row for row in rows if row not in meet and estimate(row) <= GOAL]
+    miss = [row for row in rows if row not in meet and row not in wide]
+    return (f"{len(meet)} of {len(rows)} rooms have the upper end of every channel at most .03: {seeds(meet)}. "
+            f"Estimates at most .03, intervals too wide: {seeds(wide)}. Estimates above .03: {seeds(miss)}.")
+
+
+def interval(values, digits=3):
+    value, low, high = (f"{x:.{digits}f}" for x in values)
+    return f"{value} [{low}, {high}]"
+
+
+def table(rows):
+    lines = ["| seed | time | rms bias, red | green | blue | signed mean, luminance | noise of the reference | cost over `BOUNCE_1` "
+             "| commit | date |", "| " + "--- | " * 10]
+    for row in rows:
+        cells = [row["seed"], row["time"], *(interval(row[channel]) for channel in CHANNELS), interval(row["signed"]),
+                 f"{row['reference']:.4f}", interval(row["cost"], 2) if row["cost"] else "", row["commit"], row["date"]]
+        lines.append("| " + " | ".join(map(str, cells)) + " |")
+    return "\n".join(line.rstrip() for line in lines)
+
+
+def command(orris, pack, scene, flags):
+    """Lines of at most about 120 characters."""
+    lines, line = [], f"    {pathlib.Path(orris).name} chart {pathlib.Path(pack).name} {scene} -o rooms"
+    for flag in flags:
+        if len(line) + len(flag) > 112:
+            lines.append(line + " \\")
+            line = "     "
+        line += " " + flag
+    return "\n".join([*lines, line])
+
+
+def with_rooms(page, text):
+    """
+    >>> with_rooms("a<!-- rooms -->old<!-- end of rooms -->b", "new")
+    'a<!-- rooms -->\\nnew\\n<!-- end of rooms -->b'
+    """
+    return re.sub(r"(<!-- rooms -->).*(<!-- end of rooms -->)", lambda m: f"{m[1]}\n{text}\n{m[2]}", page, flags=re.S)
+
+
+def commit_of(pack):
+    def git(*arguments):
+        return subprocess.run(["git", "-C", pack, *arguments], check=True, capture_output=True, text=True).stdout
+    return git("rev-parse", "--short", "HEAD").strip() + ("+" if git("status", "--porcelain", ".") else "")
+
+
+def bias_of(args, seed, folder):
+    subprocess.run([args.orris, "chart", args.pack, "--scenes", f"random:{seed}:1", "-o", folder, "--quiet", *BIAS], check=True)
+    with (folder / "scenes.csv").open() as file:
+        measured = next(csv.DictReader(file))
+    row = {channel: [float(measured[f"rms{end}_{channel}"]) for end in ("", "_low", "_high")] for channel in CHANNELS}
+    row["signed"] = [float(measured[f"signed{end}_luminance"]) for end in ("", "_low", "_high")]
+    return row | {"time": int(measured["time"]), "reference": float(measured["reference_noise"])}
+
+
+def cost_of(args, seed, folder):
+    text = subprocess.run([args.orris, "chart", args.pack, f"random:{seed}", "-o", folder, "--json", *COST], check=True,
+                          capture_output=True, text=True).stdout
+    point = next(point for point in json.loads(text)["points"] if "FACE_CACHE" in point["setting"])
+    return [point["ratio"], *point["ratioInterval"]]
+
+
+def measure(args, seed):
+    kept = args.folder / f"{seed}.json"
+    row = json.loads(kept.read_text()) if kept.exists() else {}
+    if not row:
+        row = {"seed": seed, "commit": commit_of(args.pack), "date": datetime.date.today().isoformat(), "cost": None}
+        row |= bias_of(args, seed, args.folder / f"{seed}-bias")
+    if args.costs and not row["cost"]:
+        row["cost"] = cost_of(args, seed, args.folder / f"{seed}-cost")
+    kept.write_text(json.dumps(row))
+    return row
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("orris")
+    parser.add_argument("pack")
+    parser.add_argument("page", type=pathlib.Path)
+    parser.add_argument("--folder", type=pathlib.Path, default=pathlib.Path("build/rooms"))
+    parser.add_argument("--first", type=int, default=1, help="seed; odd ones are held out")
+    parser.add_argument("--rooms", type=int, default=50)
+    parser.add_argument("--costs", action="store_true", help="measure costs, too")
+    parser.add_argument("--minutes", type=float, default=1e9, help="begin no room after so long")
+    args = parser.parse_args()
+    args.folder.mkdir(parents=True, exist_ok=True)
+    begun, rows = time.monotonic(), []
+    for seed in range(args.first, args.first + 2 * args.rooms, 2):
+        if (args.folder / f"{seed}.json").exists() or time.monotonic() - begun < 60 * args.minutes:
+            rows.append(measure(args, seed))
+            text = "\n\n".join([command(args.orris, args.pack, "--scenes random:SEED:1", BIAS),
+                                command(args.orris, args.pack, "random:SEED", COST), summary(rows), table(rows)])
+            args.page.write_text(with_rooms(args.page.read_text(), text))
+
+
+if __name__ == "__main__":
+    main()
