@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "api/api_fixture.h"
+#include "support/folder_test.h"
 
 namespace orris_test {
 namespace {
@@ -15,14 +16,7 @@ class ReloadApi : public ApiTest {
  protected:
   void SetUp() override {
     ApiTest::SetUp();
-    char name[] = "/tmp/orris_api_XXXXXX";
-    ASSERT_NE(mkdtemp(name), nullptr);
-    folder_ = name;
     fs::copy(testPack(), folder_ / "pack", fs::copy_options::recursive);
-  }
-  void TearDown() override {
-    ApiTest::TearDown();
-    if (!folder_.empty()) fs::remove_all(folder_);
   }
   void write(const std::string& file, const std::string& text) const {
     std::ofstream(folder_ / "pack/shaders" / file) << text;
@@ -32,7 +26,8 @@ class ReloadApi : public ApiTest {
            "void main() { color = " +
            color + "; }\n";
   }
-  fs::path folder_;
+  const orris::test::TemporaryFolder temporary_;
+  const fs::path folder_ = temporary_.path();
 };
 
 TEST_F(ReloadApi, edited_files_are_drawn_with) {

@@ -29,7 +29,7 @@ Lines linesOf(const Diagnostics& diagnostics) {
 
 Lines compile(Files files) {
   files.try_emplace("/composite.vsh", kVertexStage);
-  const ShaderPack pack = loadFolder(files);
+  const ShaderPack pack = loadClean(files);
   Verdicts verdicts;
   Diagnostics diagnostics;
   checkWithGlslang(pack, 1, verdicts, diagnostics);
@@ -325,7 +325,7 @@ TEST(FileNames, only_slips_are_warnings) {
   files["/gbuffers_terrain_old.fsh"] = files["/clrwl_gbuffers.fsh"] = kVersion;
   files["/gbuffers_hand.vsh"] = files["/World-1/composite.fsh"] = kVersion;
   files["/world7/composite.fsh"] = kVersion;
-  const ShaderPack pack = loadFolder(files);
+  const ShaderPack pack = loadClean(files);
   Diagnostics diagnostics, warnings;
   checkFileNames(std::span(&pack, 1), diagnostics);
   for (const Diagnostic& d : diagnostics) {

@@ -69,7 +69,7 @@ TEST(Varyings, from_glsl_440_on_the_fragment_stage_alone_says_how_it_interpolate
 }
 
 TEST(Varyings, a_missing_one_names_the_line_that_declares_it_for_other_options) {
-  const ShaderPack pack = loadFolder(
+  const ShaderPack pack = loadClean(
       packOf("#ifdef LATER\nflat out int a;\n#endif\nvoid main() { gl_Position = ftransform(); }",
              "flat in int a;\nvoid main() { gl_FragColor = vec4(a); }"));
   Diagnostics diagnostics;
@@ -236,7 +236,7 @@ TEST(Outputs, final_has_the_screen_alone) {
 TEST(Outputs, a_ninth_has_no_place_in_any_list) {
   const auto hintOf = [](const std::string& index) {
     const ShaderPack pack =
-        loadFolder(fragmentOf("void main() { gl_FragData[0] = gl_FragData[" + index + "] = vec4(1); }"));
+        loadClean(fragmentOf("void main() { gl_FragData[0] = gl_FragData[" + index + "] = vec4(1); }"));
     Diagnostics diagnostics;
     const Schedule schedule = buildSchedule(pack, 64, 32, {}, diagnostics);
     checkDeclarations({.pack = pack, .schedule = schedule, .target = *findTarget("iris")}, diagnostics);

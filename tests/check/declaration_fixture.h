@@ -20,7 +20,7 @@ inline Files fragmentOf(const std::string& fragment, const std::string& properti
 
 /// Everything but notes, by place.
 inline Lines messages(const Files& files, const std::string& target = "iris", bool notes = false) {
-  const ShaderPack pack = loadFolder(files);
+  const ShaderPack pack = loadClean(files);
   Diagnostics diagnostics;
   const Schedule schedule = buildSchedule(pack, 64, 32, {}, diagnostics);
   checkDeclarations({.pack = pack, .schedule = schedule, .target = *findTarget(target)},

@@ -88,7 +88,7 @@ TEST(Names, variables_of_shaders_properties_are_not_seen_by_shaders) {
 
 TEST(Names, an_attribute_that_is_a_uniform_is_said_to_be_one) {
   const ShaderPack pack =
-      loadFolder(packOf("in int blockEntityId;\nvoid main() { gl_Position = vec4(blockEntityId); }",
+      loadClean(packOf("in int blockEntityId;\nvoid main() { gl_Position = vec4(blockEntityId); }",
                         "void main() { gl_FragColor = vec4(1); }"));
   Diagnostics diagnostics;
   const Schedule schedule = buildSchedule(pack, 64, 32, {}, diagnostics);

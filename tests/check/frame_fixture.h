@@ -3,15 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include <map>
 #include <string>
 #include <type_traits>
 #include <vector>
 
 #include "check/frame/frame_view.h"
 #include "check/pack/pack_checks.h"
-#include "core/file_source.h"
-#include "pack/shader_pack.h"
 #include "text_fixture.h"
 
 namespace orris {
@@ -41,17 +38,10 @@ inline Files cleanPack() {
   return files;
 }
 
-inline ShaderPack loadFolder(const Files& files) {
-  Diagnostics diagnostics;
-  auto pack = loadShaderPack(memorySource(files), {.environment = standardMacros({})}, diagnostics);
-  for (const Diagnostic& d : diagnostics) ADD_FAILURE() << formatDiagnostic(d);
-  return std::move(pack).value();
-}
-
 /// First lines ("place: severity: message") and hints of what one check says about a pack.
 template <typename Check>
 std::vector<std::string> messagesOf(Check check, const Files& files) {
-  const ShaderPack pack = loadFolder(files);
+  const ShaderPack pack = loadClean(files);
   Diagnostics diagnostics;
   const Schedule schedule = buildSchedule(pack, 64, 32, {}, diagnostics);
   if constexpr (std::is_invocable_v<Check, FrameView, Diagnostics&>) {

@@ -93,7 +93,7 @@ TEST(FramePasses, gcolor_of_a_fullscreen_program_is_colortex0) {
                                                               ", vec2(0.5));\n"));
     files["/composite.fsh"].insert(files["/composite.fsh"].find("void main"),
                                    "uniform sampler2D " + std::string(name) + ";\n");
-    const ShaderPack pack = loadFolder(files);
+    const ShaderPack pack = loadClean(files);
     Diagnostics diagnostics;
     const Schedule schedule = buildSchedule(pack, 64, 32, {}, diagnostics);
     bool reads = false;
@@ -210,7 +210,7 @@ TEST(TexturesUsed, what_no_file_names_is_noted) {
       "texture.composite.moon=tex.png\nimage.cells=cellSampler RGBA RGBA8 UNSIGNED_BYTE false "
       "false "
       "4 4\n";
-  const ShaderPack pack = loadFolder(files);
+  const ShaderPack pack = loadClean(files);
   Diagnostics diagnostics;
   checkTexturesUsed(std::span(&pack, 1), diagnostics);
   std::vector<std::string> messages;

@@ -87,7 +87,7 @@ TEST(LanguageKeys, what_is_left_over_is_one_finding) {
 
 TEST(LanguageKeys, each_line_that_is_left_over_is_a_place_of_the_finding) {
   const ShaderPack pack =
-      loadFiles({{"/lang/en_us.lang", "option.BLOOM=a\noption.OTHER_ONE=b\nvalue.GONE.1=c\n"}});
+      loadPackWith({{"/lang/en_us.lang", "option.BLOOM=a\noption.OTHER_ONE=b\nvalue.GONE.1=c\n"}});
   Diagnostics diagnostics;
   checkLanguageKeys(std::span(&pack, 1), diagnostics);
   ASSERT_EQ(diagnostics.size(), 1u);

@@ -11,13 +11,13 @@ using testing::IsEmpty;
 const std::string kUse = "float used = float(STEPS);\n";
 
 TEST(OptionLists, a_value_given_twice_is_a_warning_but_for_a_slider) {
-  const PackFilesByPath files{{"/settings.glsl", "\n  #define STEPS 4 // [2 4 8 4]\n"}};
+  const Files files{{"/settings.glsl", "\n  #define STEPS 4 // [2 4 8 4]\n"}};
   EXPECT_THAT(
       found(checkOptionLists, files),
       ElementsAre("option-value-twice /settings.glsl:2:11: warning: the list of STEPS has 4 "
                   "twice | the button that steps through the values never gets past the "
                   "second one"));
-  PackFilesByPath slider = files;
+  Files slider = files;
   slider["/shaders.properties"] = "sliders = STEPS\n";
   EXPECT_THAT(found(checkOptionLists, slider),
               ElementsAre("option-value-twice /settings.glsl:2:11: note: the list of STEPS has 4 "
@@ -64,7 +64,7 @@ TEST(OptionLists, lines_with_different_lists_are_reported_at_the_second) {
       found(checkOptionLists,
             {{"/settings.glsl", "#define STEPS 4 // [2 4 8]\n#define STEPS 4 // [8 2 4]\n"}}),
       IsEmpty());
-  const ShaderPack pack = loadFiles(
+  const ShaderPack pack = loadPackWith(
       {{"/settings.glsl", "#define STEPS 4 // [2 4 8]\n#define STEPS 4 // [4 16]\n"}});
   Diagnostics diagnostics;
   checkOptionLists(std::span(&pack, 1), diagnostics);
@@ -82,7 +82,7 @@ TEST(OptionUse, an_option_that_only_its_definition_names_changes_nothing) {
 
 TEST(OptionUse, any_mention_counts) {
   const std::string define = "#define STEPS 4 // [2 4 8]\n";
-  const std::vector<PackFilesByPath> uses = {
+  const std::vector<Files> uses = {
       {{"/settings.glsl", define + "#if 0\n" + kUse + "#endif\n"}},
       {{"/settings.glsl", define}, {"/world1/composite.fsh", kUse}, {"/world1/composite.vsh", ""}},
       {{"/settings.glsl", define}, {"/shaders.properties", "#if STEPS > 2\n#endif\n"}},
@@ -90,7 +90,7 @@ TEST(OptionUse, any_mention_counts) {
       {{"/settings.glsl", define}, {"/block.properties", "#if STEPS > 2\nblock.1=dirt\n#endif\n"}},
       {{"/settings.glsl", define}, {"/ray0.rgen", kUse}},
       {{"/settings.glsl", define + "#define JOIN(a) a##EPS\n"}}};
-  for (const PackFilesByPath& files : uses) {
+  for (const Files& files : uses) {
     EXPECT_THAT(found(checkOptionUse, files), IsEmpty()) << files.rbegin()->second;
   }
 }
@@ -103,14 +103,14 @@ TEST(OptionUse, what_only_shows_an_option_is_no_use) {
 }
 
 TEST(OptionUse, what_may_be_meant_is_a_note) {
-  const std::vector<PackFilesByPath> cases = {
+  const std::vector<Files> cases = {
       {{"/settings.glsl", "#define ABOUT 0 // [0]\n"}},
       {{"/settings.glsl", "#define PACK_INFO 7 // [7 9]\n"}},
       {{"/settings.glsl", "#define LEVEL 0 // [0 1 2]\n"}},
       {{"/settings.glsl", "#define OCEAN_SUPPORT\n#ifdef OCEAN_SUPPORT\n#endif\n"}},
       {{"/settings.glsl", "#define STEPS 4 // [2 4 8]\n"},
        {"/shaders.properties", "screen = X\n"}}};
-  for (const PackFilesByPath& files : cases) {
+  for (const Files& files : cases) {
     EXPECT_THAT(found(checkOptionUse, files), ElementsAre(testing::HasSubstr(": note: ")))
         << files.begin()->second;
   }
@@ -123,7 +123,7 @@ TEST(OptionUse, directives_are_read_by_the_host) {
 }
 
 TEST(HiddenOptions, an_option_on_no_screen_is_a_note_unless_the_rest_is_shown) {
-  PackFilesByPath files{{"/settings.glsl", "#define A 1 // [1 2]\n#define B 1 // [1 2]\n"},
+  Files files{{"/settings.glsl", "#define A 1 // [1 2]\n#define B 1 // [1 2]\n"},
                         {"/shaders.properties", "screen = [SUB]\nscreen.SUB = A\n"}};
   EXPECT_THAT(found(checkHiddenOptions, files),
               ElementsAre("option-hidden /settings.glsl:2:9: note: no screen shows B"));

@@ -4,37 +4,30 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <map>
-#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "core/file_source.h"
-#include "pack/shader_pack.h"
+#include "support/memory_pack.h"
 
 namespace orris {
 
-using PackFilesByPath = std::map<std::string, std::string>;
 using PackCheck = void (*)(std::span<const ShaderPack>, Diagnostics&);
 
 /// A pack of one program, with what `files` adds or replaces.
-inline ShaderPack loadFiles(PackFilesByPath files) {
+inline ShaderPack loadPackWith(Files files) {
   files.try_emplace("/final.fsh", "#version 120\n#include \"/settings.glsl\"\nvoid main() {}\n");
   files.try_emplace("/final.vsh", "#version 120\nvoid main() {}\n");
   files.try_emplace("/settings.glsl", "");
-  Diagnostics diagnostics;
-  LoadRequest request{.environment = standardMacros({}), .buildSources = false};
-  auto pack = loadShaderPack(std::shared_ptr<const FileSource>(memorySource(std::move(files))),
-                             request, diagnostics);
-  if (pack) return std::move(*pack);
-  ADD_FAILURE() << (diagnostics.empty() ? "not loaded" : formatDiagnostic(diagnostics.front()));
+  Loaded loaded = loadFiles(std::move(files), {.buildSources = false});
+  if (loaded.pack) return std::move(*loaded.pack);
+  ADD_FAILURE() << "not loaded: " << loaded.first();
   return {};
 }
 
 /// "id /file:line:column: severity: message | hint", in the order of the check.
-inline std::vector<std::string> found(PackCheck check, const PackFilesByPath& files) {
-  const ShaderPack pack = loadFiles(files);
+inline std::vector<std::string> found(PackCheck check, const Files& files) {
+  const ShaderPack pack = loadPackWith(files);
   Diagnostics diagnostics;
   check(std::span(&pack, 1), diagnostics);
   std::vector<std::string> messages;

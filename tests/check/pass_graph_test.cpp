@@ -16,7 +16,7 @@ using ::testing::IsEmpty;
 using Source = GraphRead::Source;
 
 PassGraph graphOf(const Files& files) {
-  const ShaderPack pack = loadFolder(files);
+  const ShaderPack pack = loadClean(files);
   Diagnostics diagnostics;
   return passGraph(pack, buildSchedule(pack, 64, 32, {}, diagnostics));
 }

@@ -21,7 +21,7 @@ TEST(RuleNotes, one_place_is_one_note_however_many_programs_share_it) {
              "#version 330 compatibility\nuniform sampler2D colortex0;\n"
              "void main() { gl_FragColor = texture2D(colortex0, vec2(0.5)); }\n");
   std::vector<std::string> lines;
-  for (const Diagnostic& note : ruleNotes(loadFolder(files)))
+  for (const Diagnostic& note : ruleNotes(loadClean(files)))
     if (note.message.find("texture-functions") != std::string::npos)
       lines.push_back(note.at.file + ":" + std::to_string(note.at.line) + " " + note.message);
   EXPECT_THAT(

@@ -61,7 +61,7 @@ TEST(Slips, a_decimal_condition_names_a_value_that_it_takes_for_another) {
                                        "#if A > 0.0 && 1.0 <= B\n#elif A + 1.0 > 1.0\n"
                                        "#elif C > 1.0\n#endif\nvoid main() {}\n"}};
   Diagnostics diagnostics;
-  const ShaderPack pack = loadFolder(files);
+  const ShaderPack pack = loadClean(files);
   checkDecimals({&pack, 1}, diagnostics);
   std::vector<std::string> reported;
   for (const Diagnostic& d : diagnostics)

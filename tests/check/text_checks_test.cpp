@@ -92,7 +92,7 @@ TEST(PropertiesTwice, the_earlier_value_is_lost) {
 }
 
 TEST(PropertiesTwice, the_line_that_is_lost_is_a_place_of_the_finding) {
-  const ShaderPack pack = loadFiles({{"/shaders.properties", "clouds=fancy\nmoon=true\nclouds=fast\n"}});
+  const ShaderPack pack = loadPackWith({{"/shaders.properties", "clouds=fancy\nmoon=true\nclouds=fast\n"}});
   Diagnostics diagnostics;
   checkPropertiesTwice(std::span(&pack, 1), diagnostics);
   ASSERT_EQ(diagnostics.size(), 1u);

@@ -4,13 +4,13 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <map>
 #include <string>
 #include <vector>
 
+#include "support/memory_pack.h"
+
 namespace orris {
 
-using Files = std::map<std::string, std::string>;  ///< by path in the pack
 using Lines = std::vector<std::string>;
 
 inline const std::string kVersion = "#version 330 compatibility\n";

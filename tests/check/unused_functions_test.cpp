@@ -11,15 +11,13 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-ShaderPack loadJudged(const std::map<std::string, std::string>& files, Diagnostics& diagnostics) {
-  const LoadRequest request{.environment = standardMacros({}), .irisTexts = true};
-  auto pack =
-      loadShaderPack(std::shared_ptr<const FileSource>(memorySource(files)), request, diagnostics);
-  EXPECT_TRUE(pack.has_value());
-  return std::move(*pack);
+ShaderPack loadJudged(const Files& files, Diagnostics& diagnostics) {
+  Loaded loaded = loadFiles(files, {.irisTexts = true});
+  diagnostics = std::move(loaded.diagnostics);
+  return std::move(loaded.pack).value();
 }
 
-std::map<std::string, std::string> packWith(const std::string& library) {
+Files packWith(const std::string& library) {
   const std::string stage = "#version 330 compatibility\n#include \"/lib.glsl\"\n";
   return {{"/lib.glsl", library},
           {"/composite.vsh", stage + "void main() { gl_Position = ftransform(); }\n"},

@@ -5,7 +5,8 @@
 #include <zip.h>
 
 #include <filesystem>
-#include <fstream>
+
+#include "support/folder_test.h"
 
 namespace orris {
 namespace {
@@ -14,20 +15,8 @@ namespace fs = std::filesystem;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-class AssetSource : public testing::Test {
+class AssetSource : public test::FolderTest {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("orris_assets_" + std::to_string(getpid()));
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  std::string write(const std::string& name, const std::string& text) {
-    fs::create_directories((folder_ / name).parent_path());
-    std::ofstream(folder_ / name) << text;
-    return (folder_ / name).string();
-  }
-
   std::string zip(const std::map<std::string, std::string>& files) {
     const std::string path = (folder_ / "pack.zip").string();
     zip_t* archive = zip_open(path.c_str(), ZIP_CREATE | ZIP_TRUNCATE, nullptr);
@@ -38,7 +27,6 @@ class AssetSource : public testing::Test {
     return path;
   }
 
-  fs::path folder_;
 };
 
 TEST_F(AssetSource, a_folder_holds_assets_or_is_named_so) {

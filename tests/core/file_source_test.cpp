@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "support/folder_test.h"
+
 namespace orris {
 namespace {
 
@@ -13,21 +15,8 @@ using testing::ElementsAre;
 
 const fs::path kData = fs::path(ORRIS_TEST_DIR) / "core" / "data";
 
-/// A folder of its own for each test, removed afterwards.
-class FileSourceTest : public testing::Test {
+class FileSourceTest : public test::FolderTest {
  protected:
-  void SetUp() override {
-    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    root_ = fs::temp_directory_path() / (std::string("orris_") + info->name());
-    fs::remove_all(root_);
-    fs::create_directories(root_);
-  }
-  void TearDown() override { fs::remove_all(root_); }
-
-  void write(const std::string& path, const std::string& bytes) {
-    fs::create_directories((root_ / path).parent_path());
-    std::ofstream(root_ / path, std::ios::binary) << bytes;
-  }
   std::unique_ptr<FileSource> open(const std::string& path, const PackLimits& limits = {}) {
     diagnostics_.clear();
     return openPack(path, diagnostics_, limits);
@@ -36,7 +25,6 @@ class FileSourceTest : public testing::Test {
     return diagnostics_.empty() ? "" : formatDiagnostic(diagnostics_.front());
   }
 
-  fs::path root_;
   Diagnostics diagnostics_;
 };
 
@@ -44,7 +32,7 @@ TEST_F(FileSourceTest, folder_is_read_from_its_shaders_folder) {
   write("shaders/composite.fsh", "void main() {}");
   write("shaders/lib/a.glsl", "a");
   write("readme.txt", "outside");
-  for (const fs::path& path : {root_, root_ / "shaders", root_ / "shaders/"}) {
+  for (const fs::path& path : {folder_, folder_ / "shaders", folder_ / "shaders/"}) {
     const auto source = open(path.string());
     ASSERT_TRUE(source) << message();
     EXPECT_THAT(source->files(), ElementsAre("/composite.fsh", "/lib/a.glsl"));
@@ -59,9 +47,9 @@ TEST_F(FileSourceTest, textures_of_the_pack_may_lie_beside_its_shaders_folder) {
   write("pack/shaders/lib/a.bin", "a");
   write("pack/assets/noise.png", "noise");
   write("secret.txt", "secret");
-  fs::create_symlink(root_ / "secret.txt", root_ / "pack/assets/link.png");
-  fs::create_symlink("noise.png", root_ / "pack/assets/inside.png");
-  const auto source = open((root_ / "pack").string());
+  fs::create_symlink(folder_ / "secret.txt", folder_ / "pack/assets/link.png");
+  fs::create_symlink("noise.png", folder_ / "pack/assets/inside.png");
+  const auto source = open((folder_ / "pack").string());
   ASSERT_TRUE(source) << message();
   EXPECT_EQ(source->readResource("/../assets/noise.png"), "noise");
   EXPECT_EQ(source->readResource("/../assets/inside.png"), "noise");
@@ -73,10 +61,10 @@ TEST_F(FileSourceTest, textures_of_the_pack_may_lie_beside_its_shaders_folder) {
     EXPECT_EQ(source->readResource(outside), std::nullopt) << outside;
   }
   write("pack/long.bin", std::string(15, 'x'));
-  EXPECT_EQ(open((root_ / "pack").string(), {.fileBytes = 14})->readResource("/../long.bin"),
+  EXPECT_EQ(open((folder_ / "pack").string(), {.fileBytes = 14})->readResource("/../long.bin"),
             std::nullopt);
   // Nobody said that what holds the folder is a pack.
-  EXPECT_EQ(open((root_ / "pack/shaders").string())->readResource("/../assets/noise.png"),
+  EXPECT_EQ(open((folder_ / "pack/shaders").string())->readResource("/../assets/noise.png"),
             std::nullopt);
 }
 
@@ -92,8 +80,8 @@ TEST_F(FileSourceTest, textures_in_a_zip_may_lie_beside_its_shaders_folder) {
 }
 
 TEST_F(FileSourceTest, folder_without_shaders_is_refused) {
-  EXPECT_FALSE(open(root_.string()));
-  EXPECT_EQ(message(), root_.string() +
+  EXPECT_FALSE(open(folder_.string()));
+  EXPECT_EQ(message(), folder_.string() +
                            ": error: no shader pack: the folder has no folder named shaders\n"
                            "  hint: give the folder that holds shaders/");
 }
@@ -107,9 +95,9 @@ TEST_F(FileSourceTest, missing_pack_is_reported_by_its_path) {
 TEST_F(FileSourceTest, symbolic_links_stay_inside) {
   write("shaders/lib/a.glsl", "a");
   write("secret.txt", "secret");
-  fs::create_symlink(root_ / "secret.txt", root_ / "shaders/out.glsl");
-  fs::create_symlink("lib/a.glsl", root_ / "shaders/in.glsl");
-  const auto source = open(root_.string());
+  fs::create_symlink(folder_ / "secret.txt", folder_ / "shaders/out.glsl");
+  fs::create_symlink("lib/a.glsl", folder_ / "shaders/in.glsl");
+  const auto source = open(folder_.string());
   ASSERT_TRUE(source);
   EXPECT_THAT(source->files(), ElementsAre("/in.glsl", "/lib/a.glsl"));
   EXPECT_EQ(source->read("/in.glsl"), "a");
@@ -121,8 +109,8 @@ TEST_F(FileSourceTest, symbolic_links_stay_inside) {
 
 TEST_F(FileSourceTest, endless_links_end_at_the_depth_limit) {
   write("shaders/a.glsl", "a");
-  fs::create_directory_symlink(".", root_ / "shaders/loop");
-  EXPECT_FALSE(open(root_.string()));
+  fs::create_directory_symlink(".", folder_ / "shaders/loop");
+  EXPECT_FALSE(open(folder_.string()));
   EXPECT_EQ(diagnostics_.front().id, "pack-too-large");
 }
 
@@ -130,10 +118,10 @@ TEST_F(FileSourceTest, limits_hold_for_folders_and_zips) {
   write("shaders/a.glsl", "0123456789");
   write("shaders/b.glsl", "0123456789");
   const std::string zip = (kData / "pack.zip").string();
-  EXPECT_FALSE(open(root_.string(), {.fileBytes = 9}));
-  EXPECT_FALSE(open(root_.string(), {.totalBytes = 19}));
-  EXPECT_FALSE(open(root_.string(), {.files = 1}));
-  EXPECT_TRUE(open(root_.string(), {.fileBytes = 10, .totalBytes = 20, .files = 2}));
+  EXPECT_FALSE(open(folder_.string(), {.fileBytes = 9}));
+  EXPECT_FALSE(open(folder_.string(), {.totalBytes = 19}));
+  EXPECT_FALSE(open(folder_.string(), {.files = 1}));
+  EXPECT_TRUE(open(folder_.string(), {.fileBytes = 10, .totalBytes = 20, .files = 2}));
   EXPECT_FALSE(open(zip, {.fileBytes = 3}));
   EXPECT_FALSE(open(zip, {.totalBytes = 3}));
   EXPECT_FALSE(open(zip, {.files = 1}));
@@ -155,13 +143,13 @@ TEST_F(FileSourceTest, zip_with_the_pack_in_a_folder) {
 TEST_F(FileSourceTest, links_that_double_are_not_walked_without_end) {
   write("pack/shaders/composite.fsh", "");
   for (int i = 0; i < 27; ++i) {
-    const fs::path folder = root_ / "pack/shaders" / ("f" + std::to_string(i));
+    const fs::path folder = folder_ / "pack/shaders" / ("f" + std::to_string(i));
     fs::create_directories(folder);
     if (i == 0) continue;
     for (const char* link : {"a", "b"})
       fs::create_symlink("../f" + std::to_string(i - 1), folder / link);
   }
-  EXPECT_FALSE(open((root_ / "pack").string()));
+  EXPECT_FALSE(open((folder_ / "pack").string()));
   ASSERT_EQ(diagnostics_.size(), 1u);
   EXPECT_EQ(diagnostics_.front().message, "the pack has more than 4096 folders, counting links");
 }
@@ -171,7 +159,7 @@ TEST_F(FileSourceTest, truncated_zip_is_one_clear_message) {
   const std::string bytes{std::istreambuf_iterator<char>(file), {}};
   for (const size_t size : {bytes.size() / 2, bytes.size() - 1, size_t{0}}) {
     write("cut.zip", bytes.substr(0, size));
-    EXPECT_FALSE(open((root_ / "cut.zip").string()));
+    EXPECT_FALSE(open((folder_ / "cut.zip").string()));
     ASSERT_EQ(diagnostics_.size(), 1u);
     EXPECT_EQ(diagnostics_.front().id, "zip-unreadable");
     EXPECT_EQ(diagnostics_.front().hint,
@@ -190,7 +178,7 @@ TEST_F(FileSourceTest, what_a_zip_cannot_be_is_named) {
       if (bytes.compare(i, 4, "PK\1\2") == 0) bytes[i + central] = value;
     }
     write("odd.zip", bytes);
-    EXPECT_FALSE(open((root_ / "odd.zip").string()));
+    EXPECT_FALSE(open((folder_ / "odd.zip").string()));
     return diagnostics_.front().message + ": " + diagnostics_.front().hint;
   };
   EXPECT_THAT(refused(6, 8, 1), testing::EndsWith("in the zip is encrypted: zip it without a "
@@ -207,7 +195,7 @@ TEST_F(FileSourceTest, zip_with_damaged_bytes_is_refused) {
   std::string bytes{std::istreambuf_iterator<char>(file), {}};
   bytes[60] = static_cast<char>(bytes[60] ^ 0x55);
   write("bad.zip", bytes);
-  EXPECT_FALSE(open((root_ / "bad.zip").string()));
+  EXPECT_FALSE(open((folder_ / "bad.zip").string()));
   EXPECT_EQ(diagnostics_.front().id, "zip-unreadable");
 }
 

@@ -4,32 +4,27 @@
 #include <sys/stat.h>
 
 #include <filesystem>
-#include <fstream>
+
+#include "support/folder_test.h"
 
 namespace orris {
 namespace {
 
 namespace fs = std::filesystem;
 
-class ReadFile : public testing::Test {
+class ReadFile : public test::FolderTest {
  protected:
   void SetUp() override {
-    fs::remove_all(folder_);
     fs::create_directories(folder_ / "in/side");
-    std::ofstream(folder_ / "out.txt") << "out";
-    std::ofstream(folder_ / "in/a.txt") << "abc";
+    write("out.txt", "out");
+    write("in/a.txt", "abc");
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
   std::string below(const std::string& name, std::size_t limit = 100) {
     const auto text = readFileBelow((folder_ / "in").string(), name, limit, fault_);
     return text.value_or(describe(fault_));
   }
 
-  const fs::path folder_ =
-      fs::path(testing::TempDir()) /
-      ("orris-read-file-" +
-       std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
   ReadFault fault_{};
 };
 

@@ -8,19 +8,18 @@
 #include <iterator>
 #include <set>
 
+#include "support/folder_test.h"
+
 namespace orris {
 namespace {
 
 namespace fs = std::filesystem;
 
-class ReplaceFile : public testing::Test {
+class ReplaceFile : public test::FolderTest {
  protected:
   void SetUp() override {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    std::ofstream(path_) << "old";
+    write("a.txt", "old");
   }
-  void TearDown() override { fs::remove_all(folder_); }
   std::string text() const {
     std::ifstream file(path_);
     return {std::istreambuf_iterator<char>(file), {}};
@@ -28,11 +27,6 @@ class ReplaceFile : public testing::Test {
   std::ptrdiff_t files() const {
     return std::distance(fs::directory_iterator(folder_), fs::directory_iterator());
   }
-  // Each test has its own: they run side by side.
-  const fs::path folder_ =
-      fs::path(testing::TempDir()) /
-      ("orris-replace-file-" +
-       std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
   const std::string path_ = folder_ / "a.txt";
 };
 

@@ -7,26 +7,19 @@
 #include <thread>
 
 #include "image/image.h"
+#include "support/folder_test.h"
 
 namespace orris {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder of its own, removed at the end.
-class ImageIo : public testing::Test {
+class ImageIo : public test::FolderTest {
  protected:
-  ImageIo() {
-    std::string pattern = (fs::temp_directory_path() / "orris-image-XXXXXX").string();
-    folder_ = mkdtemp(pattern.data());
-  }
-  ~ImageIo() override { fs::remove_all(folder_); }
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
   size_t fileCount() const {
     return size_t(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
   }
 
-  fs::path folder_;
   Diagnostics diagnostics_;
 };
 

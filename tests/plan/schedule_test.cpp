@@ -7,13 +7,13 @@
 
 #include "core/file_source.h"
 #include "plan/program_uses.h"
+#include "support/memory_pack.h"
 
 namespace orris {
 namespace {
 
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
-using Files = std::map<std::string, std::string>;
 
 const std::string kVertex =
     "#version 330 compatibility\nvoid main() { gl_Position = ftransform(); }\n";
@@ -32,14 +32,6 @@ std::string fragment(const std::vector<std::string>& reads, const std::string& t
 void add(Files& files, const std::string& program, const std::string& text) {
   files["/" + program + ".vsh"] = kVertex;
   files["/" + program + ".fsh"] = text;
-}
-
-ShaderPack load(Files files) {
-  Diagnostics diagnostics;
-  auto pack = loadShaderPack(memorySource(std::move(files)), {.environment = standardMacros({})},
-                             diagnostics);
-  for (const Diagnostic& d : diagnostics) ADD_FAILURE() << formatDiagnostic(d);
-  return std::move(pack).value();
 }
 
 Schedule scheduleOf(const ShaderPack& pack, const SceneContents& scene = {}) {
@@ -77,7 +69,7 @@ TEST(Schedule, steps_follow_the_order_of_the_contract) {
   add(files, "gbuffers_textured", fragment({"gtexture"}, "0"));
   add(files, "final", fragment({"colortex0", "shadowtex1", "depthtex1", "depthtex2"}, ""));
   EXPECT_THAT(
-      stepNames(scheduleOf(load(files))),
+      stepNames(scheduleOf(loadClean(files))),
       ElementsAre("clear_images", "clear_color", "begin", "clear_shadow", "shadow_solid",
                   "shadow_cutout", "shadow_block", "copy_shadowtex1", "shadow_water",
                   "shadow_mipmaps", "shadowcomp", "prepare", "gbuffers_skybasic",
@@ -91,7 +83,7 @@ TEST(Schedule, fullscreen_programs_flip_what_they_draw) {
   add(files, "composite", fragment({"colortex0"}, "0,3"));
   add(files, "composite1", fragment({"colortex0"}, "0"));
   add(files, "final", fragment({"colortex0", "colortex3"}, ""));
-  const Schedule schedule = scheduleOf(load(files));
+  const Schedule schedule = scheduleOf(loadClean(files));
   EXPECT_EQ(stepNamed(schedule, "composite").flipped, 0u);
   EXPECT_TRUE(stepNamed(schedule, "composite").writesAlt(0));
   EXPECT_EQ(stepNamed(schedule, "composite1").flipped, 0b1001u);
@@ -107,7 +99,7 @@ TEST(Schedule, flip_properties_override_and_pre_flips_come_first) {
       "true\n";
   add(files, "composite", fragment({"colortex0", "colortex2", "colortex5"}, "0"));
   add(files, "final", fragment({"colortex0", "colortex5"}, ""));
-  const Schedule schedule = scheduleOf(load(files));
+  const Schedule schedule = scheduleOf(loadClean(files));
   EXPECT_EQ(stepNamed(schedule, "composite").flipped, 0b000100u);
   EXPECT_EQ(stepNamed(schedule, "final").flipped, 0b100100u);
 }
@@ -117,7 +109,7 @@ TEST(Schedule, gbuffers_write_the_side_they_read) {
   add(files, "deferred", fragment({"colortex0"}, "0"));
   add(files, "gbuffers_textured", fragment({"gtexture"}, "0"));
   add(files, "final", fragment({"colortex0"}, ""));
-  const Schedule schedule = scheduleOf(load(files));
+  const Schedule schedule = scheduleOf(loadClean(files));
   EXPECT_FALSE(stepNamed(schedule, "gbuffers_terrain_solid").writesAlt(0));
   EXPECT_TRUE(stepNamed(schedule, "gbuffers_water").writesAlt(0));
 }
@@ -127,7 +119,7 @@ TEST(Schedule, only_buffers_that_some_program_touches_exist) {
   add(files, "gbuffers_textured", fragment({"gtexture"}, "2"));
   add(files, "composite", fragment({"gnormal", "gaux4"}, "0"));
   add(files, "final", fragment({"colortex0"}, ""));
-  const Schedule schedule = scheduleOf(load(files));
+  const Schedule schedule = scheduleOf(loadClean(files));
   EXPECT_THAT(targets(schedule.colortex), ElementsAre(0, 2, 7));
   EXPECT_TRUE(schedule.target(false, 0)->needsAlt);
   EXPECT_FALSE(schedule.target(false, 2)->needsAlt);
@@ -140,20 +132,20 @@ TEST(Schedule, a_declaration_that_nothing_uses_allocates_nothing) {
   add(files, "final",
       fragment({"colortex0"}, "", "uniform sampler2D shadowtex0;\nuniform sampler2D colortex9;"));
   add(files, "shadow", fragment({"gtexture"}, ""));
-  const Schedule schedule = scheduleOf(load(files));
+  const Schedule schedule = scheduleOf(loadClean(files));
   EXPECT_THAT(targets(schedule.colortex), ElementsAre(0));
   EXPECT_EQ(schedule.shadowResolution, 0);
   EXPECT_THAT(schedule.shadowcolor, IsEmpty());
-  for (int program : schedule.programs) EXPECT_NE(load(files).programs[program].name, "shadow");
+  for (int program : schedule.programs) EXPECT_NE(loadClean(files).programs[program].name, "shadow");
 }
 
 TEST(Schedule, unread_shadow_colours_are_not_allocated) {
   Files files;
   add(files, "shadow", fragment({"gtexture"}, ""));
   add(files, "final", fragment({"colortex0", "shadowtex0"}, ""));
-  EXPECT_THAT(scheduleOf(load(files)).shadowcolor, IsEmpty());
+  EXPECT_THAT(scheduleOf(loadClean(files)).shadowcolor, IsEmpty());
   add(files, "final", fragment({"colortex0", "shadowtex0", "shadowcolor0"}, ""));
-  EXPECT_THAT(targets(scheduleOf(load(files)).shadowcolor), ElementsAre(0));
+  EXPECT_THAT(targets(scheduleOf(loadClean(files)).shadowcolor), ElementsAre(0));
 }
 
 TEST(Schedule, programs_without_geometry_are_not_compiled) {
@@ -161,7 +153,7 @@ TEST(Schedule, programs_without_geometry_are_not_compiled) {
   add(files, "gbuffers_water", fragment({"gtexture"}, "0"));
   add(files, "gbuffers_entities", fragment({"gtexture"}, "0"));
   add(files, "final", fragment({"colortex0"}, ""));
-  const ShaderPack pack = load(files);
+  const ShaderPack pack = loadClean(files);
   const Schedule schedule = scheduleOf(pack, {.translucent = false});
   std::vector<std::string> names;
   for (int program : schedule.programs) names.push_back(pack.programs[program].name);
@@ -172,7 +164,7 @@ TEST(Schedule, uncleared_buffers_that_end_on_alt_keep_their_history) {
   Files files;
   add(files, "composite", fragment({"colortex4"}, "0,4", "const bool colortex4Clear = false;"));
   add(files, "final", fragment({"colortex0"}, ""));
-  const Schedule schedule = scheduleOf(load(files));
+  const Schedule schedule = scheduleOf(loadClean(files));
   EXPECT_TRUE(schedule.target(false, 4)->history);
   EXPECT_FALSE(schedule.target(false, 0)->history);
 }
@@ -186,7 +178,7 @@ const int colortex5Format = R11F_G11F_B10F;
 const vec4 colortex5ClearColor = vec4(0.1, 0.2, 0.3, 0.4);
 */)"));
   add(files, "final", fragment({"colortex0", "colortex1"}, ""));
-  const Schedule schedule = scheduleOf(load(files));
+  const Schedule schedule = scheduleOf(loadClean(files));
   const TargetPlan& five = *schedule.target(false, 5);
   EXPECT_EQ(five.format, "R11F_G11F_B10F");
   EXPECT_EQ(five.width, 32);
@@ -202,7 +194,7 @@ TEST(Schedule, draw_buffers_of_unequal_size_are_reported_at_the_directive) {
   files["/shaders.properties"] = "size.buffer.colortex5=0.5 0.5\n";
   add(files, "composite", fragment({"colortex0"}, "0,5"));
   add(files, "final", fragment({"colortex0"}, ""));
-  const ShaderPack pack = load(files);
+  const ShaderPack pack = loadClean(files);
   Diagnostics diagnostics;
   buildSchedule(pack, 64, 32, {}, diagnostics);
   ASSERT_EQ(diagnostics.size(), 1u);
@@ -217,7 +209,7 @@ TEST(Schedule, a_small_buffer_of_a_gbuffers_program_is_a_warning) {
   files["/shaders.properties"] = "size.buffer.colortex5=0.5 0.5\n";
   add(files, "gbuffers_skybasic", fragment({}, "5"));
   add(files, "final", fragment({"colortex5"}, ""));
-  const ShaderPack pack = load(files);
+  const ShaderPack pack = loadClean(files);
   Diagnostics diagnostics;
   buildSchedule(pack, 64, 32, {}, diagnostics);
   removeDuplicates(diagnostics);  // the sky and the stars
@@ -234,7 +226,7 @@ TEST(Schedule, an_empty_gbuffers_program_may_have_a_small_buffer) {
   add(files, "gbuffers_skybasic",
       "#version 330 compatibility\n/* RENDERTARGETS: 5,0 */\nvoid main() {}\n");
   add(files, "final", fragment({"colortex5"}, ""));
-  const ShaderPack pack = load(files);
+  const ShaderPack pack = loadClean(files);
   Diagnostics diagnostics;
   buildSchedule(pack, 64, 32, {}, diagnostics);
   EXPECT_THAT(diagnostics, IsEmpty());
@@ -243,7 +235,7 @@ TEST(Schedule, an_empty_gbuffers_program_may_have_a_small_buffer) {
 TEST(Schedule, a_pack_without_final_copies_colortex0) {
   Files files;
   add(files, "gbuffers_textured", fragment({"gtexture"}, "0"));
-  const Schedule schedule = scheduleOf(load(files));
+  const Schedule schedule = scheduleOf(loadClean(files));
   EXPECT_EQ(schedule.frame.back().kind, Step::Kind::Present);
   EXPECT_EQ(schedule.frame.back().program, -1);
 }
@@ -258,14 +250,14 @@ TEST(Schedule, block_entities_are_drawn_where_there_are_some) {
     const auto names = stepNames(schedule);
     return std::count(names.begin(), names.end(), name);
   };
-  const ShaderPack pack = load(files);
+  const ShaderPack pack = loadClean(files);
   const Schedule with = scheduleOf(pack), without = scheduleOf(pack, {.blockEntities = false});
   EXPECT_EQ(count(with, "gbuffers_block"), 1);
   EXPECT_EQ(count(with, "shadow_block"), 1);
   EXPECT_EQ(count(without, "gbuffers_block") + count(without, "shadow_block"), 0);
   EXPECT_FALSE(without.programs.contains(pack.programs.indexOf(pack.find("gbuffers_block"))));
   files["/shaders.properties"] = "shadowBlockEntities=false\n";
-  EXPECT_EQ(count(scheduleOf(load(files)), "shadow_block"), 0);
+  EXPECT_EQ(count(scheduleOf(loadClean(files)), "shadow_block"), 0);
 }
 
 TEST(Schedule, clouds_follow_the_pack_then_the_world) {
@@ -286,7 +278,7 @@ TEST(Schedule, clouds_follow_the_pack_then_the_world) {
     Files files{{"/shaders.properties", c.properties + "\n"}};
     add(files, "gbuffers_clouds", fragment({}, "0"));
     add(files, "final", fragment({"colortex0"}, ""));
-    const ShaderPack pack = load(files);
+    const ShaderPack pack = loadClean(files);
     const Schedule schedule = scheduleOf(pack, {.cloudPlane = c.plane, .clouds = c.world});
     std::optional<Geometry> drawn;
     for (const Step& step : schedule.frame)
@@ -302,10 +294,10 @@ TEST(Schedule, shadow_enabled_forces_or_forbids_the_pass) {
   add(files, "shadow", fragment({"gtexture"}, ""));
   add(files, "final", fragment({"colortex0"}, ""));
   files["/shaders.properties"] = "shadow.enabled=true\n";
-  EXPECT_GT(scheduleOf(load(files)).shadowResolution, 0);
+  EXPECT_GT(scheduleOf(loadClean(files)).shadowResolution, 0);
   add(files, "final", fragment({"colortex0", "shadowtex0"}, ""));
   files["/shaders.properties"] = "shadow.enabled=false\n";
-  for (const Step& step : scheduleOf(load(files)).frame)
+  for (const Step& step : scheduleOf(loadClean(files)).frame)
     EXPECT_NE(step.kind, Step::Kind::DrawShadow);
 }
 
@@ -341,7 +333,7 @@ TEST(ScheduleContent, is_drawn_in_the_order_of_the_game) {
   add(files, "deferred", fragment({"colortex0", "depthtex1", "depthtex2"}, "0"));
   files["/shaders.properties"] = "sky=false\nstars=false\nsun=false\nmoon=false\n";
   EXPECT_THAT(
-      drawnNames(scheduleOf(load(files), everyContent())),
+      drawnNames(scheduleOf(loadClean(files), everyContent())),
       ElementsAre("gbuffers_terrain_solid", "gbuffers_terrain_cutout", "gbuffers_basic",
                   "gbuffers_entities", "gbuffers_entities_translucent", "gbuffers_spidereyes",
                   "gbuffers_armor_glint", "gbuffers_lightning", "gbuffers_block",
@@ -358,7 +350,7 @@ TEST(ScheduleContent, the_pack_orders_particles_and_entities_that_blend) {
     add(files, "gbuffers_basic", fragment({}, "0"));
     if (deferred) add(files, "deferred", fragment({"colortex0"}, "0"));
     files["/shaders.properties"] = properties;
-    const auto names = stepNames(scheduleOf(load(files), everyContent()));
+    const auto names = stepNames(scheduleOf(loadClean(files), everyContent()));
     const auto place = [&](const char* name) {
       return std::find(names.begin(), names.end(), name) - names.begin();
     };
@@ -385,7 +377,7 @@ TEST(ScheduleContent, shadows_follow_the_switches_of_the_pack) {
     add(files, "final", fragment({"shadowtex0", "shadowcolor0"}, ""));
     files["/shaders.properties"] = properties;
     std::vector<std::string> names;
-    for (const Step& step : scheduleOf(load(files), everyContent()).frame)
+    for (const Step& step : scheduleOf(loadClean(files), everyContent()).frame)
       if (step.kind == Step::Kind::DrawShadow && findContentKind(step.geometry))
         names.push_back(step.name);
     return names;
@@ -403,7 +395,7 @@ TEST(ScheduleContent, weather_is_the_packs_to_leave_out) {
   Files files;
   add(files, "gbuffers_basic", fragment({}, "0"));
   files["/shaders.properties"] = "weather=false\n";
-  EXPECT_THAT(stepNames(scheduleOf(load(files), everyContent())),
+  EXPECT_THAT(stepNames(scheduleOf(loadClean(files), everyContent())),
               ::testing::Not(::testing::Contains("gbuffers_weather")));
 }
 

@@ -3,40 +3,28 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-
 #include "report/report_format.h"
+#include "support/folder_test.h"
 
 namespace orris {
 namespace {
 
-namespace fs = std::filesystem;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-class ValidatePack : public testing::Test {
+class ValidatePack : public test::FolderTest {
  protected:
   void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "orris-validate-XXXXXX").string();
-    folder_ = mkdtemp(pattern.data());
-    fs::create_directory(folder_ + "/shaders");
-    write("final.vsh", "#version 330 compatibility\nvoid main() { gl_Position = ftransform(); }\n");
-    options_.pack.path = folder_;
+    write("shaders/final.vsh", "#version 330 compatibility\nvoid main() { gl_Position = ftransform(); }\n");
+    options_.pack.path = folder_.string();
     options_.jobs = 1;
   }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  void write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ + "/shaders/" + name) << text;
-  }
   void writeFinal(const std::string& value) const {
-    write("final.fsh",
+    write("shaders/final.fsh",
           "#version 330 compatibility\n#define A 1.0 //[1.0 2.0]\nvoid main() { gl_FragColor = " +
               value + "; }\n");
   }
 
-  std::string folder_;
   ValidateOptions options_;
 };
 
@@ -70,9 +58,9 @@ TEST_F(ValidatePack, theCauseOfAFailedLoadIsTheStatus) {
   ValidateResult result = validatePack(options_);
   EXPECT_EQ(result.status, kUsage);
   EXPECT_THAT(idsOf(result), ElementsAre("option-unknown"));
-  options_.pack = {.path = folder_, .profile = "NONE"};
+  options_.pack = {.path = folder_.string(), .profile = "NONE"};
   EXPECT_EQ(validatePack(options_).status, kUsage);
-  options_.pack = {.path = folder_ + "/nowhere"};
+  options_.pack = {.path = path("nowhere")};
   result = validatePack(options_);
   EXPECT_EQ(result.status, kUsage);
   EXPECT_THAT(idsOf(result), ElementsAre("pack-unreadable"));
@@ -80,7 +68,7 @@ TEST_F(ValidatePack, theCauseOfAFailedLoadIsTheStatus) {
 
 TEST_F(ValidatePack, aProfileOfThePackThatIsMissingIsAProblemOfThePack) {
   writeFinal("vec4(A)");
-  write("shaders.properties", "profile.LOW = profile.NONE A=2.0\n");
+  write("shaders/shaders.properties", "profile.LOW = profile.NONE A=2.0\n");
   const ValidateResult result = validatePack(options_);
   EXPECT_EQ(result.status, kProblems);
   EXPECT_THAT(idsOf(result), ElementsAre("profile-unknown"));
@@ -88,7 +76,7 @@ TEST_F(ValidatePack, aProfileOfThePackThatIsMissingIsAProblemOfThePack) {
 
 TEST_F(ValidatePack, aCacheRemembersTheFindings) {
   writeFinal("vec4(nothing)");
-  options_.cache = folder_ + "/cache";
+  options_.cache = path("cache");
   const ValidateResult first = validatePack(options_), second = validatePack(options_);
   EXPECT_FALSE(first.packs[0].verdict.cached);
   EXPECT_TRUE(second.packs[0].verdict.cached);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "region_builder.h"
+#include "support/folder_test.h"
 #include "world_helpers.h"
 
 namespace orris {
@@ -17,19 +18,10 @@ std::string nbtDoubles(const std::string& name, const std::vector<double>& value
   return nbtList(name, 6, items);
 }
 
-class Saves : public testing::Test {
+class Saves : public test::FolderTest {
  protected:
-  void SetUp() override {
-    save_ = fs::path(testing::TempDir()) /
-            testing::UnitTest::GetInstance()->current_test_info()->name();
-    fs::create_directories(save_ / "region");
-  }
-  void TearDown() override { fs::remove_all(save_); }
+  void SetUp() override { fs::create_directories(folder_ / "region"); }
 
-  void write(const std::string& name, const std::string& bytes) {
-    fs::create_directories((save_ / name).parent_path());
-    std::ofstream(save_ / name, std::ios::binary) << bytes;
-  }
   void writeLevel(const std::string& members) {
     write("level.dat", gzip(nbtCompound("", nbtCompound("Data", members))));
   }
@@ -43,10 +35,9 @@ class Saves : public testing::Test {
   }
   std::optional<World> load(const SavePart& part = {}, const std::string& below = "") {
     diagnostics_.clear();
-    return loadWorld((below.empty() ? save_ : save_ / below).string(), 0, diagnostics_, part);
+    return loadWorld((below.empty() ? folder_ : folder_ / below).string(), 0, diagnostics_, part);
   }
 
-  fs::path save_;
   Diagnostics diagnostics_;
 };
 
@@ -149,8 +140,8 @@ TEST_F(Saves, damaged_level_dat_is_a_warning) {
 
 TEST_F(Saves, link_that_leaves_the_save_is_not_followed) {
   write("outside.mca", plainRegion());
-  fs::create_directories(save_ / "inner/region");
-  fs::create_symlink(save_ / "outside.mca", save_ / "inner/region/r.0.0.mca");
+  fs::create_directories(folder_ / "inner/region");
+  fs::create_symlink(folder_ / "outside.mca", folder_ / "inner/region/r.0.0.mca");
   EXPECT_FALSE(load({.at = glm::ivec2(8, 8), .radius = 0}, "inner"));
   ASSERT_FALSE(diagnostics_.empty());
   ASSERT_EQ(diagnostics_[0].notes.size(), 1u);

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 
+#include "support/folder_test.h"
 #include "world/world_summary.h"
 #include "world_helpers.h"
 
@@ -105,22 +105,11 @@ TEST(Worlds, folder_file_and_schematic_are_distinguished) {
             ".litematic, .nbt), a save, or a region file (.mca)");
 }
 
-class WorldFiles : public testing::Test {
- protected:
-  void SetUp() override {
-    folder_ = fs::path(testing::TempDir()) /
-              testing::UnitTest::GetInstance()->current_test_info()->name();
-    fs::create_directories(folder_ / "inner");
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-  void write(const std::string& name, const std::string& text) {
-    std::ofstream(folder_ / name) << text;
-  }
-  fs::path folder_;
-};
+class WorldFiles : public test::FolderTest {};
 
 TEST_F(WorldFiles, link_that_leaves_the_folder_is_not_followed) {
   write("secret.schem", "x");
+  fs::create_directories(folder_ / "inner");
   fs::create_symlink(folder_ / "secret.schem", folder_ / "inner/house.schem");
   write("inner/world.json", R"({"from": "house.schem"})");
   Diagnostics diagnostics;
