@@ -10,7 +10,6 @@
 #include "core/pack_path.h"
 #include "core/pack_search.h"
 #include "core/read_file.h"
-#include "core/read_places.h"
 #include "core/zip_source.h"
 
 namespace orris {
@@ -42,23 +41,6 @@ class MemorySource : public FileSource {
  private:
   std::map<std::string, std::string, std::less<>> files_;
   std::vector<std::string> paths_;
-};
-
-/// A zip, whose files beside `shaders` are read when a texture names one.
-class ZipSource : public MemorySource {
- public:
-  ZipSource(std::string zip, const PackLimits& limits, std::map<std::string, std::string> files)
-      : MemorySource(std::move(files)), zip_(std::move(zip)), limits_(limits) {
-    addReadPlace(zip_);
-  }
-  std::optional<std::string> readResource(std::string_view path) const override {
-    return isBesideShaders(path) ? readBesideInZip(zip_, path, limits_)
-                                 : MemorySource::readResource(path);
-  }
-
- private:
-  std::string zip_;
-  PackLimits limits_;
 };
 
 std::unique_ptr<FileSource> refuse(const std::string& path, std::string message, std::string hint,
@@ -125,8 +107,7 @@ std::unique_ptr<FileSource> openPack(const std::string& path, Diagnostics& diagn
     if (!fs::is_regular_file(path, error))
       return refuse(path, "no shader pack: neither a folder nor a file", "give a folder or a .zip",
                     diagnostics);
-    auto files = readZip(path, limits, diagnostics);
-    return files ? std::make_unique<ZipSource>(path, limits, std::move(*files)) : nullptr;
+    return openPackZip(path, limits, diagnostics);
   }
   const auto root = rootInside(path);
   if (!root) return refuseFolder(path, diagnostics);

@@ -35,6 +35,7 @@ bool isBesideShaders(std::string_view path);
 struct PackLimits {
   std::size_t fileBytes = std::size_t{64} << 20;
   std::size_t totalBytes = std::size_t{1} << 30;
+  std::size_t zipBytes = std::size_t{256} << 20;  ///< as it lies on the disk; it is held in memory
   std::size_t files = 65536;
   int folderDepth = 32;
 };
@@ -44,7 +45,8 @@ std::unique_ptr<FileSource> memorySource(std::map<std::string, std::string> file
 
 /// Opens a pack: a folder with `shaders/` inside (or that is itself named `shaders`), or a zip whose
 /// first directory named `shaders` is the root. The pack is what holds `shaders/`; of a path that is
-/// itself the `shaders` folder nothing beside it is read. Limits: 64 MiB a file, 1 GiB in all, 65536 files.
+/// itself the `shaders` folder nothing beside it is read. Limits: 64 MiB a file, 1 GiB in all, 65536
+/// files, 256 MiB for the zip itself.
 /// nullptr and a diagnostic when it cannot be opened.
 std::unique_ptr<FileSource> openPack(const std::string& path, Diagnostics& diagnostics,
                                      const PackLimits& limits = {});

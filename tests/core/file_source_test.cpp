@@ -125,6 +125,31 @@ TEST_F(FileSourceTest, limits_hold_for_folders_and_zips) {
   EXPECT_FALSE(open(zip, {.fileBytes = 3}));
   EXPECT_FALSE(open(zip, {.totalBytes = 3}));
   EXPECT_FALSE(open(zip, {.files = 1}));
+  EXPECT_FALSE(open(zip, {.zipBytes = fs::file_size(zip) - 1}));
+  EXPECT_THAT(message(), testing::HasSubstr("the zip is larger than "));
+  EXPECT_TRUE(open(zip, {.zipBytes = fs::file_size(zip)}));
+}
+
+TEST_F(FileSourceTest, a_zip_that_is_written_again_leaves_the_open_one_as_it_was) {
+  fs::create_directories(root_);
+  const fs::path zip = root_ / "pack.zip";
+  fs::copy_file(kData / "pack.zip", zip);
+  const auto source = open(zip.string());
+  ASSERT_TRUE(source) << message();
+  std::ofstream(zip, std::ios::binary) << "PK";
+  EXPECT_EQ(source->read("/lib/a.glsl"), "const float a = 1.0;\n");
+  EXPECT_EQ(source->readResource("/../readme.txt").value_or("").size(), 8u);
+}
+
+// A size that the list of the archive understates does not let more through.
+TEST_F(FileSourceTest, sizes_that_a_zip_states_are_not_believed) {
+  std::ifstream file(kData / "pack.zip", std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  for (size_t i = 0; i + 46 < bytes.size(); ++i) {
+    if (bytes.compare(i, 4, "PK\1\2") == 0) bytes.replace(i + 24, 4, std::string("\1\0\0\0", 4));
+  }
+  write("lies.zip", bytes);
+  EXPECT_FALSE(open((root_ / "lies.zip").string(), {.totalBytes = 8}));
 }
 
 TEST_F(FileSourceTest, zip_with_shaders_at_the_top) {
