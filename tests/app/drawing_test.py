@@ -116,14 +116,14 @@ class Frames(Drawing):
 
 
 class Signals(Drawing):
-    def started(self):
+    def started(self, ticks=60):
         self.write({"pack/shaders/composite1.csh": ENDLESS})
         process = self.start(*self.render(), start_new_session=True)
         end = time.monotonic() + 60
         # The frame has begun when the process that draws has taken more processor time than the load of a pack.
         while time.monotonic() < end:
             drawing = children(process.pid)
-            if drawing and sum(map(int, Path(f"/proc/{drawing[0]}/stat").read_text().rsplit(")", 1)[1].split()[11:13])) > 60:
+            if drawing and sum(map(int, Path(f"/proc/{drawing[0]}/stat").read_text().rsplit(")", 1)[1].split()[11:13])) >= ticks:
                 return process, drawing[0]
             time.sleep(0.05)
         self.fail("no frame began")
@@ -146,6 +146,13 @@ class Signals(Drawing):
         _, errors = process.communicate(timeout=10)
         self.assertEqual((process.returncode, errors), (-signal.SIGINT, ""))
         self.assertFalse(is_running(drawing))
+
+    def test_that_kill_while_loading_name_the_pack(self):
+        process, drawing = self.started(ticks=1)
+        os.kill(drawing, signal.SIGKILL)
+        _, errors = process.communicate(timeout=10)
+        self.assertEqual(process.returncode, 3)
+        self.assertRegex(errors, r"(?m)^pack: error: the driver died while loading \(signal 9")
 
     def test_that_kill_the_one_kill_the_other(self):
         process, drawing = self.started()

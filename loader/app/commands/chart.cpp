@@ -121,7 +121,7 @@ void addChartCommand(CLI::App& app, int& status) {
   command->callback([options, &status] {
     Report report(options->output);
     nlohmann::json result = nlohmann::json::object();
-    status = runSupervised({.limits = options->limits, .backend = options->image.backend}, report,
+    status = runSupervised({.limits = options->limits, .backend = options->image.backend, .pack = options->pack.path}, report,
                            [&] { return runChart(*options, report, result); });
     result["status"] = status;
     printJson(std::move(result), report);

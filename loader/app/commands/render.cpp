@@ -178,7 +178,7 @@ SupervisedWork supervised(const RenderOptions& options) {
   for (const auto& [buffer, path] : options.outputs.dumps) outputs.files.push_back(path);
   for (const auto& [shown, path] : options.outputs.shows) outputs.files.push_back(path);
   if (!options.outputs.patched.empty()) outputs.folders = {options.outputs.patched};
-  return {options.limits, options.image.backend, std::move(outputs), true};
+  return {options.limits, options.image.backend, options.pack.path, std::move(outputs), true};
 }
 
 void addOutputPaths(CLI::App& command, RenderOutputs& outputs) {

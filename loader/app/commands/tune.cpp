@@ -154,7 +154,7 @@ void addTuneCommand(CLI::App& app, int& status) {
     Report report(options->study.output);
     nlohmann::json result = nlohmann::json::object();
     const StudyOptions& study = options->study;
-    status = runSupervised({.limits = study.limits, .backend = study.image.backend}, report,
+    status = runSupervised({.limits = study.limits, .backend = study.image.backend, .pack = study.pack.path}, report,
                            [&] { return runTune(*options, report, result); });
     result["status"] = status;
     printJson(std::move(result), report);

@@ -262,7 +262,7 @@ int runSupervised(const SupervisedWork& supervised, Report& report,
   limitDrawing(memoryOf(supervised));
   if (getppid() != parent) _exit(kHostFailed);  // it ended before this process asked to end with it
   brokerSocket = supervised.confined && gl::isSoftware(supervised.backend) ? sockets[1] : -1;
-  noteWork("loading", "", "");
+  noteWork("loading", "", supervised.pack);
   return work();
 }
 

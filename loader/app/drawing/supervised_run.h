@@ -32,6 +32,7 @@ std::optional<std::size_t> parseMemory(const std::string& text);
 struct SupervisedWork {
   WorkLimits limits;
   gl::Backend backend = gl::Backend::Auto;
+  std::string pack{};  ///< its path, to which messages point until a pass or program is at work
   AllowedOutputs outputs{};
   /// In a sandbox from confineDrawing() on, where the driver is a software rasteriser: for work that starts
   /// no program and writes nothing but `outputs`.
