@@ -42,7 +42,8 @@ WORLD = {"size": [2, 2, 2], "blocks": [{"box": "stone", "min": [0, 0, 0], "max":
                      {"name": "above", "position": [1, 5, 1], "yaw": 0, "pitch": 90}]}
 # Costs are compared on a machine that does nothing else.
 COMPARES_COSTS = sys.argv[2:] == ["all"]
-MEASURE = ("--size 48x32 --warm-up 2 --frames 4 --rounds 5 --visit 2 --buffer colortex0 "
+ROUNDS = 5 if COMPARES_COSTS else 2
+MEASURE = (f"--size 48x32 --warm-up 2 --frames 4 --rounds {ROUNDS} --visit 2 --buffer colortex0 "
            "--clock cpu --reference SHARE=1.0 --reference-frames 4")
 CHART = f"chart pack world -o out {MEASURE} --axis SHARE --axis WORK --baseline SHARE=1.0,WORK=200"
 
@@ -68,7 +69,7 @@ def check_numbers(folder):
         for row in (cheap, dear):
             assert abs(float(row["bias"]) - (1 - float(share)) / 1.02) < 1e-5, row
             assert abs(float(row["signed_bias"]) + (1 - float(share)) / 1.02) < 1e-5, row
-            assert float(row["noise"]) < 1e-5 and row["pairs"] == "5" and row["frames"] == "4"
+            assert float(row["noise"]) < 1e-5 and row["pairs"] == str(ROUNDS) and row["frames"] == "4"
             assert float(row["ms_low"]) <= float(row["ms"]) <= float(row["ms_high"])
         if COMPARES_COSTS:
             assert float(dear["ms"]) > float(cheap["ms"]), (cheap, dear)
@@ -195,7 +196,7 @@ def test_shards_make_the_whole(program, folder):
 
 
 def test_budget_is_kept_and_the_next_run_goes_on(program, folder):
-    slow = CHART.replace("-o out", "-o slow").replace("--rounds 5", "--rounds 400")
+    slow = CHART.replace("-o out", "-o slow").replace(f"--rounds {ROUNDS}", "--rounds 400")
     result = orris(program, folder, slow + " --budget 3s")
     assert "settings are measured whole" in result.stderr, result.stderr
     orris(program, folder, CHART.replace("-o out", "-o slow"))
@@ -213,7 +214,7 @@ def test_cameras_are_judged_together(program, folder):
 
 def test_scenes_are_rows_of_one_table(program, folder):
     command = ("chart pack --scenes world@above,random:1:2 -o scenes --size 16x9 --runs 3 --warm-up 1 --frames 4 "
-               "--rounds 2 --visit 1 --buffer colortex0 --axis SHARE=1.0,0.5 --trace-seconds 1")
+               "--rounds 2 --visit 1 --buffer colortex0 --axis SHARE=1.0,0.5 --trace-seconds 0.1")
     result = orris(program, folder, command)
     assert "* " in result.stdout and "SHARE=0.5" in result.stdout, result.stdout
     with open(folder / "scenes/scenes.csv", newline="") as file:
@@ -243,7 +244,7 @@ def test_runs_of_scenes_share_no_random_numbers(program, folder):
     text = text.replace("vec4(vec3(SHARE", "vec4(vec3((0.5 + 0.5 * fract(float(frameCounter) * 0.137)) * SHARE")
     (noisy / "composite.fsh").write_text(text)
     orris(program, folder, "chart noisy --scenes world -o apart --size 16x9 --runs 4 --warm-up 1 --frames 2 --no-costs "
-                           "--buffer colortex0 --trace-seconds 1 --quiet")
+                           "--buffer colortex0 --trace-seconds 0.1 --quiet")
     with open(folder / "apart/scenes.csv", newline="") as file:
         row = next(csv.DictReader(file))
     assert float(row["noise_of_mean_red"]) > 0.02, row  # 0 where all runs draw the same frames

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""gallery_test.py PROGRAM SOURCE_DIR: two revisions of a small pack whose differences are known, from the command line
+"""gallery_test.py PROGRAM SOURCE_DIR [TEST...]: two revisions of a small pack whose differences are known, from the command line
 to the page in a browser."""
 import base64
 import json
@@ -308,4 +308,4 @@ class Page(Gallery):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1])
+    unittest.main(argv=[sys.argv[0], *sys.argv[3:]])

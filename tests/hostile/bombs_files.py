@@ -142,7 +142,7 @@ BOMBS = {
                                  ("shaders/final.fsh", HEAD + "".join(
                                      f'#include "/lib{i}.glsl"\n' for i in range(4)) + MAIN)),
                           "text-too-large"),
-    "zip-zeros": lambda: (zip_of(("shaders/data.bin", b"\0" * (200 << 20))), "pack-too-large"),
+    "zip-zeros": lambda: (zip_of(("shaders/data.bin", b"\0" * (200 << 20))), "zip-unreadable"),
     "zip-30-files": lambda: (zip_of(*((f"shaders/d{i}.bin", b"\0" * (63 << 20)) for i in range(20))),
                      "pack-too-large"),
     "zip-encrypted": lambda: (zip_encrypted, "zip-unreadable"),
