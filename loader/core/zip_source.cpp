@@ -52,7 +52,13 @@ Archive openArchive(const std::string& path, Diagnostics& diagnostics) {
 Archive openArchive(const std::string& path, const std::string& bytes, Diagnostics& diagnostics) {
   zip_error_t error;
   zip_error_init(&error);
-  zip_source_t* source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error);
+  zip_source_t* source = nullptr;
+  // libzip takes no bytes at all for an archive that is to be made.
+  if (bytes.empty()) {
+    zip_error_set(&error, ZIP_ER_NOZIP, 0);
+  } else {
+    source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error);
+  }
   Archive archive(
       source ? zip_open_from_source(source, ZIP_RDONLY | ZIP_CHECKCONS, &error) : nullptr,
       zip_discard);

@@ -64,7 +64,8 @@ def limit() -> None:
 
 
 class Outcome:
-    def __init__(self, command: list, folder: Path):
+    def __init__(self, command: list, folder: Path, wall_seconds: float = WALL_SECONDS):
+        self.wall_seconds = wall_seconds
         with open(folder / "out", "wb") as out:
             begin = time.monotonic()
             process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=out, stderr=out,
@@ -74,7 +75,7 @@ class Outcome:
 
     def wait(self, process, begin) -> bool:
         ended = False
-        while not ended and time.monotonic() - begin < WALL_SECONDS:
+        while not ended and time.monotonic() - begin < self.wall_seconds:
             pid, status, usage = os.wait4(process.pid, os.WNOHANG)
             ended = pid != 0
             if not ended:

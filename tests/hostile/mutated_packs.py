@@ -125,7 +125,8 @@ def run(orris, source, rng, unlocated):
         copy_pack(source, base / "pack")
         changes = damage(rng, base / "pack" / "shaders")
         report = base / "report.json"
-        outcome = Outcome([orris, "validate", "pack", "--no-cache", "--report", f"json={report.name}"], base)
+        outcome = Outcome([orris, "validate", "pack", "--no-cache", "--report", f"json={report.name}"], base,
+                          wall_seconds=10 * MOST_SECONDS)
         found = problems_of(outcome)
         if report.exists():
             found += message_problems(json.loads(report.read_text()), unlocated)

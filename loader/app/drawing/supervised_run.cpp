@@ -244,6 +244,7 @@ int runSupervised(const SupervisedWork& supervised, Report& report,
   const WorkRecord record;
   if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, sockets.data()) != 0) return work();
   std::optional<SignalFile> signals(std::in_place);
+  noteWork("loading", "", supervised.pack);
   // What is buffered now must not be written by both.
   std::cout.flush();
   std::fflush(nullptr);
@@ -262,7 +263,6 @@ int runSupervised(const SupervisedWork& supervised, Report& report,
   limitDrawing(memoryOf(supervised));
   if (getppid() != parent) _exit(kHostFailed);  // it ended before this process asked to end with it
   brokerSocket = supervised.confined && gl::isSoftware(supervised.backend) ? sockets[1] : -1;
-  noteWork("loading", "", supervised.pack);
   return work();
 }
 
