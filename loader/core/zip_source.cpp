@@ -240,15 +240,14 @@ class PackZip : public LazyZip {
   }
 
   bool tooLarge(const std::string& zip, Diagnostics& diagnostics) const {
-    addError(diagnostics, "pack-too-large", {zip},
-             fmt::format("the pack has more than {} bytes or {} files", limits_.totalBytes, limits_.files));
-    return false;
+    return addError(diagnostics, "pack-too-large", {zip},
+                    fmt::format("the pack has more than {} bytes or {} files", limits_.totalBytes,
+                                limits_.files));
   }
 
   static bool refuse(const std::string& zip, std::string message, std::string hint,
                      Diagnostics& diagnostics) {
-    addError(diagnostics, "zip-unreadable", {zip}, std::move(message), std::move(hint));
-    return false;
+    return addError(diagnostics, "zip-unreadable", {zip}, std::move(message), std::move(hint));
   }
 
   std::unique_ptr<const std::string> bytes_;

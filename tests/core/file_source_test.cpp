@@ -131,8 +131,7 @@ TEST_F(FileSourceTest, limits_hold_for_folders_and_zips) {
 }
 
 TEST_F(FileSourceTest, a_zip_that_is_written_again_leaves_the_open_one_as_it_was) {
-  fs::create_directories(root_);
-  const fs::path zip = root_ / "pack.zip";
+  const fs::path zip = folder_ / "pack.zip";
   fs::copy_file(kData / "pack.zip", zip);
   const auto source = open(zip.string());
   ASSERT_TRUE(source) << message();
@@ -149,7 +148,7 @@ TEST_F(FileSourceTest, sizes_that_a_zip_states_are_not_believed) {
     if (bytes.compare(i, 4, "PK\1\2") == 0) bytes.replace(i + 24, 4, std::string("\1\0\0\0", 4));
   }
   write("lies.zip", bytes);
-  EXPECT_FALSE(open((root_ / "lies.zip").string(), {.totalBytes = 8}));
+  EXPECT_FALSE(open((folder_ / "lies.zip").string(), {.totalBytes = 8}));
   EXPECT_EQ(diagnostics_.front().id, "pack-too-large");
 }
 
