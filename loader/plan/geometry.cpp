@@ -37,6 +37,8 @@ constexpr ContentKind kKinds[] = {
     {G::ParticlesTranslucent, "gbuffers_particles_translucent", "", kParticleStage, Sheet::Content,
      B::Translucent, kTenth, true, false},
     {G::Hand, "gbuffers_hand", "", kHandSolid, Sheet::Content, B::Off, kTenth, true, true},
+    {G::HandGlint, "gbuffers_armor_glint", "", kHandSolid, Sheet::Glint, B::Glint, kNotZero, false,
+     false},
     {G::HandTranslucent, "gbuffers_hand_water", "", kHandTranslucent, Sheet::Content,
      B::Translucent, kTenth, true, true},
     {G::Rain, "gbuffers_weather", "", kRainSnow, Sheet::Rain, B::Translucent, kTenth, false, false},
@@ -57,7 +59,12 @@ bool isClouds(Geometry geometry) {
 }
 
 bool isHand(Geometry geometry) {
-  return geometry == Geometry::Hand || geometry == Geometry::HandTranslucent;
+  return geometry == Geometry::Hand || geometry == Geometry::HandGlint ||
+         geometry == Geometry::HandTranslucent;
+}
+
+bool isGlint(Geometry geometry) {
+  return geometry == Geometry::Glint || geometry == Geometry::HandGlint;
 }
 
 std::span<const ContentKind> contentKinds() { return kKinds; }

@@ -33,6 +33,7 @@ enum class Geometry {
   Particles,
   ParticlesTranslucent,
   Hand,
+  HandGlint,
   HandTranslucent,
   Rain,
   Snow,
@@ -42,6 +43,7 @@ enum class Geometry {
 bool isSky(Geometry geometry);
 bool isClouds(Geometry geometry);
 bool isHand(Geometry geometry);
+bool isGlint(Geometry geometry);
 
 /// Kinds as bits.
 using GeometrySet = std::uint32_t;

@@ -40,7 +40,7 @@ inline constexpr GeometryPass kOpaque[] = {
     content(Geometry::Outline),
     content(Geometry::Particles),
     content(Geometry::ParticlesTranslucent)};
-inline constexpr GeometryPass kHand[] = {content(Geometry::Hand)};
+inline constexpr GeometryPass kHand[] = {content(Geometry::Hand), content(Geometry::HandGlint)};
 inline constexpr GeometryPass kTranslucent[] = {
     content(Geometry::EntitiesTranslucent),
     {"gbuffers_water", Geometry::Translucent, &SceneContents::translucent},

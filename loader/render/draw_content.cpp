@@ -1,6 +1,8 @@
 // What a FrameRenderer draws of a frame's lists: entities, hands, particles, weather and the like.
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <limits>
 
 #include "render/frame_renderer.h"
 #include "render/loaded_pack.h"
@@ -29,7 +31,25 @@ glm::mat4 glintMatrix(const FrameState& state) {
   return glm::rotate(moved, glm::radians(10.0f), glm::vec3(0, 0, 1));
 }
 
+constexpr float kEverywhere = std::numeric_limits<float>::infinity();
+
+/// Is an entity there, about a block wide, outside of the cube around the eye? Iris: BoxCuller.
+bool isBeyond(const glm::vec3& middle, float reach) {
+  constexpr float kHalf = 0.5f;
+  return std::max({std::abs(middle.x), std::abs(middle.y), std::abs(middle.z)}) > reach + kHalf;
+}
+
 }  // namespace
+
+// Iris: ShadowRenderer. Without a multiplier of its own, entities are drawn wherever the shadow map has them.
+float FrameRenderer::entityShadowReach(const FrameState& state) const {
+  const PackDirectives& directives = pack_->directives;
+  const float mul = directives.shadowDistanceRenderMul * directives.entityShadowDistanceMul;
+  if (directives.entityShadowDistanceMul == 1 || directives.entityShadowDistanceMul < 0)
+    return kEverywhere;
+  const float reach = directives.shadowDistance * mul;
+  return reach > 0 ? reach : static_cast<float>(state.environment.renderDistance);
+}
 
 void FrameRenderer::setDrawIds(const ContentDraw& content, DrawState& draw) const {
   const auto idOf = [](const std::map<std::string, int>& ids, const std::string& name, int other) {
@@ -54,7 +74,7 @@ void FrameRenderer::setContentMatrices(const Step& step, const FrameState& state
   draw.projection = shadow ? shadowProjectionOf(state)
                     : hand ? handProjection(state)
                            : state.gbufferProjection;
-  if (step.geometry == Geometry::Glint) draw.textureMatrix = glintMatrix(state);
+  if (isGlint(step.geometry)) draw.textureMatrix = glintMatrix(state);
 }
 
 void FrameRenderer::drawContent(const Step& step, const GpuProgram& program,
@@ -69,9 +89,11 @@ void FrameRenderer::drawContent(const Step& step, const GpuProgram& program,
   useProgram(program, step, state, draw);
   loaded_->scene->bindLists();
   bindVertices(program.program);
+  const float reach = step.kind == Step::Kind::DrawShadow ? entityShadowReach(state) : kEverywhere;
   for (const ContentDraw& content : lists_->draws) {
-    if (content.geometry != step.geometry) continue;
+    if (content.geometry != step.geometry || isBeyond(content.middle, reach)) continue;
     setDrawIds(content, draw);
+    setOverlay(program.program, content.entityColor.a > 0);
     uploadUniforms(program.drawUniforms, state, draw, loaded_->custom);
     loaded_->scene->drawQuads(content.range, program.patches);
   }

@@ -42,6 +42,7 @@ void EnginePass::begin(const glm::dvec3& origin, const EngineTextures& textures,
 
 void EnginePass::bindVertices(const VertexPlace& place) const {
   orris::bindVertices(parts_.program.program, place);
+  setOverlay(parts_.program.program, parts_.draw.entityColor.a > 0);
   if (isBlocks(geometry()) && geometry() != Geometry::BlockEntity && !isShadow())
     setChunkFade(parts_.program.program);
 }

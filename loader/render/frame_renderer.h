@@ -153,6 +153,8 @@ class FrameRenderer {
   void drawFullscreen(const Step& step, const FrameState& state);
   void drawGeometry(const Step& step, const FrameState& state);
   glm::mat4 shadowProjectionOf(const FrameState& state) const;
+  /// Blocks from the eye to the farthest entity that casts a shadow.
+  float entityShadowReach(const FrameState& state) const;
   void drawTerrain(const Step& step, const GpuProgram& program, const FrameState& state,
                    const glm::mat4& view, const glm::mat4& projection, DrawState& draw);
   void drawSky(const Step& step, const GpuProgram& program, const FrameState& state,

@@ -195,7 +195,7 @@ void setGeometryState(const Step& step, const ProgramSource* program, DrawState&
   const bool sky = isSky(step.geometry), shadow = step.kind == Step::Kind::DrawShadow;
   gl::Enable(GL_DEPTH_TEST);
   // The glint lies on what was drawn with the same vertices.
-  gl::DepthFunc(step.geometry == Geometry::Glint ? GL_EQUAL : GL_LEQUAL);
+  gl::DepthFunc(isGlint(step.geometry) ? GL_EQUAL : GL_LEQUAL);
   const bool writesDepth = kind == nullptr || shadow || kind->writesDepth || draw.forcedDepth;
   gl::DepthMask(sky || !writesDepth ? GL_FALSE : GL_TRUE);
   // Contract programs.csv "shadow": back faces are drawn there. Flat clouds are seen from above too.

@@ -114,6 +114,19 @@ void setChunkFade(const gl::Program& program) {
   }
 }
 
+void setOverlay(const gl::Program& program, bool hurt) {
+  // Rows of the game's overlay texture.
+  constexpr int kHurtRow = 3, kPlainRow = 10;
+  const int row = hurt ? kHurtRow : kPlainRow;
+  for (const gl::ActiveVariable& attribute : program.attributes) {
+    if (attribute.name != "vaUV1" || attribute.location < 0) continue;
+    if (isIntegerAttribute(attribute.type))
+      gl::VertexAttribI4i(attribute.location, 0, row, 0, 1);
+    else
+      gl::VertexAttrib4f(attribute.location, 0, static_cast<float>(row), 0, 1);
+  }
+}
+
 void setConstantColor(const gl::Program& program, const glm::vec4& color) {
   if (!gl::isCoreProfile()) {
     gl::DisableClientState(GL_COLOR_ARRAY);

@@ -21,6 +21,8 @@ void bindVertices(const gl::Program& program, const VertexPlace& place = {});
 void unbindVertices(const gl::Program& program);
 /// Chunks are there for long: mc_chunkFade is 1, not the -1 of what is no chunk. After bindVertices.
 void setChunkFade(const gl::Program& program);
+/// The game's overlay of what is hurt, or of what is not: vaUV1. After bindVertices.
+void setOverlay(const gl::Program& program, bool hurt);
 /// One colour for all vertices of the next draws, after bindVertices.
 void setConstantColor(const gl::Program& program, const glm::vec4& color);
 

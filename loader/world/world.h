@@ -34,6 +34,7 @@ struct Player {
   bool onGround = true, hideGui = true;
   /// Held items with their namespace; "" shows no hand, "minecraft:air" the bare arm.
   std::string mainHand, offHand;
+  bool handGlint = false;  ///< what the hands hold is enchanted
   bool body = false;  ///< casts a shadow
 };
 

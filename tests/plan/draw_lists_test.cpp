@@ -70,6 +70,10 @@ TEST(DrawLists, each_thing_has_its_kinds_and_no_other) {
       {entity(R"("kind": "spider")"), {G::Entities, G::Eyes}},
       {entity(R"("kind": "slime")"), {G::Entities, G::EntitiesTranslucent}},
       {entity(R"("kind": "armor_stand", "glint": true)"), {G::Entities, G::Glint}},
+      {entity(R"("kind": "cow", "tag": "BESSY")"), {G::Entities, G::EntitiesTranslucent}},
+      {player(R"("mainHand": "iron_sword", "glint": true)"), {G::Hand, G::HandGlint}},
+      {player(R"("mainHand": "air", "glint": true)"), {G::Hand}},
+      {player(R"("mainHand": "red_stained_glass", "glint": true)"), {G::HandTranslucent}},
       {entity(R"("kind": "item", "item": "stone")"), {G::Entities}},
       {entity(R"("kind": "item", "item": "red_stained_glass")"), {G::EntitiesTranslucent}},
       {entity(R"("kind": "item", "item": "iron_sword")"), {G::Entities}},
@@ -125,6 +129,23 @@ TEST(DrawLists, sides_of_a_model_look_outwards) {
     const GpuVertex& v = lists.vertices[i];
     EXPECT_GT(glm::dot(out, glm::vec3(v.normal[0], v.normal[1], v.normal[2])), 0) << i;
   }
+}
+
+TEST(DrawLists, a_name_tag_faces_the_eye_over_the_head) {
+  const SceneData scene = sceneOf(
+      R"("entities": [{"kind": "player", "position": [4, 1, 1], "tag": "L", "hurt": true}])");
+  const FrameState state = stateOf(scene);
+  const DrawLists lists = buildDrawLists(scene, state);
+  ASSERT_THAT(lists.draws, SizeIs(2));
+  const ContentDraw& tag = lists.draws[1];
+  EXPECT_EQ(tag.entityColor, glm::vec4(0)) << "the name is not red";
+  EXPECT_EQ(tag.range.quads, 1u + 7u) << "a board and the squares of an L";
+  const GpuVertex& corner = lists.vertices[tag.range.firstVertex];
+  EXPECT_NEAR(corner.position[1] + state.cameraPosition.y, 1 + 32 * 0.9375 / 16 + 0.5, 0.2);
+  EXPECT_EQ(corner.color[3], 64) << "the board is seen through";
+  EXPECT_GT(glm::dot(glm::vec3(corner.normal[0], corner.normal[1], corner.normal[2]),
+                     glm::vec3(state.gbufferModelViewInverse[2])),
+            120);
 }
 
 TEST(DrawLists, what_is_hurt_is_red_and_what_is_carried_has_its_name) {

@@ -339,7 +339,7 @@ TEST(ScheduleContent, is_drawn_in_the_order_of_the_game) {
                   "gbuffers_armor_glint", "gbuffers_lightning", "gbuffers_block",
                   "gbuffers_block_translucent", "gbuffers_beaconbeam", "gbuffers_beaconbeam",
                   "gbuffers_damagedblock", "gbuffers_line", "copy_depthtex2", "gbuffers_hand",
-                  "copy_depthtex1", "deferred", "gbuffers_water", "gbuffers_particles",
+                  "gbuffers_armor_glint", "copy_depthtex1", "deferred", "gbuffers_water", "gbuffers_particles",
                   "gbuffers_particles_translucent", "gbuffers_weather", "gbuffers_weather",
                   "gbuffers_textured", "gbuffers_hand_water"));
 }

@@ -72,6 +72,23 @@ TEST_F(DrawContentGL, an_entity_that_is_not_listed_has_the_id_65535) {
   EXPECT_THAT(middle(), ElementsAre(FloatNear(1, .001f), 0, 0, 1));
 }
 
+TEST_F(DrawContentGL, what_is_hurt_has_its_row_of_the_overlay) {
+  files_["/gbuffers_entities.vsh"] =
+      "#version 330 compatibility\nin ivec2 vaUV1;\nflat out vec2 row;\nvoid main() { gl_Position = "
+      "ftransform(); row = vec2(vaUV1); }\n";
+  files_["/gbuffers_entities.fsh"] =
+      "#version 330 compatibility\nflat in vec2 row;\nvoid main() { gl_FragData[0] = vec4(row / 10.0, "
+      "0.0, 1.0); }\n";
+  Entity cow;
+  cow.kind = "minecraft:cow";
+  for (const bool hurt : {true, false}) {
+    cow.hurt = hurt;
+    ASSERT_TRUE(startQuiet(worldWith(cow))) << messages();
+    draw();
+    EXPECT_THAT(middle(), ElementsAre(0, FloatNear(hurt ? 0.3f : 1, .01f), 0, 1));
+  }
+}
+
 TEST_F(DrawContentGL, an_item_has_its_id) {
   paint("gbuffers_entities", "vec4(float(currentRenderedItemId) / 10.0, 0.5, 0.0, 1.0)",
         "uniform int currentRenderedItemId;");
@@ -165,6 +182,27 @@ TEST_F(DrawContentGL, an_entity_and_the_player_cast_shadows) {
   draw();
   EXPECT_GT(redShare(), 0);
   EXPECT_THAT(stepNames(), Not(Contains("gbuffers_entities")));
+}
+
+TEST_F(DrawContentGL, entities_cast_shadows_as_far_as_the_pack_wants) {
+  addProgram("shadow", "void main() { gl_FragData[0] = vec4(0.0, 0.0, 1.0, 1.0); }\n");
+  paint("shadow_entities", "vec4(1.0, 0.0, 0.0, 1.0)");
+  const auto castsBy = [&](const std::string& factor) {
+    addProgram("final", "const int shadowMapResolution = 64;\nconst float shadowDistance = 8.0;\n"
+                        "const float shadowDistanceRenderMul = 1.0;\n" + factor +
+                        "uniform sampler2D shadowcolor0;\n"
+                        "void main() { gl_FragColor = texture2D(shadowcolor0, uv); }\n");
+    EXPECT_TRUE(start(worldWith({}))) << messages();  // the eye is 4.5 blocks above it
+    draw();
+    const auto map = session_->renderer().dump("shadowcolor0");
+    int red = 0;
+    for (int y = 0; y < 64; ++y)
+      for (int x = 0; x < 64; ++x) red += map->at(x, y)[0] > 0.5f;
+    return red > 0;
+  };
+  EXPECT_TRUE(castsBy(""));
+  EXPECT_TRUE(castsBy("const float entityShadowDistanceMul = 0.75;\n"));
+  EXPECT_FALSE(castsBy("const float entityShadowDistanceMul = 0.25;\n"));
 }
 
 TEST_F(DrawContentGL, rain_writes_depth_only_where_the_pack_wants_it) {

@@ -1,6 +1,5 @@
 // What belongs to blocks or stands like them: texts, beams, cracks, outline, border, lightning.
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -11,51 +10,17 @@
 namespace orris {
 namespace {
 
-// 3 x 5 squares a glyph, rows from the top, three bits each: A to Z, then 0 to 9.
-constexpr std::uint16_t kGlyphs[] = {
-    0x2bed, 0x6bae, 0x3923, 0x6b6e, 0x79a7, 0x79a4, 0x396b, 0x5bed, 0x7497, 0x126a, 0x5bad, 0x4927,
-    0x5fed, 0x6b6d, 0x2b6a, 0x6ba4, 0x2b7b, 0x6bad, 0x388e, 0x7492, 0x5b6f, 0x5b6a, 0x5bfd, 0x5aad,
-    0x5a92, 0x72a7, 0x7b6f, 0x2c97, 0x62a7, 0x728e, 0x5bc9, 0x79cf, 0x39ef, 0x7292, 0x7bef, 0x7bcf};
-
-std::uint16_t glyphOf(char c) {
-  const int upper = std::toupper(static_cast<unsigned char>(c));
-  if (upper >= 'A' && upper <= 'Z') return kGlyphs[upper - 'A'];
-  if (upper >= '0' && upper <= '9') return kGlyphs[26 + upper - '0'];
-  return 0;
-}
-
-/// A square of a text, `at` in squares from the middle of the line, y up.
-ContentQuad glyphSquare(const glm::mat4& place, glm::vec2 at, const BlockText& text,
-                        glm::ivec2 light) {
-  ContentQuad quad;
-  const glm::vec2 corners[] = {{0, 1}, {0, 0}, {1, 0}, {1, 1}};
-  for (std::size_t i = 0; i < 4; ++i)
-    quad.corners[i] = glm::vec3(place * glm::vec4(at + corners[i], 0, 1));
-  quad.color = glm::vec4(text.color, 1);
-  quad.light = light;
-  return quad;
-}
-
 void addText(ListWriter& writer, const BlockText& text) {
-  constexpr int kColumns = 3, kRows = 5;
   ContentDraw draw;
   draw.geometry = Geometry::BlockText;
   draw.block = writer.scene.world.blocks.at(text.at);
   writer.begin(draw);
   glm::mat4 place = glm::translate(glm::mat4(1), writer.local(text.position));
   place = glm::rotate(place, glm::radians(-text.yaw), glm::vec3(0, 1, 0));
-  place = glm::scale(place, glm::vec3(text.size / kRows));
-  const float width = static_cast<float>(text.text.size()) * (kColumns + 1) - 1;
-  for (std::size_t g = 0; g < text.text.size(); ++g) {
-    const std::uint16_t glyph = glyphOf(text.text[g]);
-    for (int bit = 0; bit < kColumns * kRows; ++bit) {
-      if ((glyph >> (kColumns * kRows - 1 - bit) & 1) == 0) continue;
-      const glm::vec2 at(
-          static_cast<float>(g * (kColumns + 1)) + static_cast<float>(bit % kColumns) - width / 2,
-          kRows / 2.0f - 1 - static_cast<float>(bit / kColumns));
-      writer.quad(glyphSquare(place, at, text, writer.lightAt(text.position)));
-    }
-  }
+  ContentQuad square;
+  square.color = glm::vec4(text.color, 1);
+  square.light = writer.lightAt(text.position);
+  addGlyphs(writer, text.text, glm::scale(place, glm::vec3(text.size)), square);
 }
 
 /// The four sides of an upright prism, seen from outside.

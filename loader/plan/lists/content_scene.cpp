@@ -25,6 +25,7 @@ GeometrySet kindsOf(const Entity& entity, const ContentScene& scene) {
   const EntityModel* model = findEntityModel(entity.kind);
   GeometrySet kinds = entity.leash ? bitOf(G::Leash) : 0;
   if (entity.glint) kinds |= bitOf(G::Glint);
+  if (!entity.tag.empty()) kinds |= bitOf(G::EntitiesTranslucent);
   if (model == nullptr) return kinds;
   for (const ModelBox& box : model->boxes)
     kinds |= bitOf(box.layer == ModelLayer::Eyes          ? G::Eyes
@@ -57,6 +58,7 @@ GeometrySet kindsOf(const World& world, const ContentScene& scene) {
     if (item.empty() || player.hideGui) continue;
     const bool translucent = scene.items.at(item).layer == RenderLayer::Translucent;
     has(true, translucent ? G::HandTranslucent : G::Hand);
+    has(player.handGlint && !translucent && item != "minecraft:air", G::HandGlint);
   }
   has(player.body, G::PlayerBody);
   return kinds;
@@ -67,8 +69,10 @@ std::vector<std::string> texturesFor(const World& world, const ContentScene& sce
   const auto add = [&](const std::vector<std::string>& more) {
     names.insert(more.begin(), more.end());
   };
-  for (const Entity& entity : world.content.entities)
+  for (const Entity& entity : world.content.entities) {
     if (const EntityModel* model = findEntityModel(entity.kind)) add(texturesOf(*model));
+    if (!entity.tag.empty()) names.insert("glyph");
+  }
   if (world.environment.player.body) add(texturesOf(*findEntityModel("player")));
   for (const auto& [name, facts] : scene.items) {
     add(texturesOf(std::vector<BlockFacts>{facts}));

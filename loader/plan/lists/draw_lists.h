@@ -21,6 +21,7 @@ struct ContentDraw {
   std::string item{};    ///< currentRenderedItemId, by name; "" for none
   BlockState block{};    ///< blockEntityId; name "" for none
   glm::vec4 entityColor{0};
+  glm::vec3 middle{0};  ///< of an entity, relative to the camera
 };
 
 /// Positions are relative to the camera in the world's axes; those of hands in view space.

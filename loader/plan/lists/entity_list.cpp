@@ -116,12 +116,45 @@ glm::mat4 itemMatrix(const ListWriter& writer, const Entity& entity) {
 }
 
 /// What a layer of an entity's model is drawn as, with the uniforms of that entity.
-ContentDraw drawOf(Geometry geometry, const Entity& entity) {
+ContentDraw drawOf(const ListWriter& writer, Geometry geometry, const Entity& entity) {
   ContentDraw draw;
   draw.geometry = geometry;
+  draw.middle = writer.local(entity.position);
   draw.entity = entity.kind;
   if (entity.hurt) draw.entityColor = kHurt;
   return draw;
+}
+
+float heightOf(const EntityModel& model) {
+  float height = 0;
+  for (const ModelBox& box : model.boxes)
+    height = std::max(height, (box.pivot.y + box.to.y) * model.scale / kModelTexels);
+  return height;
+}
+
+/// Faces the eye, as the game's do, on a dark board that is seen through.
+void addTag(ListWriter& writer, const Entity& entity, float height, glm::ivec2 light) {
+  constexpr float kOver = 0.5f, kCapital = 0.175f, kMargin = 0.3f, kBoardAlpha = 0.25f;
+  // In front of the board.
+  constexpr float kNearer = 0.01f;
+  const glm::mat4 towards(glm::mat3(writer.state.gbufferModelViewInverse));
+  const glm::vec3 middle = writer.local(entity.position + glm::dvec3(0, height + kOver, 0));
+  const glm::mat4 place =
+      glm::scale(glm::translate(glm::mat4(1), middle) * towards, glm::vec3(kCapital));
+  ContentDraw draw = drawOf(writer, Geometry::EntitiesTranslucent, entity);
+  draw.entityColor = glm::vec4(0);  // the name of what is hurt is not red
+  writer.begin(draw);
+  ContentQuad square;
+  const glm::vec2 half(glyphsWidth(entity.tag) / 2 + kMargin, 0.5f + kMargin);
+  const glm::vec2 corners[] = {{-half.x, half.y}, -half, {half.x, -half.y}, half};
+  for (std::size_t i = 0; i < 4; ++i)
+    square.corners[i] = glm::vec3(place * glm::vec4(corners[i], 0, 1));
+  square.uv = tileUv(writer.scene.content.atlas.tile("glyph"));
+  square.color = glm::vec4(0, 0, 0, kBoardAlpha);
+  square.light = light;
+  writer.quad(square);
+  square.color = glm::vec4(1);
+  addGlyphs(writer, entity.tag, glm::translate(place, {0, 0, kNearer / kCapital}), square);
 }
 
 void addEntity(ListWriter& writer, const Entity& entity) {
@@ -131,22 +164,23 @@ void addEntity(ListWriter& writer, const Entity& entity) {
   const float step = stepOf(entity, writer.state);
   const glm::mat4 place = glm::scale(standing(writer, entity.position, entity.yaw),
                                      glm::vec3(model->scale / kModelTexels));
-  writer.begin(drawOf(Geometry::Entities, entity));
+  writer.begin(drawOf(writer, Geometry::Entities, entity));
   addBoxes(writer, *model, ModelLayer::Body, place, step, light);
-  writer.begin(drawOf(Geometry::EntitiesTranslucent, entity));
+  writer.begin(drawOf(writer, Geometry::EntitiesTranslucent, entity));
   addBoxes(writer, *model, ModelLayer::Translucent, place, step, light);
-  writer.begin(drawOf(Geometry::Eyes, entity));
+  writer.begin(drawOf(writer, Geometry::Eyes, entity));
   addBoxes(writer, *model, ModelLayer::Eyes, place, step, {240, 240});
   if (model->carriesItem && !entity.item.empty()) {
     const bool translucent = isTranslucentItem(writer.scene, entity.item);
     ContentDraw draw =
-        drawOf(translucent ? Geometry::EntitiesTranslucent : Geometry::Entities, entity);
+        drawOf(writer, translucent ? Geometry::EntitiesTranslucent : Geometry::Entities, entity);
     draw.item = entity.item;
     writer.begin(draw);
     addItem(writer, entity.item, itemMatrix(writer, entity), light);
   }
+  if (!entity.tag.empty()) addTag(writer, entity, heightOf(*model), light);
   if (!entity.glint) return;
-  writer.begin(drawOf(Geometry::Glint, entity));
+  writer.begin(drawOf(writer, Geometry::Glint, entity));
   addArmourGlint(writer, *model, place, step);
   if (model->carriesItem && !entity.item.empty())
     addItem(writer, entity.item, itemMatrix(writer, entity), light);
@@ -162,7 +196,7 @@ void addLeash(ListWriter& writer, const Entity& entity) {
     const float t = static_cast<float>(i) / kParts;
     return glm::mix(from, to, t) - glm::vec3(0, kSag * 4 * t * (1 - t), 0);
   };
-  writer.begin(drawOf(Geometry::Leash, entity));
+  writer.begin(drawOf(writer, Geometry::Leash, entity));
   for (int i = 0; i < kParts; ++i) {
     const float tone = i % 2 == 0 ? 1.0f : 0.7f;
     for (const glm::vec3& side : {glm::vec3(0, kWidth, 0), glm::vec3(kWidth, 0, kWidth)}) {
@@ -181,11 +215,11 @@ void addBody(ListWriter& writer) {
   const EntityModel* model = findEntityModel("player");
   Entity player;
   player.kind = "minecraft:player";
-  writer.begin(drawOf(Geometry::PlayerBody, player));
-  const glm::dvec3 feet = writer.state.cameraPosition - glm::dvec3(0, kEyeHeight, 0);
-  const glm::mat4 place = glm::scale(standing(writer, feet, writer.state.camera.yaw),
+  player.position = writer.state.cameraPosition - glm::dvec3(0, kEyeHeight, 0);
+  writer.begin(drawOf(writer, Geometry::PlayerBody, player));
+  const glm::mat4 place = glm::scale(standing(writer, player.position, writer.state.camera.yaw),
                                      glm::vec3(model->scale / kModelTexels));
-  addBoxes(writer, *model, ModelLayer::Body, place, 0, writer.lightAt(feet));
+  addBoxes(writer, *model, ModelLayer::Body, place, 0, writer.lightAt(player.position));
 }
 
 void addSprite(ListWriter& writer, const glm::mat4& place, glm::ivec2 light) {

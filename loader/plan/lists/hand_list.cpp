@@ -55,7 +55,12 @@ void addHand(ListWriter& writer, const std::string& item, bool left) {
   if (!facts.air) draw.item = item;
   writer.begin(draw);
   if (facts.air) return addArm(writer, left, light);
-  addItem(writer, item, heldMatrix(left, facts.boxes.empty()), light);
+  const glm::mat4 place = heldMatrix(left, facts.boxes.empty());
+  addItem(writer, item, place, light);
+  if (!writer.state.environment.player.handGlint || draw.geometry != Geometry::Hand) return;
+  draw.geometry = Geometry::HandGlint;
+  writer.begin(draw);
+  addItem(writer, item, place, light);
 }
 
 }  // namespace

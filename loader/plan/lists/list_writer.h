@@ -53,6 +53,12 @@ void addHands(ListWriter& writer);
 
 /// The faces of an item, a block or a sprite, in a cube 0..1, moved by `place`.
 void addItem(ListWriter& writer, const std::string& item, const glm::mat4& place, glm::ivec2 light);
+/// A line of glyphs around the origin of `place`, in its xy plane, capitals one unit high; `square` gives all
+/// but the corners.
+void addGlyphs(ListWriter& writer, std::string_view text, const glm::mat4& place,
+               ContentQuad square);
+/// In heights of a capital.
+float glyphsWidth(std::string_view text);
 /// Is the item a translucent block?
 bool isTranslucentItem(const SceneData& scene, const std::string& item);
 

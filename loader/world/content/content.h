@@ -20,6 +20,7 @@ struct Entity {
   bool walking = false;             ///< legs and arms swing with time
   bool hurt = false;                ///< the game's red overlay
   bool glint = false;               ///< what it wears, or the item, is enchanted
+  std::string tag;                  ///< text over its head, "" for none
   std::string item;                 ///< dropped or framed, with namespace; "" for none
   std::optional<glm::dvec3> leash;  ///< where the leash ends, world blocks
 };

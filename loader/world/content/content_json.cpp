@@ -47,12 +47,18 @@ glm::ivec3 readBlockPlace(JsonReader& reader, const JsonNode& object, const char
   return cell.value_or(glm::ivec3(0));
 }
 
+void checkGlyphs(JsonReader& reader, const JsonNode& node, const std::string& text) {
+  if (text.size() > limits::kWorldTextGlyphs)
+    reader.error(node.offset, fmt::format("a text of {} glyphs: expected at most {}", text.size(),
+                                          limits::kWorldTextGlyphs));
+}
+
 Entity readEntity(JsonReader& reader, const JsonNode& node) {
   Entity entity;
   const char* what = "an entity";
   if (!reader.object(
           node, what,
-          {"kind", "name", "position", "yaw", "walking", "hurt", "glint", "item", "leash"}))
+          {"kind", "name", "position", "yaw", "walking", "hurt", "glint", "tag", "item", "leash"}))
     return entity;
   const JsonNode* kind = reader.required(node, "kind", what);
   reader.optional(node, "kind", entity.kind);
@@ -66,6 +72,10 @@ Entity readEntity(JsonReader& reader, const JsonNode& node) {
   reader.optional(node, "walking", entity.walking);
   reader.optional(node, "hurt", entity.hurt);
   reader.optional(node, "glint", entity.glint);
+  if (const JsonNode* tag = node.find("tag")) {
+    entity.tag = reader.string(*tag, "\"tag\"").value_or("");
+    checkGlyphs(reader, *tag, entity.tag);
+  }
   entity.item = readItem(reader, node, "item");
   if (node.find("leash") != nullptr) entity.leash = readPlace(reader, node, "leash", what);
   return entity;
@@ -118,9 +128,7 @@ BlockText readText(JsonReader& reader, const JsonNode& node, const BlockWorld& b
   reader.optional(node, "yaw", kTurns, text.yaw);
   reader.optional(node, "size", RealRange{0.01, 16}, text.size);
   reader.optional(node, "color", RealRange{0, 1}, text.color);
-  if (text.text.size() > limits::kWorldTextGlyphs)
-    reader.error(node.offset, fmt::format("a text of {} glyphs: expected at most {}",
-                                          text.text.size(), limits::kWorldTextGlyphs));
+  checkGlyphs(reader, node, text.text);
   return text;
 }
 

@@ -98,7 +98,7 @@ std::vector<std::string> texturesOf(const EntityModel& model) {
 
 std::vector<std::string> contentTextureNames() {
   std::set<std::string> names = {"item_sprite",    "flame_particle", "smoke_particle",
-                                 "spark_particle", "rain",           "snow_flakes",
+                                 "spark_particle", "glyph", "rain",           "snow_flakes",
                                  "beacon_beam",    "glint",          "world_border"};
   for (int stage = 0; stage < 10; ++stage) names.insert(crackTexture(stage));
   for (const EntityModel& model : kModels)

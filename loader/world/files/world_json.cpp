@@ -78,7 +78,7 @@ Player readPlayer(JsonReader& reader, const JsonNode& environment) {
   reader.object(*node, "\"player\"",
                 {"blindness", "nightVision", "darkness", "darknessLight", "brightness", "heldLight",
                  "heldLight2", "sneaking", "sprinting", "hurt", "invisible", "burning", "onGround",
-                 "hideGui", "mainHand", "offHand", "body"});
+                 "hideGui", "mainHand", "offHand", "glint", "body"});
   const std::pair<const char*, float*> amounts[] = {{"blindness", &player.blindness},
                                                     {"nightVision", &player.nightVision},
                                                     {"darkness", &player.darkness},
@@ -92,6 +92,7 @@ Player readPlayer(JsonReader& reader, const JsonNode& environment) {
       {"hurt", &player.hurt},         {"invisible", &player.invisible},
       {"burning", &player.burning},   {"onGround", &player.onGround},
       {"hideGui", &player.hideGui},   {"body", &player.body}};
+  reader.optional(*node, "glint", player.handGlint);
   player.mainHand = readItem(reader, *node, "mainHand");
   player.offHand = readItem(reader, *node, "offHand");
   // The game hides hands along with the rest of what belongs to the player.
