@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <optional>
 
@@ -33,19 +32,24 @@ class Measuring {
 
   double faces() {
     double count = 0;
-    forEachQuad([&](const MeshSection&, const BlockVertex&) { ++count; });
+    for (const MeshSection& section : scene_.mesh.sections)
+      for (std::uint32_t i = section.first; i < section.first + section.count; i += 4) {
+        const BlockVertex vertex = scene_.mesh.quad(i)[0];
+        const glm::dvec3 place = glm::dvec3(section.origin) + glm::dvec3(vertex.position);
+        count += glm::distance(place, view_.cameraPosition) <= directives_.shadowDistance;
+      }
     return count;
   }
 
   double extent() {
     glm::dvec3 low = view_.cameraPosition, high = low;
     for (const MeshSection& section : scene_.mesh.sections)
-      for (std::uint32_t i = section.first; i < section.first + section.count; ++i) {
-        const glm::dvec3 place =
-            glm::dvec3(section.origin) + glm::dvec3(scene_.mesh.vertices[i].position);
-        low = glm::min(low, place);
-        high = glm::max(high, place);
-      }
+      for (std::uint32_t i = section.first; i < section.first + section.count; i += 4)
+        for (const BlockVertex& vertex : scene_.mesh.quad(i)) {
+          const glm::dvec3 place = glm::dvec3(section.origin) + glm::dvec3(vertex.position);
+          low = glm::min(low, place);
+          high = glm::max(high, place);
+        }
     const glm::dvec3 sides = high - low;
     return std::max(sides.x, std::max(sides.y, sides.z));
   }
@@ -94,16 +98,6 @@ class Measuring {
   }
 
  private:
-  void forEachQuad(const std::function<void(const MeshSection&, const BlockVertex&)>& visit) {
-    for (const MeshSection& section : scene_.mesh.sections)
-      for (std::uint32_t i = section.first; i < section.first + section.count; i += 4) {
-        const BlockVertex& vertex = scene_.mesh.vertices[i];
-        const glm::dvec3 place = glm::dvec3(section.origin) + glm::dvec3(vertex.position);
-        if (glm::distance(place, view_.cameraPosition) <= directives_.shadowDistance)
-          visit(section, vertex);
-      }
-  }
-
   const CasterSet& casterSet() {
     if (!casters_) casters_ = castersOf(scene_.mesh, scene_.atlas);
     return *casters_;

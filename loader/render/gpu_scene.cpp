@@ -54,6 +54,7 @@ GpuScene::GpuScene(const SceneData& scene, const std::vector<int>& blockIds,
   atlas_ = uploadColors(scene.atlas.albedo, "atlas");
   normals_ = uploadData(scene.atlas.normal, "normals");
   specular_ = uploadData(scene.atlas.specular, "specular");
+  animated_ = AnimatedTiles(scene.atlas.animations);
   lightmap_ = gl::createTexture(2, *findFormat("RGBA8"), 16, 16, 1, 1, "lightmap");
   Image8 white(1, 1, 4);
   std::fill(white.pixels.begin(), white.pixels.end(), std::uint8_t{255});
@@ -72,6 +73,7 @@ void GpuScene::buildContent(const ContentScene& content, GeometrySet kinds) {
     const char* texture;
   };
   constexpr NamedSheet kSheets[] = {{Sheet::Glint, Geometry::Glint, "glint"},
+                                    {Sheet::Glint, Geometry::HandGlint, "glint"},
                                     {Sheet::Rain, Geometry::Rain, "rain"},
                                     {Sheet::Snow, Geometry::Snow, "snow_flakes"},
                                     {Sheet::Beam, Geometry::BeamCore, "beacon_beam"},
@@ -136,7 +138,7 @@ void GpuScene::needIndices(unsigned quads) {
 void GpuScene::uploadMesh(const SceneData& scene, const std::vector<int>& blockIds,
                           const VertexStyle& style) {
   sections_ = scene.mesh.sections;
-  const size_t count = scene.mesh.vertices.size();
+  const size_t count = scene.mesh.vertexCount();
   terrain_ = gl::createUnfilledBuffer(std::max<size_t>(1, count) * sizeof(GpuVertex), "terrain");
   // By sections: a copy of all vertices at once would be hundreds of megabytes for a save.
   for (const MeshSection& section : sections_) {
@@ -160,9 +162,10 @@ void GpuScene::collectTranslucent(const BlockMesh& mesh) {
   });
   if (first == sections_.end()) return;
   firstTranslucent_ = first->first;
-  for (size_t v = firstTranslucent_; v + 3 < mesh.vertices.size(); v += 4)
-    translucentCenters_.push_back((mesh.vertices[v].position + mesh.vertices[v + 2].position) *
-                                  0.5f);
+  for (size_t v = firstTranslucent_; v < mesh.vertexCount(); v += 4) {
+    const std::array<BlockVertex, 4> quad = mesh.quad(v);
+    translucentCenters_.push_back((quad[0].position + quad[2].position) * 0.5f);
+  }
 }
 
 void GpuScene::sortTranslucent(const glm::dvec3& eye) {
@@ -191,6 +194,10 @@ void GpuScene::drawSorted(const MeshSection& section, bool patches) const {
   const size_t offset = size_t{section.first - firstTranslucent_} / 4 * 6 * sizeof(std::uint32_t);
   gl::DrawElements(patches ? GL_PATCHES : GL_TRIANGLES, static_cast<int>(section.count / 4 * 6),
                    GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset));
+}
+
+void GpuScene::animate(const FrameState& state) {
+  animated_.show(double(state.frameTimeCounter), atlas_, normals_, specular_);
 }
 
 void GpuScene::updateLightmap(const FrameState& state) {

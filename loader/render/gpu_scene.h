@@ -17,6 +17,7 @@
 #include "plan/scene_data.h"
 #include "plan/schedule.h"
 #include "plan/shapes.h"
+#include "render/animated_tiles.h"
 #include "world/mesh/block_mesh.h"
 
 namespace orris {
@@ -59,6 +60,8 @@ class GpuScene {
   }
 
   void updateLightmap(const FrameState& state);
+  /// Shows animated textures as they are at that time.
+  void animate(const FrameState& state);
   void bindTerrain() const;
   void bindShapes() const;
   /// Made when first asked for.
@@ -86,6 +89,7 @@ class GpuScene {
   gl::Buffer terrain_, shapes_, lists_, indices_, sortedIndices_;
   unsigned indexedQuads_ = 0;
   std::optional<CloudLayer> clouds_;
+  AnimatedTiles animated_;
   std::vector<int> blockIds_;
   std::vector<MeshSection> sections_;
   std::vector<glm::vec3>

@@ -197,7 +197,7 @@ TEST_F(DrawContentGL, entities_cast_shadows_as_far_as_the_pack_wants) {
     const auto map = session_->renderer().dump("shadowcolor0");
     int red = 0;
     for (int y = 0; y < 64; ++y)
-      for (int x = 0; x < 64; ++x) red += map->at(x, y)[0] > 0.5f;
+      for (int x = 0; x < 64; ++x) red += map->at(x, y)[0] > 0.5f && map->at(x, y)[2] < 0.5f;
     return red > 0;
   };
   EXPECT_TRUE(castsBy(""));

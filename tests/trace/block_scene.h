@@ -29,8 +29,8 @@ inline BlockScene blockScene(const std::string& json, const std::map<std::string
   const LightLevels light(world->blocks, facts);
   BlockMesh mesh = buildMesh({world->blocks, facts, light, atlas});
   // An edited atlas is meant to be seen as it is.
-  for (BlockVertex& vertex : mesh.vertices)
-    if (edit != nullptr) vertex.tint = glm::u8vec4(255);
+  for (MeshFace& face : mesh.faces)
+    if (edit != nullptr) face.tint = glm::u8vec3(255);
   std::vector<int> blockIds;
   for (const BlockState& state : world->blocks.palette()) {
     const auto found = ids.find(state.name);

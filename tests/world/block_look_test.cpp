@@ -55,12 +55,12 @@ TEST(block_look, a_full_cube_by_model_has_the_bytes_of_ours) {
   scene.fill({0, 0, 0}, {3, 0, 3}, "stone");
   scene.set({1, 1, 1}, "stone");
   TestPack pack = stonePack();
-  const BlockMesh modelled = pack.mesh(scene);
+  const ReadMesh modelled = pack.mesh(scene);
   EXPECT_EQ(pack.errors, "");
   BlockAtlas atlas = pack.atlas;
   atlas.tiles["stone"] = atlas.tiles.at("minecraft:block/stone");
   const std::vector<BlockFacts> facts = scene.facts();
-  const BlockMesh own = buildMesh({scene.blocks, facts, scene.light(), atlas});
+  const ReadMesh own = buildMesh({scene.blocks, facts, scene.light(), atlas});
   ASSERT_EQ(modelled.vertices.size(), own.vertices.size());
   for (std::size_t i = 0; i < own.vertices.size(); ++i)
     ASSERT_TRUE(sameBytes(modelled.vertices[i], own.vertices[i])) << "vertex " << i;
@@ -104,7 +104,7 @@ TEST(block_look, the_first_pack_goes_before_the_others) {
   EXPECT_EQ(texelAt(atlas.albedo, atlas, "minecraft:block/stone", {0.5f, 0.5f}), kGreen);
 }
 
-TEST(block_look, an_animation_stands_at_its_first_frame) {
+TEST(block_look, an_animation_begins_with_its_first_frame) {
   TestPack pack = stonePack();
   const Texel8 frames[] = {kRed, kGreen, kBlue};
   pack.texture("block/stone", pngOf(16, 48, [&](int, int y) { return frames[y / 16]; }));
@@ -123,7 +123,99 @@ TEST(block_look, an_animation_stands_at_its_first_frame) {
   EXPECT_THAT(
       pack.errors,
       HasSubstr("pack/assets/minecraft/textures/block/stone.png.mcmeta:1:15: warning: the "
-                "animation begins with frame 7 of 16x16 texels, but the texture has 16x48"));
+                "animation has a frame 7 of 16x16 texels, but the texture has 16x48"));
+}
+
+TEST(block_look, the_frames_of_an_animation_are_kept_once_each) {
+  TestPack pack = stonePack();
+  const Texel8 frames[] = {kRed, kGreen, kBlue};
+  const auto strip = pngOf(16, 48, [&](int, int y) { return frames[y / 16]; });
+  pack.texture("block/stone", strip);
+  pack.files["/minecraft/textures/block/stone.png.mcmeta"] =
+      R"({"animation": {"frametime": 3, "frames": [1, {"index": 2, "time": 5}, 1]}})";
+  pack.look(oneBlock("stone"));
+  ASSERT_TRUE(pack.atlas.animations);
+  ASSERT_EQ(pack.atlas.animations->size(), 1u);
+  const TileAnimation& animation = pack.atlas.animations->front();
+  ASSERT_EQ(animation.frames.size(), 2u);
+  ASSERT_EQ(animation.steps.size(), 3u);
+  EXPECT_EQ(animation.steps[1].ticks, 5);
+  EXPECT_EQ(animation.frames[0].normal.width, 0) << "no pack has maps of it";
+  const AtlasTile tile = pack.atlas.tile("minecraft:block/stone");
+  EXPECT_EQ(glm::vec2(animation.corner),
+            tile.min * glm::vec2(pack.atlas.albedo.width, pack.atlas.albedo.height));
+  const auto colour = [&](long tick) {
+    const Image8& image = animation.frames[std::size_t(momentOf(animation, tick).frame)].albedo;
+    return Texel8{image.at(8, 8)[0], image.at(8, 8)[1], image.at(8, 8)[2], image.at(8, 8)[3]};
+  };
+  EXPECT_EQ(colour(0), kGreen);
+  EXPECT_EQ(colour(2), kGreen);
+  EXPECT_EQ(colour(3), kBlue);
+  EXPECT_EQ(colour(7), kBlue);
+  EXPECT_EQ(colour(8), kGreen);
+  EXPECT_EQ(colour(11 + 3), kBlue) << "again";
+  pack.files["/minecraft/textures/block/stone.png.mcmeta"] = R"({"animation": {"frames": [1]}})";
+  pack.look(oneBlock("stone"));
+  EXPECT_FALSE(pack.atlas.animations) << "one frame does not move";
+}
+
+TEST(block_look, an_interpolated_animation_is_between_its_frames) {
+  TileAnimation animation;
+  animation.frames.resize(2);
+  animation.steps = {{0, 4}, {1, 4}};
+  animation.interpolate = true;
+  EXPECT_EQ(momentOf(animation, 1), (AnimationMoment{0, 1, 0.25f}));
+  EXPECT_EQ(momentOf(animation, 6), (AnimationMoment{1, 0, 0.5f}));
+  Image8 dark(1, 1, 4), light(1, 1, 4);
+  dark.pixels = {0, 100, 255, 10};
+  light.pixels = {200, 100, 55, 90};
+  EXPECT_EQ(mixed(dark, light, 0.25f).pixels, (std::vector<std::uint8_t>{50, 100, 205, 10}));
+}
+
+TEST(block_look, faces_that_the_model_does_not_shade_say_so) {
+  TestPack pack = stonePack();
+  pack.model("stone", R"({"parent": "block/cube_all", "textures": {"all": "block/stone"},
+    "elements": [{"from": [0,0,0], "to": [16,16,16], "shade": false, "faces": {"east": {"texture": "#all"}}}]})");
+  EXPECT_FALSE(pack.mesh(oneBlock("stone")).quad(0)[0].shade);
+  EXPECT_TRUE(stonePack().mesh(oneBlock("stone")).quad(0)[0].shade);
+}
+
+/// Two blocks of water, of which the eastern one is lower.
+ReadMesh flowingWater(TestPack& pack) {
+  Scene scene({4, 3, 3});
+  scene.fill({0, 0, 0}, {3, 0, 2}, "stone");
+  scene.fill({0, 1, 0}, {3, 1, 2}, "stone");
+  scene.set({1, 1, 1}, "water");
+  scene.set({2, 1, 1}, "water[level=4]");
+  return pack.mesh(scene);
+}
+
+TEST(block_look, water_flows_down_its_steps_with_a_texture_of_its_own) {
+  TestPack pack = stonePack();
+  pack.texture("block/water_still", pngOf(16, kGreen));
+  const auto surfaces = [&] {
+    std::vector<std::array<BlockVertex, 4>> tops;
+    const ReadMesh mesh = flowingWater(pack);
+    for (std::size_t i = 0; i < mesh.vertexCount(); i += 4)
+      if (mesh.faces[i / 4].fluid == 1 && mesh.quad(i)[0].normal.y > 0) tops.push_back(mesh.quad(i));
+    return tops;
+  };
+  const auto still = surfaces();
+  ASSERT_EQ(still.size(), 2u);
+  EXPECT_EQ(still[0][0].tangent, glm::vec4(1, 0, 0, 1));
+  pack.texture("block/water_flow", pngOf(32, kBlue));
+  const auto flowing = surfaces();
+  ASSERT_EQ(flowing.size(), 2u);
+  const AtlasTile tile = pack.atlas.tile("water_flow");
+  for (const auto& quad : flowing) {
+    // v grows to the east, u to the north, over half of the texture.
+    EXPECT_LT(glm::distance(glm::vec3(quad[0].tangent), glm::vec3(0, 0, -1)), 1e-5f);
+    const auto& east = quad[2];
+    const auto& west = quad[1];
+    EXPECT_EQ(east.position.x - west.position.x, 1);
+    EXPECT_NEAR((east.uv - west.uv).y / (tile.max - tile.min).y, 0.5, 1e-5);
+    EXPECT_NEAR((east.uv - west.uv).x, 0, 1e-5);
+  }
 }
 
 TEST(block_look, labpbr_maps_lie_beside_their_texture) {
@@ -183,7 +275,7 @@ TEST(block_look, a_texture_with_holes_is_no_solid_layer) {
   pack.texture("block/stone", pngOf(16, 16, [](int x, int) {
                  return x < 4 ? Texel8{0, 0, 0, 0} : kRed;
                }));
-  const BlockMesh mesh = pack.mesh(oneBlock("stone"));
+  const ReadMesh mesh = pack.mesh(oneBlock("stone"));
   ASSERT_EQ(mesh.sections.size(), 1u);
   EXPECT_EQ(mesh.sections[0].layer, RenderLayer::Cutout);
   // Filtering brings no dark rims.
@@ -194,7 +286,7 @@ TEST(block_look, a_texture_with_holes_is_no_solid_layer) {
 TEST(block_look, a_block_that_only_the_pack_knows_is_drawn) {
   TestPack pack = stonePack();
   pack.files["/mod/blockstates/thing.json"] = R"({"variants": {"": {"model": "block/stone"}}})";
-  const BlockMesh mesh = pack.mesh(oneBlock("mod:thing"));
+  const ReadMesh mesh = pack.mesh(oneBlock("mod:thing"));
   EXPECT_EQ(faceCount(mesh), 6u);
   EXPECT_TRUE(pack.facts[1].known);
   EXPECT_TRUE(pack.facts[1].fullOpaqueCube);
@@ -251,7 +343,7 @@ TEST(block_look, weighted_variants_stand_where_the_dice_put_them) {
   Scene scene({9, 1, 9});
   for (int x = 0; x < 9; x += 2)
     for (int z = 0; z < 9; z += 2) scene.set({x, 0, z}, "stone");
-  const BlockMesh mesh = pack.mesh(scene);
+  const ReadMesh mesh = pack.mesh(scene);
   const AtlasTile green = pack.atlas.tile("minecraft:block/green");
   const auto isGreen = [&](const BlockVertex& v) {
     return glm::all(glm::greaterThanEqual(v.midUv, green.min)) &&
@@ -422,6 +514,70 @@ TEST(block_look, a_model_of_thousands_of_faces_everywhere_is_left_out) {
   EXPECT_THAT(
       pack.errors,
       HasSubstr("minecraft:stone has a model of 4096 faces and stands 1100 times in the world"));
+}
+
+// --- a whole pack ---
+
+/// 300 blocks, each with a state file, a model of one of five kinds and a texture.
+TestPack packOf300() {
+  TestPack pack;
+  addCubeModels(pack);
+  pack.model("post", R"({"textures": {"all": "block/0"}, "elements": [
+    {"from": [6,0,6], "to": [10,16,10], "faces": {"up": {"texture": "#all"}, "north": {"texture": "#all"},
+     "south": {"texture": "#all"}, "west": {"texture": "#all"}, "east": {"texture": "#all"}}}]})");
+  pack.model("arm", R"({"parent": "block/post", "elements": [
+    {"from": [7,6,0], "to": [9,9,7], "faces": {"north": {"texture": "#all"}, "up": {"texture": "#all"}}}]})");
+  const char* const states[] = {
+      R"({{"variants": {{"": {{"model": "block/m{0}"}}}}}})",
+      R"({{"variants": {{"axis=x": {{"model": "block/m{0}", "x": 90, "y": 90}}, "axis=y": {{"model": "block/m{0}"}}}}}})",
+      R"({{"variants": {{"facing=east": {{"model": "block/m{0}", "y": 90, "uvlock": true}}}}}})",
+      R"({{"multipart": [{{"apply": {{"model": "block/m{0}"}}}},
+          {{"when": {{"north": "true"}}, "apply": {{"model": "block/arm"}}}},
+          {{"when": {{"east": "true"}}, "apply": {{"model": "block/arm", "y": 90, "uvlock": true}}}}]}})",
+      R"({{"variants": {{"": [{{"model": "block/m{0}"}}, {{"model": "block/m{0}", "y": 180, "weight": 2}}]}}}})"};
+  for (int i = 0; i < 300; ++i) {
+    const char* parent = i % 5 == 3 ? "block/post" : "block/cube_all";
+    pack.files[fmt::format("/mod/blockstates/b{}.json", i)] =
+        fmt::format(fmt::runtime(states[i % 5]), i);
+    pack.model(fmt::format("m{}", i), fmt::format(R"({{"parent": "{}", "textures": {{"all": "block/{}"}}}})",
+                                                  parent, i));
+    pack.texture(fmt::format("block/{}", i), pngOf(i % 7 == 0 ? 32 : 16, {i % 256, i / 2, 60, 255}));
+    if (i % 10 != 1) continue;
+    pack.texture(fmt::format("block/{}", i), pngOf(16, 32, [&](int, int y) {
+                   return Texel8{y < 16 ? i % 256 : 1, i / 2, 60, 255};
+                 }));
+    pack.files[fmt::format("/minecraft/textures/block/{}.png.mcmeta", i)] =
+        R"({"animation": {"frametime": 2}})";
+  }
+  return pack;
+}
+
+TEST(block_look, a_pack_of_300_models_draws_each_block_with_its_own_texture) {
+  TestPack pack = packOf300();
+  Scene scene({40, 3, 60});
+  const char* const properties[] = {"", "[axis=x]", "[facing=east]", "[east=true,north=true]", ""};
+  const auto cellOf = [](int i) { return glm::ivec3(i % 20 * 2, 1, i / 20 * 4); };
+  for (int i = 0; i < 300; ++i)
+    scene.set(cellOf(i), fmt::format("mod:b{}{}", i, properties[i % 5]));
+  const ReadMesh mesh = pack.mesh(scene);
+  EXPECT_EQ(pack.errors, "");
+  ASSERT_EQ(pack.atlas.animations->size(), 30u);
+  std::map<int, int> faces;  // by block
+  for (const MeshSection& section : mesh.sections) {
+    for (std::uint32_t v = section.first; v < section.first + section.count; v += 4) {
+      const glm::ivec3 cell = section.origin + glm::ivec3(mesh.faces[v / 4].cell);
+      const int i = cell.x / 2 + cell.z / 4 * 20;
+      ASSERT_EQ(cell, cellOf(i));
+      ++faces[i];
+      const auto quad = mesh.quad(v);
+      const glm::vec2 size(pack.atlas.albedo.width, pack.atlas.albedo.height);
+      const std::uint8_t* texel = pack.atlas.albedo.at(int(quad[0].midUv.x * size.x),
+                                                       int(quad[0].midUv.y * size.y));
+      const bool arm = i % 5 == 3 && texel[0] == 0;  // of block 0's texture
+      EXPECT_TRUE(arm || (texel[0] == i % 256 && texel[1] == i / 2)) << "block " << i;
+    }
+  }
+  for (int i = 0; i < 300; ++i) EXPECT_EQ(faces[i], i % 5 == 3 ? 5 + 2 + 2 : 6) << "block " << i;
 }
 
 }  // namespace

@@ -11,15 +11,15 @@ namespace orris {
 namespace {
 
 struct Quad {
-  const BlockVertex* v;
+  std::array<BlockVertex, 4> v;
   glm::vec3 normal() const { return v[0].normal; }
 };
 
 /// The quads with the given normal, in the mesh's order.
-std::vector<Quad> quadsFacing(const BlockMesh& mesh, glm::vec3 normal) {
+std::vector<Quad> quadsFacing(const ReadMesh& mesh, glm::vec3 normal) {
   std::vector<Quad> quads;
   for (std::size_t i = 0; i < mesh.vertices.size(); i += 4) {
-    if (mesh.vertices[i].normal == normal) quads.push_back({&mesh.vertices[i]});
+    if (mesh.vertices[i].normal == normal) quads.push_back({mesh.quad(i)});
   }
   return quads;
 }
@@ -35,7 +35,7 @@ TEST(BlockMesh, single_cube_has_six_faces_and_two_have_ten) {
 TEST(BlockMesh, south_face_has_exactly_these_attributes) {
   Scene scene({1, 1, 1}, {17, 2, -3});
   scene.set({17, 2, -3}, "stone");
-  const BlockMesh mesh = scene.mesh();
+  const ReadMesh mesh = scene.mesh();
   ASSERT_EQ(mesh.sections.size(), 1u);
   EXPECT_EQ(mesh.sections[0].origin, glm::ivec3(16, 0, -16));
   EXPECT_EQ(mesh.sections[0].layer, RenderLayer::Solid);
@@ -64,7 +64,7 @@ TEST(BlockMesh, south_face_has_exactly_these_attributes) {
 TEST(BlockMesh, partial_faces_crop_the_tile_by_position) {
   Scene scene({1, 1, 1});
   scene.set({0, 0, 0}, "stone_slab[type=bottom]");
-  const BlockMesh mesh = scene.mesh();
+  const ReadMesh mesh = scene.mesh();
   EXPECT_EQ(faceCount(mesh), 6u);
   const AtlasTile tile = buildAtlas(texturesOf(scene.facts())).tile("stone");
   const Quad east = quadsFacing(mesh, {1, 0, 0}).at(0);
@@ -94,7 +94,7 @@ TEST(BlockMesh, equal_glass_and_water_have_no_faces_between) {
   for (const char* state : {"glass", "red_stained_glass", "water"}) {
     Scene scene({2, 1, 1});
     scene.fill({0, 0, 0}, {1, 0, 0}, state);
-    const BlockMesh mesh = scene.mesh();
+    const ReadMesh mesh = scene.mesh();
     EXPECT_GT(faceCount(mesh), 9u) << state;
     for (const BlockVertex& vertex : mesh.vertices) {
       EXPECT_FALSE(vertex.normal.x != 0 && vertex.position.x == 1) << state;
@@ -127,7 +127,7 @@ TEST(BlockMesh, fluid_surface_lies_at_eight_ninths_and_steps_down_as_it_flows) {
   Scene scene({2, 1, 1});
   scene.set({0, 0, 0}, "water");
   scene.set({1, 0, 0}, "water[level=3]");
-  const BlockMesh mesh = scene.mesh();
+  const ReadMesh mesh = scene.mesh();
   const std::vector<Quad> tops = quadsFacing(mesh, {0, 1, 0});
   ASSERT_EQ(tops.size(), 2u);
   EXPECT_FLOAT_EQ(tops[0].v[0].position.y, 8.0f / 9);
@@ -143,7 +143,7 @@ TEST(BlockMesh, fluids_take_the_brighter_light_of_their_cell_and_the_one_above) 
   scene.fill({0, 0, 0}, {0, 1, 0}, "water");
   const LightLevels light = scene.light();
   EXPECT_EQ(light.sky({0, 1, 0}), 14);
-  const BlockMesh mesh = scene.mesh();
+  const ReadMesh mesh = scene.mesh();
   EXPECT_EQ(quadsFacing(mesh, {0, 1, 0}).at(0).v[0].light.y, 15 * 16);
   EXPECT_EQ(quadsFacing(mesh, {0, -1, 0}).at(0).v[0].light.y, 14 * 16);
 }
@@ -152,7 +152,7 @@ TEST(BlockMesh, waterlogged_blocks_stand_in_water_that_carries_its_own_id) {
   Scene scene({1, 1, 1});
   const std::uint32_t water = scene.blocks.paletteIndex(blockState("water"));
   scene.set({0, 0, 0}, "oak_fence[waterlogged=true]");
-  const BlockMesh mesh = scene.mesh();
+  const ReadMesh mesh = scene.mesh();
   const auto fluid =
       std::count_if(mesh.vertices.begin(), mesh.vertices.end(),
                     [&](const BlockVertex& v) { return v.state == water && v.fluid; });
@@ -167,7 +167,7 @@ TEST(BlockMesh, block_entities_are_apart_from_the_terrain_one_state_a_draw) {
   scene.set({2, 0, 0}, "stone");
   scene.set({3, 0, 0}, "oak_sign");
   scene.blocks.paletteIndex(blockState("water"));
-  const BlockMesh mesh = scene.mesh();
+  const ReadMesh mesh = scene.mesh();
   std::vector<std::pair<RenderLayer, std::string>> draws;
   for (const MeshSection& section : mesh.sections) {
     const std::uint16_t state = mesh.vertices[section.first].state;
@@ -189,7 +189,7 @@ TEST(BlockMesh, grass_is_tinted_on_top_and_leaves_all_over) {
   Scene scene({3, 1, 1});
   scene.set({0, 0, 0}, "grass_block");
   scene.set({2, 0, 0}, "oak_leaves");
-  const BlockMesh mesh = scene.mesh();
+  const ReadMesh mesh = scene.mesh();
   for (const BlockVertex& vertex : mesh.vertices) {
     const glm::u8vec3 colour(vertex.tint);
     if (vertex.state == 2) {
@@ -206,8 +206,8 @@ TEST(BlockMesh, corners_beside_a_wall_are_occluded_as_in_the_game) {
   Scene scene({3, 2, 3});
   scene.fill({0, 0, 0}, {2, 0, 2}, "stone");
   scene.set({0, 1, 1}, "stone");
-  const BlockMesh mesh = scene.mesh();
-  const auto occlusionAt = [](const BlockMesh& from, glm::vec3 at) {
+  const ReadMesh mesh = scene.mesh();
+  const auto occlusionAt = [](const ReadMesh& from, glm::vec3 at) {
     for (const Quad& quad : quadsFacing(from, {0, 1, 0})) {
       const bool middle = quad.v[0].position == glm::vec3(1, 1, 1);
       for (int i = 0; middle && i < 4; ++i) {
@@ -230,7 +230,7 @@ TEST(BlockMesh, light_is_the_mean_of_the_four_cells_at_a_corner) {
   scene.fill({0, 0, 0}, {3, 0, 3}, "stone");
   scene.set({1, 2, 1}, "glowstone");
   const LightLevels light = scene.light();
-  const BlockMesh mesh = scene.mesh();
+  const ReadMesh mesh = scene.mesh();
   for (const Quad& quad : quadsFacing(mesh, {0, 1, 0})) {
     if (quad.v[0].position != glm::vec3(1, 1, 1)) continue;
     const int sum = light.block({1, 1, 1}) + light.block({2, 1, 1}) + light.block({1, 1, 2}) +
@@ -292,7 +292,7 @@ Scene randomScene() {
 }
 
 TEST(BlockMesh, every_quad_is_flat_counter_clockwise_and_has_a_tangent_frame) {
-  const BlockMesh mesh = randomScene().mesh();
+  const ReadMesh mesh = randomScene().mesh();
   ASSERT_GT(mesh.vertices.size(), 10000u);
   for (std::size_t i = 0; i < mesh.vertices.size(); i += 4) {
     const BlockVertex* v = &mesh.vertices[i];
@@ -315,7 +315,7 @@ TEST(BlockMesh, every_quad_is_flat_counter_clockwise_and_has_a_tangent_frame) {
 
 TEST(BlockMesh, position_plus_mid_block_is_the_middle_of_one_block) {
   const Scene scene = randomScene();
-  const BlockMesh mesh = scene.mesh();
+  const ReadMesh mesh = scene.mesh();
   for (const MeshSection& section : mesh.sections) {
     for (std::uint32_t i = 0; i < section.count; i += 4) {
       const BlockVertex* v = &mesh.vertices[section.first + i];
@@ -336,7 +336,7 @@ TEST(BlockMesh, position_plus_mid_block_is_the_middle_of_one_block) {
 TEST(BlockMesh, no_face_lies_against_a_solid_cube) {
   const Scene scene = randomScene();
   const std::vector<BlockFacts> facts = scene.facts();
-  const BlockMesh mesh = scene.mesh();
+  const ReadMesh mesh = scene.mesh();
   for (const MeshSection& section : mesh.sections) {
     for (std::uint32_t i = 0; i < section.count; i += 4) {
       const BlockVertex* v = &mesh.vertices[section.first + i];
@@ -349,7 +349,7 @@ TEST(BlockMesh, no_face_lies_against_a_solid_cube) {
 }
 
 TEST(BlockMesh, sections_are_sorted_and_cover_the_vertices) {
-  const BlockMesh mesh = randomScene().mesh();
+  const ReadMesh mesh = randomScene().mesh();
   std::uint32_t next = 0;
   const auto key = [](const MeshSection& s) {
     return std::array{int(s.layer), s.origin.x, s.origin.y, s.origin.z};

@@ -117,7 +117,7 @@ TEST(model_faces, the_neighbour_that_hides_a_face_turns_along) {
 
 TEST(model_faces, a_rescaled_element_covers_the_block_again) {
   ElementTemplate element = box({0.8f, 0, 8}, {15.2f, 16, 8});
-  element.turn = ElementTurn{{8, 8, 8}, 1, 45, true};
+  element.turn = ElementTurn{{8, 8, 8}, {0, 45, 0}, true};
   const auto faces = facesOfBox(element);
   ASSERT_EQ(faces.size(), 2u);  // sides without area are left out
   for (const ModelFace& face : faces) {
@@ -135,7 +135,7 @@ TEST(model_faces, a_rescaled_element_covers_the_block_again) {
 
 TEST(model_faces, an_element_turns_about_its_own_origin) {
   ElementTemplate element = box({0, 0, 0}, {16, 2, 2});
-  element.turn = ElementTurn{{0, 0, 0}, 2, 22.5f, false};
+  element.turn = ElementTurn{{0, 0, 0}, {0, 0, 22.5f}, false};
   const ModelFace face = towards(facesOfBox(element), D::North);
   const float c = std::cos(glm::radians(22.5f)), s = std::sin(glm::radians(22.5f));
   const auto has = [&](glm::vec3 place) {
@@ -145,6 +145,33 @@ TEST(model_faces, an_element_turns_about_its_own_origin) {
   EXPECT_TRUE(has({0, 0, 0}));
   EXPECT_TRUE(has({c, s, 0}));
   EXPECT_TRUE(has({c - s / 8, s + c / 8, 0}));
+}
+
+TEST(model_faces, an_element_turns_about_x_then_y_then_z) {
+  // The far end of a bar along z: up by the turn about -x, and to the west by that about z.
+  ElementTemplate element = box({8, 8, 8}, {9, 9, 16});
+  element.turn = ElementTurn{{8, 8, 8}, {-90, 0, 90}, false};
+  bool found = false;
+  for (const ModelFace& face : facesOfBox(element))
+    for (const glm::vec3& corner : face.corners) found |= near(corner, {0, 0.5f, 0.5f});
+  EXPECT_TRUE(found);
+  element.turn = ElementTurn{{8, 8, 8}, {0, 90, -90}, false};  // y first: east, then down
+  found = false;
+  for (const ModelFace& face : facesOfBox(element))
+    for (const glm::vec3& corner : face.corners) found |= near(corner, {0.5f, 0, 0.5f});
+  EXPECT_TRUE(found);
+}
+
+TEST(model_faces, a_cube_that_turns_about_two_axes_is_stretched_along_each_of_its_own) {
+  ElementTemplate element = box({0, 0, 0}, {16, 16, 16});
+  element.turn = ElementTurn{{8, 8, 8}, {45, 45, 0}, true};
+  // Its x axis turns into the diagonal of x and z, y and z into ones with parts 1/2, 1/2 and sqrt(1/2).
+  const float root = std::sqrt(0.5f);
+  float longest = 0;
+  for (const ModelFace& face : facesOfBox(element))
+    for (std::size_t i = 0; i < 4; ++i)
+      longest = std::max(longest, glm::distance(face.corners[i], face.corners[(i + 1) % 4]));
+  EXPECT_NEAR(longest, 1 / root, 1e-5f);
 }
 
 TEST(model_faces, rotation_of_a_face_turns_its_texture_clockwise) {

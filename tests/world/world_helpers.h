@@ -35,6 +35,15 @@ inline ParsedWorld parseWorld(const std::string& text, const WorldFileReader& re
 
 inline BlockState blockState(const std::string& text) { return parseBlockState(text).value(); }
 
+/// A mesh beside all of its vertices.
+struct ReadMesh : BlockMesh {
+  ReadMesh(BlockMesh mesh) : BlockMesh(std::move(mesh)) {
+    for (std::size_t i = 0; i < vertexCount(); i += 4)
+      for (const BlockVertex& vertex : quad(i)) vertices.push_back(vertex);
+  }
+  std::vector<BlockVertex> vertices;
+};
+
 /// Blocks of a box at (0,0,0) and all that is made of them.
 struct Scene {
   explicit Scene(glm::ivec3 size, glm::ivec3 origin = glm::ivec3(0)) : blocks(origin, size) {}
@@ -50,7 +59,7 @@ struct Scene {
     return factsOfPalette(BlockTable(), blocks, diagnostics);
   }
   LightLevels light() const { return LightLevels(blocks, facts()); }
-  BlockMesh mesh(float ambientOcclusionLevel = 1) const {
+  ReadMesh mesh(float ambientOcclusionLevel = 1) const {
     const std::vector<BlockFacts> known = facts();
     const LightLevels levels(blocks, known);
     const BlockAtlas atlas = buildAtlas(texturesOf(known));
@@ -60,6 +69,6 @@ struct Scene {
   BlockWorld blocks;
 };
 
-inline std::size_t faceCount(const BlockMesh& mesh) { return mesh.vertices.size() / 4; }
+inline std::size_t faceCount(const BlockMesh& mesh) { return mesh.faces.size(); }
 
 }  // namespace orris

@@ -47,7 +47,7 @@ WorldFacts gatherFacts(const SceneData& scene) {
     if (facts[i].emission > 0) result.lights += uses[i];
     if (!facts[i].known) result.unknown.push_back(blocks.palette()[i].toString());
   }
-  result.faces = long(scene.mesh.vertices.size() / 4);
+  result.faces = long(scene.mesh.faces.size());
   return result;
 }
 

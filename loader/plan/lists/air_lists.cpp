@@ -78,16 +78,17 @@ void addColumn(ListWriter& writer, int x, int z, bool snow) {
   if (!part || distance > kReach || distance == 0) return;
   const float t = writer.state.frameTimeCounter, share = distance / kReach;
   const int id = static_cast<int>(mixBits(static_cast<std::uint32_t>(x * 7919 + z)) & 0xffff);
-  const float fall = t * (snow ? 0.4f : 2.6f) * (0.8f + 0.4f * chance(id, 3)) + chance(id, 4);
+  const float fall = t * (snow ? 1.2f : 2.6f) * (0.8f + 0.4f * chance(id, 3)) + chance(id, 4);
   const float v = -(fall - std::floor(fall)), drift = chance(id, 5);
   const glm::vec3 side = glm::vec3(-foot.z, 0, foot.x) / distance * 0.5f;
   const glm::vec3 low(foot.x, writer.local({0, part->x, 0}).y, foot.z);
   const glm::vec3 high(foot.x, writer.local({0, part->y, 0}).y, foot.z);
-  constexpr float kPerBlock = 0.5f;
+  // Flakes of a forty-eighth of a block, near those of the game.
+  const float across = snow ? 3.0f : 1.0f, perBlock = snow ? 3.0f : 0.5f;
   ContentQuad quad;
   quad.corners = {high - side, low - side, low + side, high + side};
-  const float length = (high.y - low.y) * kPerBlock;
-  quad.uv = {{{drift, v}, {drift, v + length}, {drift + 1, v + length}, {drift + 1, v}}};
+  const float length = (high.y - low.y) * perBlock;
+  quad.uv = {{{drift, v}, {drift, v + length}, {drift + across, v + length}, {drift + across, v}}};
   quad.color.a = ((1 - share * share) * 0.5f + 0.5f) * writer.state.environment.rain;
   quad.light = writer.lightAt({x + 0.5, double(part->y), z + 0.5});
   quad.hasNormal = false;

@@ -20,7 +20,8 @@ int faceOf(const glm::vec3& normal) {
   return -1;
 }
 
-PlacedQuad placeQuad(const BlockVertex* v, const MeshSection& section, glm::vec2 texels) {
+PlacedQuad placeQuad(const std::array<BlockVertex, 4>& v, const MeshSection& section,
+                     glm::vec2 texels) {
   const glm::vec3 origin(section.origin);
   PlacedQuad placed;
   placed.cell =
@@ -62,10 +63,10 @@ TraceTexture linearTexture(const Image8& image) {
 std::vector<PlacedQuad> placeQuads(const BlockMesh& mesh, const BlockAtlas& atlas) {
   const glm::vec2 texels(atlas.albedo.width, atlas.albedo.height);
   std::vector<PlacedQuad> placed;
-  placed.reserve(mesh.vertices.size() / 4);
+  placed.reserve(mesh.faces.size());
   for (const MeshSection& section : mesh.sections) {
     for (std::uint32_t i = 0; i + 3 < section.count; i += 4)
-      placed.push_back(placeQuad(&mesh.vertices[section.first + i], section, texels));
+      placed.push_back(placeQuad(mesh.quad(section.first + i), section, texels));
   }
   std::stable_sort(placed.begin(), placed.end(), [](const PlacedQuad& a, const PlacedQuad& b) {
     return std::tie(a.cell.y, a.cell.z, a.cell.x, a.face) <

@@ -14,5 +14,7 @@ inline constexpr int kAtlasLevels = 5;
 /// averaged as light (power 2.2), as the game does, so that a far surface is as bright as a near
 /// one; alpha as it is stored. RGBA.
 std::vector<Image8> atlasLevels(const Image8& image, int levels);
+/// The same of data: means of the values as they are stored.
+std::vector<Image8> dataLevels(const Image8& image, int levels);
 
 }  // namespace orris

@@ -4,10 +4,12 @@
 
 #include <glm/glm.hpp>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "image/image.h"
+#include "world/atlas/tile_animation.h"
 
 namespace orris {
 
@@ -24,13 +26,11 @@ struct BlockAtlas {
   int tileSize = 16;
   Image8 albedo, normal, specular;
   std::map<std::string, AtlasTile> tiles;
+  /// The pictures are those of the first moment; nullptr: none changes.
+  std::shared_ptr<const TileAnimations> animations;
   AtlasTile tile(const std::string& name) const;  ///< the "missing" tile when unknown
 };
 
-/// The three pictures of one texture, of one size.
-struct TileImages {
-  Image8 albedo, normal, specular;
-};
 TileImages drawnTile(const std::string& name);
 
 /// The colours of one texture.

@@ -23,9 +23,15 @@ std::size_t unitsOf(const std::vector<NamedTile>& tiles) {
   return units;
 }
 
+void eachImage(TileImages& images, auto&& change) {
+  for (Image8* image : {&images.albedo, &images.normal, &images.specular})
+    if (image->width > 0) change(*image);
+}
+
 void eachImage(NamedTile& tile, auto&& change) {
-  for (Image8* image : {&tile.images.albedo, &tile.images.normal, &tile.images.specular})
-    change(*image);
+  eachImage(tile.images, change);
+  if (!tile.animation) return;
+  for (TileImages& frame : tile.animation->frames) eachImage(frame, change);
 }
 
 int largestOf(const std::vector<NamedTile>& tiles) {
@@ -86,6 +92,20 @@ void putClamped(Image8& image, const Image8& tile, glm::ivec2 corner, int side) 
                   image.at(corner.x + x, corner.y + y));
 }
 
+/// The frames as squares for the tile's place.
+TileAnimation placed(TileAnimation animation, glm::ivec2 corner, int side) {
+  animation.corner = corner;
+  for (TileImages& frame : animation.frames) {
+    fillHoles(frame.albedo);
+    eachImage(frame, [&](Image8& image) {
+      Image8 square(side, side, 4);
+      putClamped(square, image, {0, 0}, side);
+      image = std::move(square);
+    });
+  }
+  return animation;
+}
+
 void makeEmpty(BlockAtlas& atlas, std::size_t units) {
   int columns = 1, rows = 1;
   while (std::size_t(columns) * std::size_t(rows) < units) (columns <= rows ? columns : rows) *= 2;
@@ -109,6 +129,7 @@ bool packTiles(std::vector<NamedTile> tiles, BlockAtlas& atlas, std::size_t most
   makeEmpty(atlas, unitsOf(tiles));
   const glm::vec2 size(atlas.albedo.width, atlas.albedo.height);
   std::size_t next = 0;
+  TileAnimations animations;
   for (NamedTile& tile : tiles) {
     const int side = sideOf(tile);
     const glm::ivec2 corner = unitPlace(next) * kUnit;
@@ -119,7 +140,10 @@ bool packTiles(std::vector<NamedTile> tiles, BlockAtlas& atlas, std::size_t most
     putClamped(atlas.specular, tile.images.specular, corner, side);
     const glm::vec2 texels(tile.images.albedo.width, tile.images.albedo.height);
     atlas.tiles[tile.name] = {glm::vec2(corner) / size, (glm::vec2(corner) + texels) / size};
+    if (tile.animation) animations.push_back(placed(*std::move(tile.animation), corner, side));
   }
+  if (!animations.empty())
+    atlas.animations = std::make_shared<const TileAnimations>(std::move(animations));
   return whole;
 }
 

@@ -1,6 +1,7 @@
 // An atlas of textures of several sizes.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@ namespace orris {
 struct NamedTile {
   std::string name;
   TileImages images;
+  std::optional<TileAnimation> animation{};  ///< frames of the size of `images`
 };
 
 /// Each tile lies at a multiple of its size, rounded up to a power of two from 16, so that BlockAtlas::kMipLevels

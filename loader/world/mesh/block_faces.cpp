@@ -37,6 +37,9 @@ void setAtlas(BlockFace& face, const AtlasTile& tile) {
   }
 }
 
+/// A texture as wide as two blocks shows a quarter of itself on a side.
+AtlasTile quarterOf(const AtlasTile& tile) { return {tile.min, (tile.min + tile.max) * 0.5f}; }
+
 int normalAxis(FaceDirection direction) {
   const glm::ivec2 plane = sideAxes(direction);
   return 3 - plane.x - plane.y;
@@ -178,6 +181,7 @@ std::vector<BlockFace> makeModelFaces(const std::vector<ModelFace>& faces, bool 
     face.tinted = given.tintIndex >= 0;
     face.tintIndex = given.tintIndex;
     face.shading = given.smooth && !emits ? FaceShading::Smooth : FaceShading::Flat;
+    face.shade = given.shade;
     face.seeThrough = seeThrough.contains(given.texture);
     result.push_back(face);
   }
@@ -185,18 +189,39 @@ std::vector<BlockFace> makeModelFaces(const std::vector<ModelFace>& faces, bool 
 }
 
 std::vector<BlockFace> makeFluidFaces(const BlockFacts& facts, const BlockAtlas& atlas,
-                                      float height) {
+                                      float height, const std::string& flowing) {
   std::vector<BlockFace> faces;
   const std::string none;
-  for (int i = 0; i < 6; ++i) {
+  for (std::size_t i = 0; i < 6; ++i) {
     BlockFace face = boxFace(glm::vec3(0), glm::vec3(1, height, 1), FaceDirection(i));
-    setAtlas(face, atlas.tile(facts.boxes.empty() ? none : facts.boxes[0].textures[i]));
+    const bool side = face.normal.y == 0;
+    if (side && !flowing.empty())
+      setAtlas(face, quarterOf(atlas.tile(flowing)));
+    else
+      setAtlas(face, atlas.tile(facts.boxes.empty() ? none : facts.boxes[0].textures[i]));
     face.shading = FaceShading::Fluid;
     face.tinted = facts.tint != Tint::None;
     faces.push_back(face);
     if (face.direction == FaceDirection::Up && height < 1) faces.push_back(reversed(face));
   }
   return faces;
+}
+
+std::vector<BlockFace> makeFlowingSurface(const BlockFacts& facts, const BlockAtlas& atlas,
+                                          float height, const std::string& flowing,
+                                          std::size_t heading) {
+  constexpr float kQuarterTurn = 1.5707963f, kHalfWidth = 0.25f;
+  BlockFace face = boxFace(glm::vec3(0), glm::vec3(1, height, 1), FaceDirection::Up);
+  // v runs with the flow: the texture is turned about its middle.
+  const float angle = float(heading) * 4 * kQuarterTurn / float(kFlowHeadings) - kQuarterTurn;
+  const glm::vec2 u(std::cos(angle), -std::sin(angle)), v(std::sin(angle), std::cos(angle));
+  const glm::vec2 ends[] = {-u - v, -u + v, u + v, u - v};
+  for (std::size_t i = 0; i < 4; ++i) face.uv[i] = glm::vec2(0.5f) + ends[i] * kHalfWidth;
+  face.tangent = glm::vec4(std::cos(angle), 0, std::sin(angle), 1);
+  setAtlas(face, atlas.tile(flowing));
+  face.shading = FaceShading::Fluid;
+  face.tinted = facts.tint != Tint::None;
+  return {face, reversed(face)};
 }
 
 }  // namespace orris

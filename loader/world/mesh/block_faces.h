@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <optional>
 #include <set>
@@ -40,6 +42,8 @@ struct BlockFace {
   int tintIndex = 0;    ///< when tinted: of a model's face
   bool seeThrough = false;  ///< of a model: its texture has holes, so that no solid layer draws it
   FaceShading shading = FaceShading::Smooth;
+  bool shade = true;  ///< darkened by its direction, where the pack wants old lighting
+  std::uint32_t shape = 0;  ///< set by the mesher: index in BlockMesh::shapes
   SideRectangle side;  ///< when a neighbour can hide it: the part of the side that it covers
 };
 
@@ -58,9 +62,17 @@ std::vector<BlockFace> makeModelFaces(const std::vector<ModelFace>& faces, bool 
                                       const BlockAtlas& atlas,
                                       const std::set<std::string>& seeThrough);
 
-/// Faces of a fluid whose surface is at `height` (0..1). Below 1 the surface has an underside.
+/// Faces of a fluid whose surface is at `height` (0..1). Below 1 the surface has an underside. `flowing`: the texture of
+/// its sides, twice as wide as a block; "" for that of the still fluid.
 std::vector<BlockFace> makeFluidFaces(const BlockFacts& facts, const BlockAtlas& atlas,
-                                      float height);
+                                      float height, const std::string& flowing);
+
+/// Sixteenths of a turn from east (+x) by south that a surface may flow to.
+constexpr std::size_t kFlowHeadings = 16;
+/// The surface alone, above and below, as it flows to a heading.
+std::vector<BlockFace> makeFlowingSurface(const BlockFacts& facts, const BlockAtlas& atlas,
+                                          float height, const std::string& flowing,
+                                          std::size_t heading);
 
 /// Index of the two axes along a side.
 glm::ivec2 sideAxes(FaceDirection direction);

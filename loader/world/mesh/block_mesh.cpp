@@ -6,13 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
-#include <memory>
+#include <optional>
 #include <set>
 
 #include "core/add_diagnostic.h"
 #include "core/parallel.h"
-#include "world/mesh/block_faces.h"
 #include "world/mesh/face_light.h"
 #include "world/mesh/mesh_states.h"
 #include "world/mesh/model_dice.h"
@@ -23,8 +21,8 @@ namespace {
 
 /// The faces of one section by layer.
 struct SectionFaces {
-  std::array<std::vector<BlockVertex>, kRenderLayers> vertices;
-  std::array<std::vector<MeshSection>, kRenderLayers> sections;  // `first` counts from `vertices`
+  std::array<std::vector<MeshFace>, kRenderLayers> faces;
+  std::array<std::vector<MeshSection>, kRenderLayers> sections;  // `first` counts from those faces
 };
 
 class SectionMesher {
@@ -34,7 +32,7 @@ class SectionMesher {
 
   SectionFaces build(glm::ivec3 origin) {
     if (!isBuried(origin)) addSection(origin);
-    return std::move(faces_);
+    return std::move(made_);
   }
 
  private:
@@ -63,11 +61,11 @@ class SectionMesher {
         for (int x = low.x; x < end.x; ++x) addCell({x, y, z}, origin);
       }
     }
-    for (std::size_t i = 0; i < faces_.vertices.size(); ++i) {
+    for (std::size_t i = 0; i < made_.faces.size(); ++i) {
       if (RenderLayer(i) == RenderLayer::BlockEntity) {
         addBlockEntities(origin);
-      } else if (const std::size_t count = faces_.vertices[i].size(); count > 0) {
-        faces_.sections[i].push_back({origin, RenderLayer(i), 0, std::uint32_t(count)});
+      } else if (const std::size_t count = made_.faces[i].size(); count > 0) {
+        made_.sections[i].push_back({origin, RenderLayer(i), 0, std::uint32_t(count * 4)});
       }
     }
   }
@@ -75,14 +73,14 @@ class SectionMesher {
   // Those of one state together: each draw has one blockEntityId.
   void addBlockEntities(glm::ivec3 origin) {
     constexpr auto kLayer = std::size_t(RenderLayer::BlockEntity);
-    std::vector<BlockVertex>& vertices = faces_.vertices[kLayer];
-    std::stable_sort(vertices.begin(), vertices.end(),
+    std::vector<MeshFace>& faces = made_.faces[kLayer];
+    std::stable_sort(faces.begin(), faces.end(),
                      [](const auto& a, const auto& b) { return a.state < b.state; });
-    for (std::size_t start = 0, end; start < vertices.size(); start = end) {
+    for (std::size_t start = 0, end; start < faces.size(); start = end) {
       end = start;
-      while (end < vertices.size() && vertices[end].state == vertices[start].state) ++end;
-      faces_.sections[kLayer].push_back({origin, RenderLayer::BlockEntity, std::uint32_t(start),
-                                   std::uint32_t(end - start), vertices[start].state});
+      while (end < faces.size() && faces[end].state == faces[start].state) ++end;
+      made_.sections[kLayer].push_back({origin, RenderLayer::BlockEntity, std::uint32_t(start * 4),
+                                        std::uint32_t((end - start) * 4), faces[start].state});
     }
   }
 
@@ -124,10 +122,36 @@ class SectionMesher {
 
   void addFluidFaces(const MeshState& state, glm::ivec3 cell, glm::ivec3 origin) {
     const bool submerged = stateAt(cell + glm::ivec3(0, 1, 0)).fluid == state.fluid;
+    const auto heading = submerged ? std::nullopt : headingOf(cell, state);
     for (const BlockFace& face : submerged ? state.fluidFull : state.fluidSurface) {
+      const bool surface = face.normal.y != 0 && !face.flush;
       if (face.flush && isFluidHidden(face, cell, state, submerged)) continue;
-      addFace(face, cell, origin, state.fluidState, true);
+      if (!surface || !heading) addFace(face, cell, origin, state.fluidState, true);
     }
+    if (!heading) return;
+    for (const BlockFace& face : state.flowing[*heading])
+      addFace(face, cell, origin, state.fluidState, true);
+  }
+
+  /// Where the surface flows to, as the game has it: down the differences in height to what is beside.
+  std::optional<std::size_t> headingOf(glm::ivec3 cell, const MeshState& state) const {
+    if (state.flowing[0].empty()) return std::nullopt;
+    constexpr float kSource = 8.0f / 9;
+    glm::vec2 flow(0);
+    for (const glm::ivec3 step : {glm::ivec3(1, 0, 0), {-1, 0, 0}, {0, 0, 1}, {0, 0, -1}}) {
+      const MeshState& beside = stateAt(cell + step);
+      const MeshState& under = stateAt(cell + step - glm::ivec3(0, 1, 0));
+      float fall = 0;
+      if (beside.fluid == state.fluid)
+        fall = state.height - beside.height;
+      else if (beside.fluid.empty() && beside.coveredSides == 0 && under.fluid == state.fluid)
+        fall = state.height - (under.height - kSource);
+      flow += glm::vec2(step.x, step.z) * fall;
+    }
+    if (glm::dot(flow, flow) < 1e-6f) return std::nullopt;
+    constexpr float kTurn = 6.2831853f;
+    return std::size_t(std::lround(std::atan2(flow.y, flow.x) / kTurn * float(kFlowHeadings))) %
+           kFlowHeadings;
   }
 
   bool isFluidHidden(const BlockFace& face, glm::ivec3 cell, const MeshState& state,
@@ -148,26 +172,15 @@ class SectionMesher {
                bool fluid) {
     const BlockFacts& facts = input_.facts[index];
     const std::array<CornerLight, 4> light = lighting_.corners(face, cell);
-    const glm::u8vec3 colour = colourOf(face, facts, index, cell);
-    const RenderLayer layer = layerOf(face, facts);
-    std::vector<BlockVertex>& vertices = faces_.vertices[std::size_t(layer)];
+    MeshFace made{face.shape, std::uint16_t(index), std::uint8_t(facts.emission),
+                  std::uint8_t(fluid ? 1 : 0), glm::u8vec3(cell - origin),
+                  colourOf(face, facts, index, cell), {}, {}};
     for (std::size_t i = 0; i < 4; ++i) {
       const float occlusion = 1 - input_.ambientOcclusionLevel * (1 - light[i].occlusion);
-      const glm::ivec3 toMiddle(glm::clamp(
-          glm::round((glm::vec3(0.5f) - face.corners[i]) * 64.0f), -128.0f, 127.0f));
-      BlockVertex vertex;
-      vertex.position = glm::vec3(cell - origin) + face.corners[i];
-      vertex.uv = face.uv[i];
-      vertex.midUv = face.midUv;
-      vertex.normal = face.normal;
-      vertex.tangent = face.tangent;
-      vertex.tint = glm::u8vec4(colour, std::lround(occlusion * 255));
-      vertex.light = {std::lround(light[i].block), std::lround(light[i].sky)};
-      vertex.midBlock = glm::i8vec4(toMiddle, facts.emission);
-      vertex.state = std::uint16_t(index);
-      vertex.fluid = fluid ? 1 : 0;
-      vertices.push_back(vertex);
+      made.occlusion[i] = std::uint8_t(std::lround(occlusion * 255));
+      made.light[i] = {std::lround(light[i].block), std::lround(light[i].sky)};
     }
+    made_.faces[std::size_t(layerOf(face, facts))].push_back(made);
   }
 
   glm::u8vec3 colourOf(const BlockFace& face, const BlockFacts& facts, std::uint32_t index,
@@ -185,7 +198,7 @@ class SectionMesher {
   const MeshInput& input_;
   const MeshStates& states_;
   const FaceLighting& lighting_;
-  SectionFaces faces_;
+  SectionFaces made_;
 };
 
 std::vector<glm::ivec3> sectionsOf(const BlockWorld& blocks) {
@@ -204,14 +217,14 @@ BlockMesh joinParts(std::vector<SectionFaces>& parts) {
   BlockMesh mesh;
   std::size_t total = 0;
   for (const SectionFaces& part : parts) {
-    for (const auto& vertices : part.vertices) total += vertices.size();
+    for (const auto& faces : part.faces) total += faces.size();
   }
-  mesh.vertices.reserve(total);
+  mesh.faces.reserve(total);
   for (std::size_t layer = 0; layer < std::size_t(kRenderLayers); ++layer) {
     for (SectionFaces& part : parts) {
-      const auto start = std::uint32_t(mesh.vertices.size());
-      const std::vector<BlockVertex> vertices = std::move(part.vertices[layer]);
-      mesh.vertices.insert(mesh.vertices.end(), vertices.begin(), vertices.end());
+      const auto start = std::uint32_t(mesh.vertexCount());
+      const std::vector<MeshFace> faces = std::move(part.faces[layer]);
+      mesh.faces.insert(mesh.faces.end(), faces.begin(), faces.end());
       for (MeshSection section : part.sections[layer]) {
         section.first += start;
         mesh.sections.push_back(section);
@@ -223,8 +236,27 @@ BlockMesh joinParts(std::vector<SectionFaces>& parts) {
 
 }  // namespace
 
+std::array<BlockVertex, 4> BlockMesh::quad(std::size_t first) const {
+  const MeshFace& face = faces[first / 4];
+  const FaceShape& shape = shapes[face.shape];
+  std::array<BlockVertex, 4> quad;
+  for (std::size_t i = 0; i < quad.size(); ++i)
+    quad[i] = {glm::vec3(face.cell) + shape.corners[i],
+               shape.uv[i],
+               shape.midUv,
+               shape.normal,
+               shape.tangent,
+               glm::u8vec4(face.tint, face.occlusion[i]),
+               face.light[i],
+               glm::i8vec4(shape.toMiddle[i], face.emission),
+               face.state,
+               face.fluid,
+               shape.shade};
+  return quad;
+}
+
 BlockMesh buildMesh(const MeshInput& input) {
-  const MeshStates states(input);
+  MeshStates states(input);
   const FaceLighting lighting(input.blocks, input.light, input.facts);
   const std::vector<glm::ivec3> origins = sectionsOf(input.blocks);
   std::vector<SectionFaces> parts(origins.size());
@@ -232,6 +264,7 @@ BlockMesh buildMesh(const MeshInput& input) {
     parts[i] = SectionMesher(input, states, lighting).build(origins[i]);
   });
   BlockMesh mesh = joinParts(parts);
+  mesh.shapes = states.takeShapes();
   parts.clear();
   // What many threads allocated in small pieces stays with the process unless it is asked for.
   malloc_trim(0);

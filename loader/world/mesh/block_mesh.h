@@ -1,6 +1,8 @@
 // Faces of a world with the attributes Iris gives its terrain. Contract: attributes.csv.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <vector>
@@ -14,7 +16,7 @@ namespace orris {
 
 struct BlockLook;
 
-/// One vertex; quads are four in a row, counter-clockwise seen from outside, (0,1,2)(2,3,0).
+/// One vertex of a face; faces have four, counter-clockwise seen from outside, (0,1,2)(2,3,0).
 struct BlockVertex {
   glm::vec3 position;   ///< relative to the section's origin, blocks
   glm::vec2 uv, midUv;  ///< atlas
@@ -25,6 +27,7 @@ struct BlockVertex {
   glm::i8vec4 midBlock;  ///< 1/64 block to the block's centre; w emission 0..15
   std::uint16_t state;   ///< palette index, for mc_Entity
   std::uint16_t fluid;   ///< 1 for fluids (mc_Entity.y)
+  bool shade;            ///< darkened by its direction, where the pack wants old lighting
 };
 
 /// Faces of one 16^3 section in one layer, of block entities those of one state: vertices
@@ -36,9 +39,37 @@ struct MeshSection {
   std::uint16_t state = 0;  ///< block entities: the palette index of all its faces
 };
 
+/// What faces of equal blocks share.
+struct FaceShape {
+  std::array<glm::vec3, 4> corners;  ///< in the block, 0..1
+  std::array<glm::vec2, 4> uv;       ///< atlas
+  std::array<glm::i8vec3, 4> toMiddle;  ///< 1/64 block to the block's centre
+  glm::vec2 midUv;
+  glm::vec3 normal;
+  glm::vec4 tangent;
+  bool shade;
+};
+
+/// One face: a save has millions of them, so that each keeps only what is its own.
+struct MeshFace {
+  std::uint32_t shape;  ///< index in BlockMesh::shapes
+  std::uint16_t state;
+  std::uint8_t emission, fluid;
+  glm::u8vec3 cell;  ///< in the section, 0..15
+  glm::u8vec3 tint;
+  std::array<std::uint8_t, 4> occlusion;
+  std::array<glm::u8vec2, 4> light;
+};
+static_assert(sizeof(MeshFace) == 28);
+
 struct BlockMesh {
-  std::vector<BlockVertex> vertices;
+  std::vector<MeshFace> faces;
+  std::vector<FaceShape> shapes;
   std::vector<MeshSection> sections;  ///< sorted by layer, then origin
+
+  std::size_t vertexCount() const { return faces.size() * 4; }
+  /// The four vertices from `first` on, which is the first of a face.
+  std::array<BlockVertex, 4> quad(std::size_t first) const;
 };
 
 struct MeshInput {

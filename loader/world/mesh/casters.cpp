@@ -14,9 +14,9 @@ class Coverage {
  public:
   explicit Coverage(const BlockAtlas& atlas) : image_(atlas.albedo) {}
 
-  float of(const BlockVertex* v) {
+  float of(const std::array<BlockVertex, 4>& v) {
     glm::vec2 low = v[0].uv, high = v[0].uv;
-    for (int i = 1; i < 4; ++i) {
+    for (std::size_t i = 1; i < v.size(); ++i) {
       low = glm::min(low, v[i].uv);
       high = glm::max(high, v[i].uv);
     }
@@ -51,8 +51,8 @@ std::set<std::uint16_t> openStates(const BlockMesh& mesh, Coverage& coverage) {
   for (const MeshSection& section : mesh.sections) {
     if (section.layer != RenderLayer::Cutout) continue;
     for (std::uint32_t i = 0; i + 3 < section.count; i += 4) {
-      const BlockVertex* v = &mesh.vertices[section.first + i];
-      if (coverage.of(v) < kCasterCoverage) open.insert(v->state);
+      const auto v = mesh.quad(section.first + i);
+      if (coverage.of(v) < kCasterCoverage) open.insert(v[0].state);
     }
   }
   return open;
@@ -78,10 +78,10 @@ CasterSet castersOf(const BlockMesh& mesh, const BlockAtlas& atlas) {
     if (section.layer == RenderLayer::Translucent) continue;
     const glm::vec3 offset(section.origin - set.origin);
     for (std::uint32_t i = 0; i + 3 < section.count; i += 4) {
-      const BlockVertex* v = &mesh.vertices[section.first + i];
+      const auto v = mesh.quad(section.first + i);
       CasterFace face;
       face.seeThrough = section.layer != RenderLayer::Solid;
-      if (face.seeThrough && open.count(v->state) != 0) continue;
+      if (face.seeThrough && open.count(v[0].state) != 0) continue;
       for (std::size_t k = 0; k < 4; ++k) face.corners[k] = offset + v[k].position;
       face.normal = glm::normalize(v[0].normal);
       set.faces.push_back(face);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "world/resources/block_look.h"
+
 namespace orris {
 namespace {
 
@@ -12,6 +14,14 @@ float fluidHeight(const BlockState& state) {
   const std::string_view level = state.property("level", "0");
   const int flowed = level.size() == 1 && level[0] >= '0' && level[0] <= '7' ? level[0] - '0' : 0;
   return float(8 - flowed) / 9;
+}
+
+FaceShape faceShapeOf(const BlockFace& face) {
+  FaceShape shape{face.corners, face.uv, {}, face.midUv, face.normal, face.tangent, face.shade};
+  for (std::size_t i = 0; i < face.corners.size(); ++i)
+    shape.toMiddle[i] = glm::i8vec3(
+        glm::clamp(glm::round((glm::vec3(0.5f) - face.corners[i]) * 64.0f), -128.0f, 127.0f));
+  return shape;
 }
 
 }  // namespace
@@ -26,6 +36,7 @@ MeshStates::MeshStates(const MeshInput& input) : input_(input) {
     MeshState& state = states_.emplace_back();
     state.block = makeBlockFaces(facts, input_.atlas);
     if (input_.look) addModel(state, input_.look->models[i], facts.emission > 0);
+    state.block.faces = withShapes(std::move(state.block.faces));
     state.coveredSides = facts.coveredFaces;
     state.cullsSame = facts.cullsSame;
     if (facts.fluid) {
@@ -47,8 +58,8 @@ void MeshStates::addModel(MeshState& state, const BlockModel& model, bool emits)
     for (const ModelAlternative& one : part.alternatives) {
       auto& made = modelFaces_[{one.faces.get(), emits}];
       if (!made)
-        made = std::make_shared<const std::vector<BlockFace>>(
-            makeModelFaces(*one.faces, emits, input_.atlas, input_.look->seeThrough));
+        made = std::make_shared<const std::vector<BlockFace>>(withShapes(
+            makeModelFaces(*one.faces, emits, input_.atlas, input_.look->seeThrough)));
       choice.alternatives.push_back(made);
       choice.weights.push_back(one.weight);
     }
@@ -60,8 +71,27 @@ void MeshStates::addFluid(MeshState& state, const std::string& name, std::size_t
   state.fluid = name;
   state.height = height;
   state.fluidState = std::uint16_t(index);
-  state.fluidSurface = makeFluidFaces(input_.facts[index], input_.atlas, height);
-  state.fluidFull = makeFluidFaces(input_.facts[index], input_.atlas, 1);
+  const BlockFacts& facts = input_.facts[index];
+  const std::string flowing = flowingTexture(facts);
+  state.fluidSurface = withShapes(makeFluidFaces(facts, input_.atlas, height, flowing));
+  state.fluidFull = withShapes(makeFluidFaces(facts, input_.atlas, 1, flowing));
+  for (std::size_t i = 0; !flowing.empty() && i < kFlowHeadings; ++i)
+    state.flowing[i] =
+        withShapes(makeFlowingSurface(facts, input_.atlas, height, flowing, i));
+}
+
+std::string MeshStates::flowingTexture(const BlockFacts& facts) const {
+  if (!input_.look || facts.boxes.empty()) return "";
+  const auto found = input_.look->flowing.find(facts.boxes[0].textures[0]);
+  return found == input_.look->flowing.end() ? "" : found->second;
+}
+
+std::vector<BlockFace> MeshStates::withShapes(std::vector<BlockFace> faces) {
+  for (BlockFace& face : faces) {
+    face.shape = std::uint32_t(shapes_.size());
+    shapes_.push_back(faceShapeOf(face));
+  }
+  return faces;
 }
 
 }  // namespace orris

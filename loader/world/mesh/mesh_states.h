@@ -1,6 +1,8 @@
-// The palette's entries prepared for meshes: the faces that each block state and its fluid have.
+// What the entries of a world's palette look like to the mesher.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
@@ -9,7 +11,7 @@
 
 #include "world/mesh/block_faces.h"
 #include "world/mesh/block_mesh.h"
-#include "world/resources/block_look.h"
+#include "world/resources/block_model.h"
 
 namespace orris {
 
@@ -21,31 +23,40 @@ struct MeshChoice {
 
 /// One palette entry, prepared.
 struct MeshState {
-  BlockFaces block;               // of a model: without faces
-  std::vector<MeshChoice> parts;  // of a model
+  BlockFaces block;               ///< of a model: without faces
+  std::vector<MeshChoice> parts;  ///< of a model
   bool multipart = false;
-  std::vector<BlockFace> fluidSurface, fluidFull;  // under air, submerged in the same fluid
-  std::string fluid;                               // name, "" = none
+  std::vector<BlockFace> fluidSurface, fluidFull;  ///< under air, submerged in the same fluid
+  /// Under air, by heading; empty without a texture of the flowing fluid.
+  std::array<std::vector<BlockFace>, kFlowHeadings> flowing;
+  std::string fluid;                               ///< name, "" = none
   float height = 0;
-  std::uint16_t fluidState = 0;   // the palette index that fluid faces carry
-  std::uint8_t coveredSides = 0;  // bit 1 << FaceDirection: wholly opaque
+  std::uint16_t fluidState = 0;   ///< the palette index that fluid faces carry
+  std::uint8_t coveredSides = 0;  ///< bit 1 << FaceDirection: wholly opaque
   bool cullsSame = false;
 
   bool hides(FaceDirection side) const { return coveredSides >> int(side) & 1; }
 };
 
-/// What the palette's entries look like, for all sections.
 class MeshStates {
  public:
+  /// `input` must outlive it.
   explicit MeshStates(const MeshInput& input);
   const MeshState& operator[](std::size_t index) const { return states_[index]; }
+  /// By BlockFace::shape.
+  std::vector<FaceShape> takeShapes() { return std::move(shapes_); }
 
  private:
   void addModel(MeshState& state, const BlockModel& model, bool emits);
   void addFluid(MeshState& state, const std::string& name, std::size_t index, float height);
+  /// "" where no resource pack has one.
+  std::string flowingTexture(const BlockFacts& facts) const;
+  /// Gives each face the index of its shape.
+  std::vector<BlockFace> withShapes(std::vector<BlockFace> faces);
 
   const MeshInput& input_;
   std::vector<MeshState> states_;
+  std::vector<FaceShape> shapes_;
   std::map<std::pair<const std::vector<ModelFace>*, bool>,
            std::shared_ptr<const std::vector<BlockFace>>>
       modelFaces_;

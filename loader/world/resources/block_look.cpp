@@ -101,11 +101,11 @@ class LookTextures {
   void addOfModel(const std::string& name) {
     const auto parsed = parseResourceName(name);
     if (name == "missing" || !parsed || !names_.insert(name).second) return;
-    if (auto texture = readTexture(resources_, *parsed, diagnostics_))
-      return addOfPack(name, *texture);
+    if (auto texture = readTexture(resources_, *parsed, budget_, diagnostics_))
+      return addOfPack(name, *std::move(texture));
     missing_.push_back(name);
     const std::size_t slash = parsed->path.rfind('/');
-    add(name, drawnTile(parsed->path.substr(slash == std::string::npos ? 0 : slash + 1)));
+    add(name, {drawnTile(parsed->path.substr(slash == std::string::npos ? 0 : slash + 1))});
   }
 
   /// A texture of ours, which the packs may have by the same name.
@@ -114,18 +114,34 @@ class LookTextures {
     const bool turned = name.ends_with(kQuarterTurn);
     const std::string plain = turned ? name.substr(0, name.size() - kQuarterTurn.size()) : name;
     const auto parsed = parseResourceName("minecraft:block/" + plain);
-    const auto texture = parsed ? readTexture(resources_, *parsed, diagnostics_) : std::nullopt;
+    auto texture =
+        parsed ? readTexture(resources_, *parsed, budget_, diagnostics_) : std::nullopt;
     if (!texture) {
       tiles_.push_back({name, drawnTile(name)});
-    } else if (turned) {
-      addOfPack(name, {turnedImage(texture->albedo), turnedImage(texture->normal),
-                       turnedImage(texture->specular)});
-    } else {
-      addOfPack(name, *texture);
+      return;
     }
+    if (turned) turn(*texture);
+    addOfPack(name, *std::move(texture));
+  }
+
+  /// The texture of a fluid that flows, where a pack has one beside that of the still fluid.
+  void addFlowing(const std::string& still) {
+    constexpr std::string_view kStill = "_still";
+    if (!still.ends_with(kStill)) return;
+    const std::string name = still.substr(0, still.size() - kStill.size()) + "_flow";
+    if (look_.flowing.contains(still)) return;
+    auto texture = readTexture(resources_, {"minecraft", "block/" + name}, budget_, diagnostics_);
+    if (!texture) return;
+    look_.flowing[still] = name;
+    addOfPack(name, *std::move(texture));
   }
 
   void finish(BlockAtlas& atlas) {
+    if (budget_.refused > 0)
+      addWarning(diagnostics_, "resource-texture", {},
+                 fmt::format("{} animated textures of the resource packs stand still: expected at "
+                             "most {} texels of all their frames",
+                             budget_.refused, kMostFrameTexels));
     tiles_.push_back({"missing", drawnTile("missing")});
     if (packTiles(std::move(tiles_), atlas)) return;
     addWarning(
@@ -151,17 +167,28 @@ class LookTextures {
   }
 
  private:
-  void add(const std::string& name, const TileImages& images) {
-    tiles_.push_back({name, images});
-    for (std::size_t i = 3; i < images.albedo.pixels.size(); i += 4) {
-      if (images.albedo.pixels[i] == 255) continue;
+  static void turn(PackTexture& texture) {
+    turn(texture.images);
+    if (texture.animation)
+      for (TileImages& frame : texture.animation->frames) turn(frame);
+  }
+  static void turn(TileImages& images) {
+    for (Image8* image : {&images.albedo, &images.normal, &images.specular})
+      *image = turnedImage(*image);
+  }
+
+  void add(const std::string& name, PackTexture texture) {
+    const std::vector<std::uint8_t>& bytes = texture.images.albedo.pixels;
+    for (std::size_t i = 3; i < bytes.size(); i += 4) {
+      if (bytes[i] == 255) continue;
       look_.seeThrough.insert(name);
       break;
     }
+    tiles_.push_back({name, std::move(texture.images), std::move(texture.animation)});
   }
-  void addOfPack(const std::string& name, const TileImages& images) {
+  void addOfPack(const std::string& name, PackTexture texture) {
     ++look_.textures;
-    add(name, images);
+    add(name, std::move(texture));
   }
 
   const ResourceStack& resources_;
@@ -170,6 +197,7 @@ class LookTextures {
   std::set<std::string> names_;
   std::vector<std::string> missing_;
   std::vector<NamedTile> tiles_;
+  AnimationBudget budget_;
 };
 
 void readModels(const ResourceStack& resources, const BlockWorld& blocks,
@@ -220,8 +248,10 @@ BlockLook makeBlockLook(const ResourceStack& resources, const World& world,
       for (const ModelAlternative& one : part.alternatives)
         for (const ModelFace& face : *one.faces) textures.addOfModel(face.texture);
     if (model.parts.empty())
-      for (const std::string& name : texturesOf(std::vector<BlockFacts>{facts[i]}))
+      for (const std::string& name : texturesOf(std::vector<BlockFacts>{facts[i]})) {
         textures.addOwn(name);
+        if (facts[i].fluid) textures.addFlowing(name);
+      }
     if (!model.parts.empty() && !facts[i].known) learnShape(model, look, facts[i]);
   }
   look.ownLook.assign(own.begin(), own.end());

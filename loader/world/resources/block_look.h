@@ -2,6 +2,7 @@
 // uses is read.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
@@ -16,6 +17,7 @@ namespace orris {
 
 struct BlockLook {
   std::vector<BlockModel> models;    ///< by palette index; without parts: the facts' own boxes
+  std::map<std::string, std::string> flowing;  ///< texture of a still fluid -> of the flowing one
   std::set<std::string> seeThrough;  ///< textures with texels that are not opaque
   std::shared_ptr<const BiomeGrid> biomes;  ///< nullptr: the world has one
   std::vector<BiomeTint> tints;             ///< by biome of the grid; without one, of the world's

@@ -23,6 +23,7 @@ struct ModelFace {
   std::optional<FaceDirection> cull{};          ///< the neighbour there may hide it
   int tintIndex = -1;                           ///< below 0: not tinted
   bool smooth = true;                           ///< has ambient occlusion
+  bool shade = true;                            ///< the game darkens it by its direction
 };
 using ModelFaces = std::shared_ptr<const std::vector<ModelFace>>;
 

@@ -126,20 +126,25 @@ FaceUv locked(const FaceUv& face, FaceDirection direction, const glm::mat3& turn
   return result;
 }
 
-glm::vec3 turnedPoint(glm::vec3 point, const ElementTurn& turn) {
-  const float angle = glm::radians(turn.degrees);
+glm::mat3 turnAbout(int axis, float degrees) {
+  const float angle = glm::radians(degrees);
   const float c = std::cos(angle), s = std::sin(angle);
-  const int a = (turn.axis + 1) % 3, b = (turn.axis + 2) % 3;
-  const glm::vec3 p = point - turn.origin;
-  glm::vec3 q = p;
-  q[a] = p[a] * c - p[b] * s;
-  q[b] = p[a] * s + p[b] * c;
-  if (turn.rescale) {
-    const float scale = 1 / std::max(std::abs(c), std::abs(s));
-    q[a] *= scale;
-    q[b] *= scale;
+  const int a = (axis + 1) % 3, b = (axis + 2) % 3;
+  glm::mat3 m(1);
+  m[a][a] = m[b][b] = c;
+  m[a][b] = s;
+  m[b][a] = -s;
+  return m;
+}
+
+glm::mat3 matrixOf(const ElementTurn& turn) {
+  glm::mat3 m = turnAbout(2, turn.degrees.z) * turnAbout(1, turn.degrees.y) *
+                turnAbout(0, turn.degrees.x);
+  for (int axis = 0; turn.rescale && axis < 3; ++axis) {
+    const glm::vec3 along = glm::abs(m[axis]);
+    m[axis] /= std::max({along.x, along.y, along.z});
   }
-  return q + turn.origin;
+  return m;
 }
 
 /// Exactly along an axis where it is nearly so.
@@ -188,6 +193,7 @@ std::vector<ModelFace> facesOf(const ResolvedModel& model, const ModelTurn& turn
   std::vector<ModelFace> result;
   for (const ElementTemplate& element : model.elements) {
     const glm::vec3 ends[2] = {element.from, element.to};
+    const glm::mat3 own = element.turn ? matrixOf(*element.turn) : glm::mat3(1);
     for (int side = 0; side < 6; ++side) {
       const auto& given = element.faces[std::size_t(side)];
       if (!given) continue;
@@ -199,7 +205,7 @@ std::vector<ModelFace> facesOf(const ResolvedModel& model, const ModelTurn& turn
       for (int i = 0; i < 4; ++i) {
         const int* end = kEnds[side][i];
         glm::vec3 corner(ends[end[0]].x, ends[end[1]].y, ends[end[2]].z);
-        if (element.turn) corner = turnedPoint(corner, *element.turn);
+        if (element.turn) corner = own * (corner - element.turn->origin) + element.turn->origin;
         face.corners[std::size_t(i)] = matrix * (corner * kSixteenth - 0.5f) + 0.5f;
         // Outside of its tile the atlas has other textures.
         face.uv[std::size_t(i)] = glm::clamp(uv.at(i) * kSixteenth, 0.0f, 1.0f);
@@ -210,6 +216,7 @@ std::vector<ModelFace> facesOf(const ResolvedModel& model, const ModelTurn& turn
       if (given->cull) face.cull = turnedSide(*given->cull, matrix);
       face.tintIndex = given->tintIndex;
       face.smooth = model.ambientOcclusion;
+      face.shade = element.shade;
       result.push_back(std::move(face));
     }
   }

@@ -83,6 +83,7 @@ class ModelReader {
     readPoint(node, "from", kPlace, element.from);
     readPoint(node, "to", kPlace, element.to);
     if (const JsonNode* turn = node.find("rotation")) element.turn = readTurn(*turn);
+    reader_.optional(node, "shade", element.shade);
     const JsonNode* faces = reader_.required(node, "faces", "an element");
     if (faces && faces->kind != Kind::Object) {
       reader_.expected(*faces, "\"faces\"", "an object");
@@ -111,24 +112,19 @@ class ModelReader {
     }
     reader_.optional(node, "rescale", turn.rescale);
     // Since 1.21.11 the angles may stand by axis.
-    int axes = 0;
     for (const int axis : {0, 1, 2}) {
       const JsonNode* angle = node.find(std::string(1, char('x' + axis)));
       const auto degrees = angle ? reader_.number(*angle, "an angle", kDegrees) : std::nullopt;
-      if (!degrees || *degrees == 0) continue;
-      turn.axis = axis;
-      turn.degrees = float(*degrees);
-      if (++axes > 1)
-        reader_.error(angle->offset, "an element that turns about two axes is not supported");
+      turn.degrees[axis] = float(degrees.value_or(0));
     }
     const JsonNode* axis = node.find("axis");
     if (!axis) return turn;
     const std::string name = reader_.string(*axis, "\"axis\"").value_or("");
     if (name != "x" && name != "y" && name != "z") reader_.expected(*axis, "\"axis\"", "x, y or z");
-    turn.axis = name.empty() ? 0 : std::clamp(name[0] - 'x', 0, 2);
     const JsonNode* angle = reader_.required(node, "angle", "\"rotation\"");
     const auto degrees = angle ? reader_.number(*angle, "\"angle\"", kDegrees) : std::nullopt;
-    turn.degrees = float(degrees.value_or(0));
+    turn.degrees = glm::vec3(0);
+    turn.degrees[name.empty() ? 0 : std::clamp(name[0] - 'x', 0, 2)] = float(degrees.value_or(0));
     return turn;
   }
 

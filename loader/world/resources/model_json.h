@@ -22,17 +22,17 @@ struct FaceTemplate {
   int tintIndex = -1;
 };
 
-/// About one axis through a point.
+/// About axes through a point: x first, then y, then z.
 struct ElementTurn {
   glm::vec3 origin{8};  ///< sixteenths of a block
-  int axis = 1;
-  float degrees = 0;
-  bool rescale = false;  ///< stretched across the axis so that it covers the block again
+  glm::vec3 degrees{0};
+  bool rescale = false;  ///< stretched so that it covers the block again
 };
 
 struct ElementTemplate {
   glm::vec3 from{0}, to{16};  ///< sixteenths of a block, -16..32
   std::optional<ElementTurn> turn{};
+  bool shade = true;  ///< the game darkens its sides by their direction
   std::array<std::optional<FaceTemplate>, 6> faces{};  ///< by FaceDirection
 };
 

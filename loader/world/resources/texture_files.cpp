@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <set>
 
 #include "core/add_diagnostic.h"
 #include "core/limits.h"
-#include "world/files/json_reader.h"
+#include "world/resources/texture_meta.h"
 
 namespace orris {
 namespace {
@@ -37,43 +39,6 @@ struct FramePart {
   int index = 0;  ///< counted along rows
 };
 
-/// The game's: a square unless the file says otherwise, and the first of the frames that it lists.
-FramePart firstFrame(const JsonNode& animation, const Image8& image, JsonReader& reader) {
-  const int side = std::min(image.width, image.height);
-  const IntegerRange sides{1, 1 << 15}, frames{0, 1 << 15};
-  int width = 0, height = 0;
-  reader.optional(animation, "width", sides, width);
-  reader.optional(animation, "height", sides, height);
-  FramePart part;
-  part.width = width > 0 ? width : height > 0 ? image.width : side;
-  part.height = height > 0 ? height : width > 0 ? image.height : side;
-  const JsonNode* list = animation.find("frames");
-  if (!list || !reader.array(*list, "\"frames\"") || list->items.empty()) return part;
-  const JsonNode& first = list->items.front();
-  const JsonNode* index = first.find("index");
-  part.index = reader.integer(index ? *index : first, "a frame", frames).value_or(0);
-  return part;
-}
-
-std::optional<FramePart> readAnimation(const ResourceStack& resources, const ResourceName& name,
-                                       const Image8& image, Diagnostics& diagnostics) {
-  const auto meta = resources.read(name, kTextureMeta, diagnostics);
-  if (!meta) return std::nullopt;
-  const JsonText source{meta->bytes, meta->place, &kResourceJson};
-  JsonReader reader(source, diagnostics);
-  const auto root = parseLocatedJson(source, diagnostics);
-  const JsonNode* animation = root ? root->find("animation") : nullptr;
-  if (!animation) return std::nullopt;
-  const FramePart part = firstFrame(*animation, image, reader);
-  const int columns = image.width / part.width, rows = image.height / part.height;
-  if (part.index < columns * rows) return part;
-  reader.error(
-      animation->offset,
-      fmt::format("the animation begins with frame {} of {}x{} texels, but the texture has {}x{}",
-                  part.index, part.width, part.height, image.width, image.height));
-  return std::nullopt;
-}
-
 Image8 cut(const Image8& image, int left, int top, int width, int height) {
   Image8 part(width, height, 4);
   for (int y = 0; y < height; ++y)
@@ -102,17 +67,56 @@ Image8 filled(const Image8& like, std::array<std::uint8_t, 4> texel) {
   return image;
 }
 
-/// The map beside a texture, its frame and size; `otherwise` where no pack has one.
-Image8 readMap(const ResourceStack& resources, const ResourceName& name, const Image8& whole,
-               const FramePart& part, const Image8& frame, std::array<std::uint8_t, 4> otherwise,
-               Diagnostics& diagnostics) {
-  const auto map = readPicture(resources, name, diagnostics);
-  if (!map) return filled(frame, otherwise);
-  // A map of one frame serves all of them.
-  const bool strip = map->width * whole.height == map->height * whole.width;
-  if (!strip) return resized(*map, frame.width, frame.height);
-  const Image8 same = resized(*map, whole.width, whole.height);
-  return cut(same, part);
+/// A texture's colours and maps as they lie in the files.
+struct Strips {
+  Image8 albedo;
+  std::optional<Image8> normal, specular;  // of the size of `albedo`: one for each frame
+  std::optional<Image8> flatNormal, flatSpecular;  // one for all frames
+};
+
+void readMap(const ResourceStack& resources, const ResourceName& name, const Image8& whole,
+             std::optional<Image8>& strip, std::optional<Image8>& flat, Diagnostics& diagnostics) {
+  auto map = readPicture(resources, name, diagnostics);
+  if (!map) return;
+  if (map->width * whole.height == map->height * whole.width)
+    strip = resized(*map, whole.width, whole.height);
+  else
+    flat = std::move(map);
+}
+
+/// LabPBR's defaults; those that Iris takes.
+constexpr std::array<std::uint8_t, 4> kFlatNormal{127, 127, 255, 255}, kDull{0, 0, 0, 0};
+
+Image8 mapOf(const std::optional<Image8>& strip, const std::optional<Image8>& flat,
+             const FramePart& part, const Image8& frame, std::array<std::uint8_t, 4> otherwise) {
+  if (strip) return cut(*strip, part);
+  return flat ? resized(*flat, frame.width, frame.height) : filled(frame, otherwise);
+}
+
+/// Each frame that the steps name once; the steps then count these.
+TileAnimation animationOf(const Strips& strips, const TextureMeta& meta) {
+  TileAnimation animation;
+  animation.interpolate = meta.interpolate;
+  std::map<int, int> places;
+  for (AnimationStep step : meta.steps) {
+    const auto [place, fresh] = places.try_emplace(step.frame, int(places.size()));
+    if (fresh) {
+      const FramePart part{meta.width, meta.height, step.frame};
+      TileImages& frame = animation.frames.emplace_back();
+      frame.albedo = cut(strips.albedo, part);
+      if (strips.normal) frame.normal = cut(*strips.normal, part);
+      if (strips.specular) frame.specular = cut(*strips.specular, part);
+    }
+    step.frame = place->second;
+    animation.steps.push_back(step);
+  }
+  return animation;
+}
+
+std::size_t texelsOf(const TextureMeta& meta) {
+  std::set<int> frames;
+  for (const AnimationStep& step : meta.steps) frames.insert(step.frame);
+  return frames.size() * std::size_t(meta.width) * std::size_t(meta.height);
 }
 
 }  // namespace
@@ -132,21 +136,33 @@ std::optional<Image8> readPicture(const ResourceStack& resources, const Resource
   return image;
 }
 
-std::optional<TileImages> readTexture(const ResourceStack& resources, const ResourceName& name,
-                                      Diagnostics& diagnostics) {
-  const auto whole = readPicture(resources, name, diagnostics);
+std::optional<PackTexture> readTexture(const ResourceStack& resources, const ResourceName& name,
+                                       AnimationBudget& budget, Diagnostics& diagnostics) {
+  auto whole = readPicture(resources, name, diagnostics);
   if (!whole) return std::nullopt;
-  const FramePart part = readAnimation(resources, name, *whole, diagnostics)
-                             .value_or(FramePart{whole->width, whole->height, 0});
-  TileImages texture;
-  texture.albedo = cut(*whole, part);
-  const auto map = [&](const char* suffix, std::array<std::uint8_t, 4> otherwise) {
-    return readMap(resources, {name.space, name.path + suffix}, *whole, part, texture.albedo,
-                   otherwise, diagnostics);
-  };
-  // LabPBR's defaults; those that Iris takes.
-  texture.normal = map("_n", {127, 127, 255, 255});
-  texture.specular = map("_s", {0, 0, 0, 0});
+  const auto file = resources.read(name, kTextureMeta, diagnostics);
+  const auto meta =
+      file ? parseTextureMeta(*file, {whole->width, whole->height}, diagnostics) : std::nullopt;
+  Strips strips{*std::move(whole), {}, {}, {}, {}};
+  readMap(resources, {name.space, name.path + "_n"}, strips.albedo, strips.normal,
+          strips.flatNormal, diagnostics);
+  readMap(resources, {name.space, name.path + "_s"}, strips.albedo, strips.specular,
+          strips.flatSpecular, diagnostics);
+  FramePart part{strips.albedo.width, strips.albedo.height, 0};
+  if (meta) part = {meta->width, meta->height, meta->steps.front().frame};
+  PackTexture texture;
+  texture.images.albedo = cut(strips.albedo, part);
+  texture.images.normal =
+      mapOf(strips.normal, strips.flatNormal, part, texture.images.albedo, kFlatNormal);
+  texture.images.specular =
+      mapOf(strips.specular, strips.flatSpecular, part, texture.images.albedo, kDull);
+  if (!meta || meta->steps.size() < 2) return texture;
+  if (texelsOf(*meta) > budget.texels) {
+    ++budget.refused;
+    return texture;
+  }
+  budget.texels -= texelsOf(*meta);
+  texture.animation = animationOf(strips, *meta);
   return texture;
 }
 
