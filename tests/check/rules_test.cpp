@@ -34,7 +34,7 @@ bool holdsOtherNames(const fs::path& path) {
 Ids idsInSources() {
   static const std::regex kId(R"re("([a-z][a-z0-9]*(?:-[a-z0-9]+)+)")re");
   static const Ids kOtherStrings = {"built-in", "world-1", "refuses-pack", "refuses-program",
-                                    "ignores-line", "utf-8", "utf-16"};
+                                    "ignores-line", "utf-8", "utf-16", "recent-worlds"};
   Ids ids;
   for (const auto& entry : fs::recursive_directory_iterator(ORRIS_SOURCE_DIR "/loader")) {
     const fs::path& path = entry.path();

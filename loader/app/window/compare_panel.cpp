@@ -72,7 +72,7 @@ void drawValues(Interface& interface, const SetComparison& comparison, const Sha
 void drawCompare(Interface& interface, PanelState& state, const PanelFacts& facts, PanelRequests& requests) {
   if (facts.comparison == nullptr) return;
   drawCosts(*facts.comparison);
-  if (beginPanel("Compare", &state.compare, ImVec2(0.3f, 0.02f), ImVec2(0.4f, 0.2f), ImVec2(24, 13))) {
+  if (beginPanel("Compare", &state.compare, ImVec2(0.3f, 0.02f), ImVec2(0.4f, 0.2f), ImVec2(24, 8))) {
     drawModes(interface, *facts.comparison);
     drawValues(interface, *facts.comparison, facts.pack.session().asked(), requests);
   }
