@@ -6,6 +6,7 @@
 #include <set>
 
 #include "check/compile/link_errors.h"
+#include "check/compile/unused_functions.h"
 #include "check/hints/conditional_place.h"
 #include "check/interface/declaration_checks.h"
 #include "check/pack/open_comments.h"
@@ -244,6 +245,7 @@ void checkVersion(Outline& outline, const std::vector<std::string>& profiles,
     }
     if (folders.size() == outline.pack->dimensions.size()) {
       Diagnostics diagnostics = checkWholePack(folders);
+      checkUnusedFunctions(folders, checker.glslang, diagnostics);
       problems.add(diagnostics);
     }
     checkMatrix(folders, request, options, checker, verdict, problems);

@@ -78,17 +78,21 @@ std::vector<LeftOut> leftOutOf(const StageText& stage) {
 struct StageFunctions {
   const StageText* stage = nullptr;
   std::vector<LeftOut> functions;
+  bool compiles = true;  ///< without them
 };
 
 class UnusedFunctions {
  public:
-  explicit UnusedFunctions(std::span<const ShaderPack> folders) : folders_(folders) {
+  UnusedFunctions(std::span<const ShaderPack> folders, const Verdicts& verdicts)
+      : folders_(folders) {
     std::set<std::string_view> seen;
     for (const ShaderPack& folder : folders) {
       for (const ProgramUnit& unit : programUnits(folder)) {
         if (!unit.mod.empty() || unit.incomplete) continue;
         for (const StageText* stage : unit.judged) {
-          if (seen.insert(stage->text.text).second) add(*stage);
+          const auto verdict = verdicts.find(unit.hash);
+          const bool compiles = verdict == verdicts.end() || verdict->second;
+          if (seen.insert(stage->text.text).second) add(*stage, compiles);
         }
       }
     }
@@ -111,8 +115,8 @@ class UnusedFunctions {
   // More programs would hardly say anything else.
   static constexpr std::size_t kMostTried = 3;
 
-  void add(const StageText& stage) {
-    candidates_.push_back({&stage, leftOutOf(stage)});
+  void add(const StageText& stage, bool compiles) {
+    candidates_.push_back({&stage, leftOutOf(stage), compiles});
     for (const LeftOut& function : candidates_.back().functions)
       open_[function.place.first].insert(function.place.second);
   }
@@ -149,6 +153,7 @@ class UnusedFunctions {
 
   /// Compiles the stage with its functions, without each that fails.
   void judge(const StageFunctions& candidate) {
+    if (!candidate.compiles) return;
     std::vector<const LeftOut*> inside;
     for (const LeftOut& function : candidate.functions) {
       if (isOpen(function)) inside.push_back(&function);
@@ -228,10 +233,13 @@ void checkUnusedSyntax(const ShaderPack& pack, const StageText& stage, Diagnosti
   }
 }
 
-void checkUnusedFunctions(std::span<const ShaderPack> folders, Diagnostics& diagnostics) {
+void checkUnusedFunctions(std::span<const ShaderPack> folders, const Verdicts& verdicts,
+                          Diagnostics& diagnostics) {
   if (folders.empty()) return;
   // In a process of its own, as the functions may be anything.
-  const auto work = [&](std::size_t) { return encodeDiagnostics(UnusedFunctions(folders).run()); };
+  const auto work = [&](std::size_t) {
+    return encodeDiagnostics(UnusedFunctions(folders, verdicts).run());
+  };
   runIsolated({.count = 1, .work = work}, [&](std::size_t, const JobOutcome& outcome) {
     if (outcome.kind != JobOutcome::Kind::Done) return true;
     const Diagnostics found = decodeDiagnostics(outcome.result);

@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "check/compile/program_check.h"
 #include "core/diagnostic.h"
 #include "pack/shader_pack.h"
 
@@ -12,7 +13,9 @@ namespace orris {
 void checkUnusedSyntax(const ShaderPack& pack, const StageText& stage, Diagnostics& diagnostics);
 
 /// Warnings of functions that no program of `folders` calls and that compile in none of those that
-/// contain them. Iris: CompatibilityTransformer.transformEach.
-void checkUnusedFunctions(std::span<const ShaderPack> folders, Diagnostics& diagnostics);
+/// contain them and have no bad verdict: a program that fails has its own errors first.
+/// Iris: CompatibilityTransformer.transformEach.
+void checkUnusedFunctions(std::span<const ShaderPack> folders, const Verdicts& verdicts,
+                          Diagnostics& diagnostics);
 
 }  // namespace orris

@@ -1,6 +1,5 @@
 #include "check/pack/pack_checks.h"
 
-#include "check/compile/unused_functions.h"
 #include "check/frame/frame_checks.h"
 #include "check/frame/texture_checks.h"
 #include "check/ids/id_checks.h"
@@ -48,8 +47,7 @@ constexpr WholePackCheck kWholePackChecks[] = {
     checkDecimals,         //
     checkPropertyNames,    //
     checkMacroNames,       //
-    checkTexturesUsed,     //
-    checkUnusedFunctions,
+    checkTexturesUsed,
 };
 
 }  // namespace
