@@ -6,7 +6,7 @@ set(codecs_file orris-image-codecs.so)
 # By pkg-config: its CMake files name things that Debian does not install with them.
 pkg_check_modules(OpenImageIO REQUIRED IMPORTED_TARGET OpenImageIO)
 add_library(orris_image_codecs MODULE image/codecs/openimageio_codecs.cpp)
-target_include_directories(orris_image_codecs PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
+target_include_directories(orris_image_codecs PRIVATE ${PROJECT_BINARY_DIR}/include)
 target_link_libraries(orris_image_codecs PRIVATE PkgConfig::OpenImageIO orris_warnings)
 set_target_properties(orris_image_codecs PROPERTIES
   PREFIX "" OUTPUT_NAME orris-image-codecs LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})

@@ -3,7 +3,7 @@
 file(GLOB api_sources CONFIGURE_DEPENDS api/*.cpp)
 add_library(orris_api SHARED ${api_sources})
 target_include_directories(orris_api
-  PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}
+  PRIVATE ${PROJECT_BINARY_DIR}/include
   PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/api/include>
          $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 target_link_libraries(orris_api PRIVATE orris_render orris_warnings ${CMAKE_DL_LIBS})

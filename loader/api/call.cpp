@@ -1,4 +1,4 @@
-#include "api/call.h"
+#include <orris/api/call.h>
 
 #include <algorithm>
 #include <atomic>

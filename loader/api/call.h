@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "core/diagnostic.h"
-#include "orris/orris.h"
+#include <orris/core/diagnostic.h>
+#include <orris/orris.h>
 
 namespace orris::api {
 

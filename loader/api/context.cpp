@@ -1,4 +1,4 @@
-#include "api/context.h"
+#include <orris/api/context.h>
 
 #include <string_view>
 

@@ -4,10 +4,10 @@
 #include <memory>
 #include <string>
 
-#include "api/call.h"
-#include "gl/context.h"
-#include "gl/state_guard.h"
-#include "render/frame_renderer.h"
+#include <orris/api/call.h>
+#include <orris/gl/context.h>
+#include <orris/gl/state_guard.h>
+#include <orris/render/frame_renderer.h>
 
 struct OrrisContext {
   static constexpr const char* kKind = "OrrisContext";

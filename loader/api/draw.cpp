@@ -3,7 +3,7 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <iterator>
 
-#include "api/renderer.h"
+#include <orris/api/renderer.h>
 
 namespace orris::api {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <glm/gtc/type_ptr.hpp>
 
-#include "api/renderer.h"
+#include <orris/api/renderer.h>
 
 namespace orris::api {
 namespace {

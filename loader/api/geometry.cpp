@@ -1,9 +1,9 @@
-#include "api/geometry.h"
+#include <orris/api/geometry.h>
 
 #include <iterator>
 
-#include "api/call.h"
-#include "gl/functions.h"
+#include <orris/api/call.h>
+#include <orris/gl/functions.h>
 
 namespace orris::api {
 namespace {

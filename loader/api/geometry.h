@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "orris/orris.h"
-#include "render/engine_geometry.h"
+#include <orris/orris.h>
+#include <orris/render/engine_geometry.h>
 
 /// A pass during its callback.
 struct OrrisDraw {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <vector>
 
-#include "api/context.h"
-#include "gl/functions.h"
+#include <orris/api/context.h>
+#include <orris/gl/functions.h>
 
 namespace orris::api {
 namespace {

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "api/renderer.h"
+#include <orris/api/renderer.h>
 
 namespace orris::api {
 namespace {

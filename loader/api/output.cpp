@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "api/renderer.h"
-#include "gl/functions.h"
+#include <orris/api/renderer.h>
+#include <orris/gl/functions.h>
 
 namespace orris::api {
 namespace {

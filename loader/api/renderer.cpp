@@ -1,9 +1,9 @@
-#include "api/renderer.h"
+#include <orris/api/renderer.h>
 
 #include <cstring>
 
-#include "core/add_diagnostic.h"
-#include "world/world.h"
+#include <orris/core/add_diagnostic.h>
+#include <orris/world/world.h>
 
 namespace orris::api {
 namespace {

@@ -4,9 +4,9 @@
 #include <memory>
 #include <string>
 
-#include "api/context.h"
-#include "api/geometry.h"
-#include "render/render_session.h"
+#include <orris/api/context.h>
+#include <orris/api/geometry.h>
+#include <orris/render/render_session.h>
 
 struct OrrisRenderer {
   static constexpr const char* kKind = "OrrisRenderer";

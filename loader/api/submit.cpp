@@ -2,9 +2,9 @@
 #include <cmath>
 #include <cstring>
 
-#include "api/renderer.h"
-#include "gl/functions.h"
-#include "plan/program_uses.h"
+#include <orris/api/renderer.h>
+#include <orris/gl/functions.h>
+#include <orris/plan/program_uses.h>
 
 namespace orris::api {
 namespace {

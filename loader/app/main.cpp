@@ -13,11 +13,11 @@
 #include <vector>
 
 #include "app/commands/commands.h"
-#include "core/exit_status.h"
+#include <orris/core/exit_status.h>
 #include "app/input/folder_config.h"
-#include "core/printable.h"
-#include "core/work_stage.h"
-#include "pack/files/text.h"
+#include <orris/core/printable.h>
+#include <orris/core/work_stage.h>
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

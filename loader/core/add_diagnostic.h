@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "core/diagnostic.h"
+#include <orris/core/diagnostic.h>
 
 namespace orris {
 

@@ -1,10 +1,10 @@
-#include "core/asset_source.h"
+#include <orris/core/asset_source.h>
 
 #include <filesystem>
 
-#include "core/folder_source.h"
-#include "core/read_file.h"
-#include "core/zip_source.h"
+#include <orris/core/folder_source.h>
+#include <orris/core/read_file.h>
+#include <orris/core/zip_source.h>
 
 namespace orris {
 namespace {

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "core/file_source.h"
+#include <orris/core/file_source.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "core/diagnostic.h"
+#include <orris/core/diagnostic.h>
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <set>
 #include <tuple>
 
-#include "core/printable.h"
+#include <orris/core/printable.h>
 
 namespace orris {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/file_source.h"
+#include <orris/core/file_source.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "core/folder_source.h"
-#include "core/pack_path.h"
-#include "core/pack_search.h"
-#include "core/read_file.h"
-#include "core/zip_source.h"
+#include <orris/core/folder_source.h>
+#include <orris/core/pack_path.h>
+#include <orris/core/pack_search.h>
+#include <orris/core/read_file.h>
+#include <orris/core/zip_source.h>
 
 namespace orris {
 namespace {

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/diagnostic.h"
+#include <orris/core/diagnostic.h>
 
 namespace orris {
 

@@ -1,14 +1,14 @@
-#include "core/folder_source.h"
+#include <orris/core/folder_source.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
 
-#include "core/limits.h"
-#include "core/pack_path.h"
-#include "core/read_file.h"
-#include "core/read_places.h"
+#include <orris/core/limits.h>
+#include <orris/core/pack_path.h>
+#include <orris/core/read_file.h>
+#include <orris/core/read_places.h>
 
 namespace orris {
 namespace {

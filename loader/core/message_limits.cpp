@@ -1,11 +1,11 @@
-#include "core/message_limits.h"
+#include <orris/core/message_limits.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
 
-#include "core/limits.h"
+#include <orris/core/limits.h>
 
 namespace orris {
 namespace {

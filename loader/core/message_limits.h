@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/diagnostic.h"
+#include <orris/core/diagnostic.h>
 
 namespace orris {
 

@@ -1,10 +1,10 @@
-#include "core/named_file.h"
+#include <orris/core/named_file.h>
 
 #include <filesystem>
 
-#include "core/add_diagnostic.h"
-#include "core/read_file.h"
-#include "core/replace_file.h"
+#include <orris/core/add_diagnostic.h>
+#include <orris/core/read_file.h>
+#include <orris/core/replace_file.h>
 
 namespace orris {
 namespace {

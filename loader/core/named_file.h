@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "core/diagnostic.h"
+#include <orris/core/diagnostic.h>
 
 namespace orris {
 

@@ -1,9 +1,9 @@
-#include "core/pack_search.h"
+#include <orris/core/pack_search.h>
 
 #include <algorithm>
 #include <filesystem>
 
-#include "core/zip_source.h"
+#include <orris/core/zip_source.h>
 
 namespace orris {
 namespace {

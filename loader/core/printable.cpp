@@ -1,4 +1,4 @@
-#include "core/printable.h"
+#include <orris/core/printable.h>
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "core/read_file.h"
+#include <orris/core/read_file.h>
 
 #include <fcntl.h>
 #include <sys/stat.h>

@@ -1,4 +1,4 @@
-#include "core/read_places.h"
+#include <orris/core/read_places.h>
 
 #include <algorithm>
 #include <mutex>

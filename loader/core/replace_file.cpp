@@ -1,4 +1,4 @@
-#include "core/replace_file.h"
+#include <orris/core/replace_file.h>
 
 #include <fcntl.h>
 #include <fmt/format.h>

@@ -1,11 +1,11 @@
-#include "core/text_file.h"
+#include <orris/core/text_file.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
 
-#include "core/limits.h"
+#include <orris/core/limits.h>
 
 namespace orris {
 namespace {

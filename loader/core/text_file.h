@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/file_source.h"
+#include <orris/core/file_source.h>
 
 namespace orris {
 

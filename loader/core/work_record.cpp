@@ -1,4 +1,4 @@
-#include "core/work_record.h"
+#include <orris/core/work_record.h>
 
 #include <sys/mman.h>
 

@@ -1,4 +1,4 @@
-#include "core/work_stage.h"
+#include <orris/core/work_stage.h>
 
 #include <algorithm>
 #include <array>

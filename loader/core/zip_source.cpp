@@ -1,4 +1,4 @@
-#include "core/zip_source.h"
+#include <orris/core/zip_source.h>
 
 #include <fmt/format.h>
 #include <zip.h>
@@ -10,10 +10,10 @@
 #include <mutex>
 #include <set>
 
-#include "core/add_diagnostic.h"
-#include "core/pack_path.h"
-#include "core/read_file.h"
-#include "core/read_places.h"
+#include <orris/core/add_diagnostic.h>
+#include <orris/core/pack_path.h>
+#include <orris/core/read_file.h>
+#include <orris/core/read_places.h>
 
 namespace orris {
 namespace {

@@ -1,8 +1,8 @@
-#include "gl/buffer.h"
+#include <orris/gl/buffer.h>
 
 #include <cassert>
 
-#include "gl/functions.h"
+#include <orris/gl/functions.h>
 
 namespace orris::gl {
 

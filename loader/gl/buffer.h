@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "gl/handle.h"
+#include <orris/gl/handle.h>
 
 namespace orris::gl {
 

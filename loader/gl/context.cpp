@@ -1,4 +1,4 @@
-#include "gl/context.h"
+#include <orris/gl/context.h>
 
 #include <dlfcn.h>
 #include <fmt/format.h>
@@ -8,9 +8,9 @@
 #include <cstdlib>
 #include <utility>
 
-#include "core/add_diagnostic.h"
-#include "gl/context_backends.h"
-#include "gl/functions.h"
+#include <orris/core/add_diagnostic.h>
+#include <orris/gl/context_backends.h>
+#include <orris/gl/functions.h>
 
 namespace orris::gl {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "gl/context.h"
+#include <orris/gl/context.h>
 
 namespace orris::gl {
 

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <cstring>
 
-#include "core/add_diagnostic.h"
-#include "gl/context_backends.h"
+#include <orris/core/add_diagnostic.h>
+#include <orris/gl/context_backends.h>
 
 namespace orris::gl {
 namespace {

@@ -2,9 +2,9 @@
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 
-#include "core/add_diagnostic.h"
-#include "gl/context_backends.h"
-#include "gl/functions.h"
+#include <orris/core/add_diagnostic.h>
+#include <orris/gl/context_backends.h>
+#include <orris/gl/functions.h>
 
 namespace orris::gl {
 namespace {

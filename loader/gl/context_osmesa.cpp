@@ -4,9 +4,9 @@
 
 #include <array>
 
-#include "core/add_diagnostic.h"
-#include "gl/context_backends.h"
-#include "gl/functions.h"
+#include <orris/core/add_diagnostic.h>
+#include <orris/gl/context_backends.h>
+#include <orris/gl/functions.h>
 
 namespace orris::gl {
 namespace {

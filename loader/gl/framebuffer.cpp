@@ -1,11 +1,11 @@
-#include "gl/framebuffer.h"
+#include <orris/gl/framebuffer.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <optional>
 
-#include "gl/functions.h"
+#include <orris/gl/functions.h>
 
 namespace orris::gl {
 namespace {

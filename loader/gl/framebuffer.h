@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "gl/handle.h"
-#include "gl/texture.h"
+#include <orris/gl/handle.h>
+#include <orris/gl/texture.h>
 
 namespace orris::gl {
 

@@ -1,9 +1,9 @@
-#include "gl/functions.h"
+#include <orris/gl/functions.h>
 
 namespace orris::gl {
 
 #define ORRIS_GL(name) decltype(&::gl##name) name = nullptr;
-#include "gl/functions.inc"
+#include <orris/gl/functions.inc>
 #undef ORRIS_GL
 
 namespace {
@@ -17,7 +17,7 @@ std::vector<std::string> loadFunctions(const std::function<void*(const char*)>& 
 #define ORRIS_GL(name)                                                 \
   name = reinterpret_cast<decltype(name)>(getProcAddress("gl" #name)); \
   if (name == nullptr) missing.emplace_back("gl" #name);
-#include "gl/functions.inc"
+#include <orris/gl/functions.inc>
 #undef ORRIS_GL
   coreProfile = false;
   if (GetIntegerv != nullptr) {

@@ -12,7 +12,7 @@
 namespace orris::gl {
 
 #define ORRIS_GL(name) extern decltype(&::gl##name) name;
-#include "gl/functions.inc"
+#include <orris/gl/functions.inc>
 #undef ORRIS_GL
 
 /// Has the context that the functions are of a core profile? It knows none of the old fixed functions.

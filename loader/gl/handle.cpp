@@ -1,6 +1,6 @@
-#include "gl/handle.h"
+#include <orris/gl/handle.h>
 
-#include "gl/functions.h"
+#include <orris/gl/functions.h>
 
 namespace orris::gl {
 

@@ -1,9 +1,9 @@
-#include "gl/program.h"
+#include <orris/gl/program.h>
 
 #include <algorithm>
 #include <chrono>
 
-#include "gl/functions.h"
+#include <orris/gl/functions.h>
 
 namespace orris::gl {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "gl/handle.h"
+#include <orris/gl/handle.h>
 
 namespace orris::gl {
 

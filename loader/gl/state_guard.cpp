@@ -1,8 +1,8 @@
-#include "gl/state_guard.h"
+#include <orris/gl/state_guard.h>
 
 #include <algorithm>
 
-#include "gl/functions.h"
+#include <orris/gl/functions.h>
 
 namespace orris::gl {
 namespace {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "gl/handle.h"
+#include <orris/gl/handle.h>
 
 namespace orris::gl {
 

@@ -1,9 +1,9 @@
-#include "gl/texture.h"
+#include <orris/gl/texture.h>
 
 #include <algorithm>
 #include <cassert>
 
-#include "gl/functions.h"
+#include <orris/gl/functions.h>
 
 namespace orris::gl {
 namespace {

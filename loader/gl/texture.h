@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "gl/handle.h"
-#include "image/texel_format.h"
+#include <orris/gl/handle.h>
+#include <orris/image/texel_format.h>
 
 namespace orris::gl {
 

@@ -1,8 +1,8 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
-#include "core/add_diagnostic.h"
-#include "image/codecs/image_codecs.h"
+#include <orris/core/add_diagnostic.h>
+#include <orris/image/codecs/image_codecs.h>
 
 namespace orris {
 namespace {

@@ -1,7 +1,7 @@
-#include "image/encode_png.h"
+#include <orris/image/encode_png.h>
 
-#include "core/add_diagnostic.h"
-#include "image/codecs/image_codecs.h"
+#include <orris/core/add_diagnostic.h>
+#include <orris/image/codecs/image_codecs.h>
 
 namespace orris {
 namespace {

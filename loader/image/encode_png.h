@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "image/image.h"
+#include <orris/image/image.h>
 
 namespace orris {
 

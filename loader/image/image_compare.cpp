@@ -1,4 +1,4 @@
-#include "image/image_compare.h"
+#include <orris/image/image_compare.h>
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core/add_diagnostic.h"
-#include "image/codecs/image_codecs.h"
+#include <orris/core/add_diagnostic.h>
+#include <orris/image/codecs/image_codecs.h>
 
 namespace orris {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "core/diagnostic.h"
-#include "image/image.h"
+#include <orris/core/diagnostic.h>
+#include <orris/image/image.h>
 
 namespace orris {
 

@@ -6,11 +6,11 @@
 #include <filesystem>
 #include <string_view>
 
-#include "core/add_diagnostic.h"
-#include "core/replace_file.h"
-#include "image/codecs/image_codecs.h"
-#include "image/image.h"
-#include "image/image_size.h"
+#include <orris/core/add_diagnostic.h>
+#include <orris/core/replace_file.h>
+#include <orris/image/codecs/image_codecs.h>
+#include <orris/image/image.h>
+#include <orris/image/image_size.h>
 
 namespace orris {
 namespace {

@@ -1,4 +1,4 @@
-#include "image/image_size.h"
+#include <orris/image/image_size.h>
 
 #include <charconv>
 

@@ -1,10 +1,10 @@
-#include "image/mask_compare.h"
+#include <orris/image/mask_compare.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "core/add_diagnostic.h"
+#include <orris/core/add_diagnostic.h>
 
 namespace orris {
 namespace {

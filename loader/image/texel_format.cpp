@@ -1,4 +1,4 @@
-#include "image/texel_format.h"
+#include <orris/image/texel_format.h>
 
 #include <GL/gl.h>
 #include <GL/glext.h>

@@ -1,4 +1,4 @@
-#include "image/value_picture.h"
+#include <orris/image/value_picture.h>
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "image/image.h"
+#include <orris/image/image.h>
 
 namespace orris {
 

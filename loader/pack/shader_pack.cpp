@@ -1,4 +1,4 @@
-#include "pack/shader_pack.h"
+#include <orris/pack/shader_pack.h>
 
 #include <algorithm>
 #include <atomic>
@@ -6,12 +6,12 @@
 #include <functional>
 #include <thread>
 
-#include "core/text_file.h"
-#include "core/work_stage.h"
-#include "pack/files/text.h"
-#include "pack/options/chosen_values.h"
-#include "pack/programs/folder_build.h"
-#include "pack/versions/features.h"
+#include <orris/core/text_file.h>
+#include <orris/core/work_stage.h>
+#include <orris/pack/files/text.h>
+#include <orris/pack/options/chosen_values.h>
+#include <orris/pack/programs/folder_build.h>
+#include <orris/pack/versions/features.h>
 
 namespace orris {
 namespace {

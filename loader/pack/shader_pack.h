@@ -10,14 +10,14 @@
 #include <string>
 #include <vector>
 
-#include "core/file_source.h"
-#include "glsl/compile/validate.h"
-#include "pack/ids/id_map.h"
-#include "pack/programs/directives.h"
-#include "pack/programs/program_id.h"
-#include "pack/programs/program_list.h"
-#include "pack/properties/shader_properties.h"
-#include "pack/versions/iris_versions.h"
+#include <orris/core/file_source.h>
+#include <orris/glsl/compile/validate.h>
+#include <orris/pack/ids/id_map.h>
+#include <orris/pack/programs/directives.h>
+#include <orris/pack/programs/program_id.h>
+#include <orris/pack/programs/program_list.h>
+#include <orris/pack/properties/shader_properties.h>
+#include <orris/pack/versions/iris_versions.h>
 
 namespace orris {
 

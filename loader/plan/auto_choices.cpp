@@ -1,9 +1,9 @@
-#include "plan/auto_choices.h"
+#include <orris/plan/auto_choices.h>
 
 #include <algorithm>
 
-#include "pack/options/auto_properties.h"
-#include "pack/programs/folder_build.h"
+#include <orris/pack/options/auto_properties.h>
+#include <orris/pack/programs/folder_build.h>
 
 namespace orris {
 namespace {

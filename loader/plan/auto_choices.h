@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "pack/options/auto_option.h"
-#include "pack/shader_pack.h"
+#include <orris/pack/options/auto_option.h>
+#include <orris/pack/shader_pack.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "plan/builtin_program.h"
+#include <orris/plan/builtin_program.h>
 
 namespace orris {
 namespace {

@@ -1,8 +1,8 @@
 // The program the host uses where a pack has none for some geometry: textured, lit by the lightmap.
 #pragma once
 
-#include "glsl/compile/validate.h"
-#include "plan/schedule.h"
+#include <orris/glsl/compile/validate.h>
+#include <orris/plan/schedule.h>
 
 namespace orris {
 

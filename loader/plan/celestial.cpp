@@ -1,4 +1,4 @@
-#include "plan/celestial.h"
+#include <orris/plan/celestial.h>
 
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>

@@ -3,7 +3,7 @@
 
 #include <glm/glm.hpp>
 
-#include "pack/programs/directives.h"
+#include <orris/pack/programs/directives.h>
 
 namespace orris {
 

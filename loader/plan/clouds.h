@@ -5,8 +5,8 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "plan/frame_state.h"
-#include "plan/shapes.h"
+#include <orris/plan/frame_state.h>
+#include <orris/plan/shapes.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "plan/core_uniforms.h"
+#include <orris/plan/core_uniforms.h>
 
 #include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>

@@ -2,7 +2,7 @@
 // state (glsl/rewrite/core_names.h).
 #pragma once
 
-#include "plan/uniforms.h"
+#include <orris/plan/uniforms.h>
 
 namespace orris {
 

@@ -1,10 +1,10 @@
-#include "plan/frame_state.h"
+#include <orris/plan/frame_state.h>
 
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "plan/celestial.h"
+#include <orris/plan/celestial.h>
 
 namespace orris {
 namespace {

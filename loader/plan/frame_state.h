@@ -6,10 +6,10 @@
 #include <glm/glm.hpp>
 #include <optional>
 
-#include "pack/programs/directives.h"
-#include "pack/properties/volume_lights.h"
-#include "world/mesh/light.h"
-#include "world/world.h"
+#include <orris/pack/programs/directives.h>
+#include <orris/pack/properties/volume_lights.h>
+#include <orris/world/mesh/light.h>
+#include <orris/world/world.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "plan/geometry.h"
+#include <orris/plan/geometry.h>
 
 #include <algorithm>
 

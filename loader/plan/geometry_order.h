@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "plan/schedule.h"
+#include <orris/plan/schedule.h>
 
 namespace orris {
 

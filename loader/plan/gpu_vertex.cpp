@@ -1,4 +1,4 @@
-#include "plan/gpu_vertex.h"
+#include <orris/plan/gpu_vertex.h>
 
 #include <GL/gl.h>
 

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "pack/shader_pack.h"
-#include "world/mesh/block_mesh.h"
+#include <orris/pack/shader_pack.h>
+#include <orris/world/mesh/block_mesh.h>
 
 namespace orris {
 

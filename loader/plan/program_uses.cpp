@@ -1,9 +1,9 @@
-#include "plan/program_uses.h"
+#include <orris/plan/program_uses.h>
 
 #include <charconv>
 #include <unordered_map>
 
-#include "pack/properties/shader_properties.h"
+#include <orris/pack/properties/shader_properties.h>
 
 namespace orris {
 namespace {

@@ -1,8 +1,8 @@
-#include "plan/scene_data.h"
+#include <orris/plan/scene_data.h>
 
 #include <algorithm>
 
-#include "world/blocks/block_data.h"
+#include <orris/world/blocks/block_data.h>
 
 namespace orris {
 namespace {

@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "pack/shader_pack.h"
-#include "plan/frame_state.h"
-#include "plan/lists/content_scene.h"
-#include "plan/schedule.h"
-#include "world/mesh/block_mesh.h"
-#include "world/resources/block_look.h"
-#include "world/world.h"
+#include <orris/pack/shader_pack.h>
+#include <orris/plan/frame_state.h>
+#include <orris/plan/lists/content_scene.h>
+#include <orris/plan/schedule.h>
+#include <orris/world/mesh/block_mesh.h>
+#include <orris/world/resources/block_look.h>
+#include <orris/world/world.h>
 
 namespace orris {
 

@@ -1,13 +1,13 @@
-#include "plan/scene_quantities.h"
+#include <orris/plan/scene_quantities.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
 
-#include "plan/celestial.h"
-#include "world/mesh/mesh_lamps.h"
-#include "world/mesh/silhouette.h"
+#include <orris/plan/celestial.h>
+#include <orris/world/mesh/mesh_lamps.h>
+#include <orris/world/mesh/silhouette.h>
 
 namespace orris {
 namespace {

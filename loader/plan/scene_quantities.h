@@ -4,9 +4,9 @@
 #include <set>
 #include <string>
 
-#include "pack/options/auto_option.h"
-#include "plan/frame_state.h"
-#include "plan/scene_data.h"
+#include <orris/pack/options/auto_option.h>
+#include <orris/plan/frame_state.h>
+#include <orris/plan/scene_data.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "plan/schedule.h"
+#include <orris/plan/schedule.h>
 
 #include <fmt/format.h>
 
@@ -7,10 +7,10 @@
 #include <map>
 #include <span>
 
-#include "pack/versions/features.h"
-#include "plan/geometry_order.h"
-#include "plan/program_uses.h"
-#include "plan/schedule_targets.h"
+#include <orris/pack/versions/features.h>
+#include <orris/plan/geometry_order.h>
+#include <orris/plan/program_uses.h>
+#include <orris/plan/schedule_targets.h>
 
 namespace orris {
 namespace {

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "core/diagnostic.h"
-#include "pack/shader_pack.h"
-#include "plan/geometry.h"
-#include "world/world.h"
+#include <orris/core/diagnostic.h>
+#include <orris/pack/shader_pack.h>
+#include <orris/plan/geometry.h>
+#include <orris/world/world.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "plan/schedule_targets.h"
+#include <orris/plan/schedule_targets.h>
 
 #include <fmt/format.h>
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "plan/program_uses.h"
-#include "plan/schedule.h"
+#include <orris/plan/program_uses.h>
+#include <orris/plan/schedule.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "plan/shapes.h"
+#include <orris/plan/shapes.h>
 
 #include <algorithm>
 #include <cmath>

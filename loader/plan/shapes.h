@@ -6,8 +6,8 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "image/image.h"
-#include "plan/gpu_vertex.h"
+#include <orris/image/image.h>
+#include <orris/plan/gpu_vertex.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "plan/uniforms.h"
+#include <orris/plan/uniforms.h>
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "pack/expressions/expression_functions.h"
-#include "plan/core_uniforms.h"
-#include "pack/shader_pack.h"
+#include <orris/pack/expressions/expression_functions.h>
+#include <orris/plan/core_uniforms.h>
+#include <orris/pack/shader_pack.h>
 
 namespace orris {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "pack/expressions/expression.h"
-#include "plan/frame_state.h"
+#include <orris/pack/expressions/expression.h>
+#include <orris/plan/frame_state.h>
 
 namespace orris {
 

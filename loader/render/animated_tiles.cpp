@@ -1,7 +1,7 @@
-#include "render/animated_tiles.h"
+#include <orris/render/animated_tiles.h>
 
-#include "gl/functions.h"
-#include "world/atlas/atlas_levels.h"
+#include <orris/gl/functions.h>
+#include <orris/world/atlas/atlas_levels.h>
 
 namespace orris {
 namespace {

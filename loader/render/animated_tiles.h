@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "gl/texture.h"
-#include "world/atlas/tile_animation.h"
+#include <orris/gl/texture.h>
+#include <orris/world/atlas/tile_animation.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "render/background_load.h"
+#include <orris/render/background_load.h>
 
 #include <chrono>
 #include <utility>

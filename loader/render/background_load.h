@@ -5,8 +5,8 @@
 #include <future>
 #include <memory>
 
-#include "pack/shader_pack.h"
-#include "plan/auto_choices.h"
+#include <orris/pack/shader_pack.h>
+#include <orris/plan/auto_choices.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "render/buffer_view.h"
+#include <orris/render/buffer_view.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "gl/framebuffer.h"
-#include "pack/files/text.h"
+#include <orris/gl/framebuffer.h>
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

@@ -5,12 +5,12 @@
 #include <deque>
 #include <utility>
 
-#include "render/gpu_program.h"
-#include "gl/functions.h"
-#include "glsl/rewrite/core_text.h"
-#include "glsl/rewrite/interface_repair.h"
-#include "glsl/rewrite/shared_buffer.h"
-#include "glsl/rewrite/subgroups.h"
+#include <orris/render/gpu_program.h>
+#include <orris/gl/functions.h>
+#include <orris/glsl/rewrite/core_text.h>
+#include <orris/glsl/rewrite/interface_repair.h>
+#include <orris/glsl/rewrite/shared_buffer.h>
+#include <orris/glsl/rewrite/subgroups.h>
 
 namespace orris {
 namespace {

@@ -1,10 +1,10 @@
-#include "render/counters.h"
+#include <orris/render/counters.h>
 
 #include <fmt/format.h>
 
-#include "pack/files/pack_files.h"
-#include "pack/programs/folder_build.h"
-#include "pack/properties/counter_warning.h"
+#include <orris/pack/files/pack_files.h>
+#include <orris/pack/programs/folder_build.h>
+#include <orris/pack/properties/counter_warning.h>
 
 namespace orris {
 namespace {

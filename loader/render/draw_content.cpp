@@ -4,10 +4,10 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <limits>
 
-#include "render/frame_renderer.h"
-#include "render/loaded_pack.h"
-#include "render/pass_state.h"
-#include "render/vertex_layout.h"
+#include <orris/render/frame_renderer.h>
+#include <orris/render/loaded_pack.h>
+#include <orris/render/pass_state.h>
+#include <orris/render/vertex_layout.h>
 
 namespace orris {
 namespace {

@@ -2,11 +2,11 @@
 #include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "gl/functions.h"
-#include "render/engine_geometry.h"
-#include "render/frame_renderer.h"
-#include "render/loaded_pack.h"
-#include "render/pass_state.h"
+#include <orris/gl/functions.h>
+#include <orris/render/engine_geometry.h>
+#include <orris/render/frame_renderer.h>
+#include <orris/render/loaded_pack.h>
+#include <orris/render/pass_state.h>
 
 namespace orris {
 namespace {

@@ -1,11 +1,11 @@
 // The step of our extension STENCIL_SHADOW_VOLUMES: state around the volumes, and the light.
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "gl/functions.h"
-#include "plan/celestial.h"
-#include "render/frame_renderer.h"
-#include "render/loaded_pack.h"
-#include "render/pass_state.h"
+#include <orris/gl/functions.h>
+#include <orris/plan/celestial.h>
+#include <orris/render/frame_renderer.h>
+#include <orris/render/loaded_pack.h>
+#include <orris/render/pass_state.h>
 
 namespace orris {
 namespace {

@@ -3,13 +3,13 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "gl/functions.h"
-#include "plan/celestial.h"
-#include "plan/clouds.h"
-#include "render/frame_renderer.h"
-#include "render/loaded_pack.h"
-#include "render/pass_state.h"
-#include "render/vertex_layout.h"
+#include <orris/gl/functions.h>
+#include <orris/plan/celestial.h>
+#include <orris/plan/clouds.h>
+#include <orris/render/frame_renderer.h>
+#include <orris/render/loaded_pack.h>
+#include <orris/render/pass_state.h>
+#include <orris/render/vertex_layout.h>
 
 namespace orris {
 

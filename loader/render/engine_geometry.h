@@ -5,11 +5,11 @@
 #include <glm/glm.hpp>
 #include <string_view>
 
-#include "plan/geometry.h"
-#include "render/gpu_program.h"
-#include "render/gpu_scene.h"
-#include "render/sampler_binder.h"
-#include "render/vertex_layout.h"
+#include <orris/plan/geometry.h>
+#include <orris/render/gpu_program.h>
+#include <orris/render/gpu_scene.h>
+#include <orris/render/sampler_binder.h>
+#include <orris/render/vertex_layout.h>
 
 namespace orris {
 

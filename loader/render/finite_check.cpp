@@ -1,11 +1,11 @@
-#include "render/finite_check.h"
+#include <orris/render/finite_check.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "render/loaded_pack.h"
+#include <orris/render/loaded_pack.h>
 
 namespace orris {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "core/diagnostic.h"
-#include "render/frame_renderer.h"
+#include <orris/core/diagnostic.h>
+#include <orris/render/frame_renderer.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "render/frame_renderer.h"
+#include <orris/render/frame_renderer.h>
 
 #include <fmt/format.h>
 #include <malloc.h>
@@ -9,14 +9,14 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "core/work_record.h"
-#include "gl/functions.h"
-#include "pack/options/live_options.h"
-#include "plan/builtin_program.h"
-#include "plan/frustum.h"
-#include "render/loaded_pack.h"
-#include "render/pass_state.h"
-#include "render/vertex_layout.h"
+#include <orris/core/work_record.h>
+#include <orris/gl/functions.h>
+#include <orris/pack/options/live_options.h>
+#include <orris/plan/builtin_program.h>
+#include <orris/plan/frustum.h>
+#include <orris/render/loaded_pack.h>
+#include <orris/render/pass_state.h>
+#include <orris/render/vertex_layout.h>
 
 namespace orris {
 namespace {

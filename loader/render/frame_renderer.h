@@ -8,14 +8,14 @@
 #include <string>
 #include <vector>
 
-#include "gl/context.h"
-#include "image/image.h"
-#include "render/gpu_program.h"
-#include "render/gpu_scene.h"
-#include "render/pack_resources.h"
-#include "render/render_targets.h"
-#include "render/sampler_binder.h"
-#include "render/shadow_volumes.h"
+#include <orris/gl/context.h>
+#include <orris/image/image.h>
+#include <orris/render/gpu_program.h>
+#include <orris/render/gpu_scene.h>
+#include <orris/render/pack_resources.h>
+#include <orris/render/render_targets.h>
+#include <orris/render/sampler_binder.h>
+#include <orris/render/shadow_volumes.h>
 
 namespace orris {
 

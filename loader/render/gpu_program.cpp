@@ -1,11 +1,11 @@
-#include "render/gpu_program.h"
+#include <orris/render/gpu_program.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
 
-#include "gl/functions.h"
-#include "plan/core_uniforms.h"
+#include <orris/gl/functions.h>
+#include <orris/plan/core_uniforms.h>
 
 namespace orris {
 namespace {

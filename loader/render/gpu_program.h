@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "gl/buffer.h"
-#include "gl/program.h"
-#include "pack/shader_pack.h"
-#include "plan/program_uses.h"
-#include "plan/uniforms.h"
+#include <orris/gl/buffer.h>
+#include <orris/gl/program.h>
+#include <orris/pack/shader_pack.h>
+#include <orris/plan/program_uses.h>
+#include <orris/plan/uniforms.h>
 
 namespace orris {
 

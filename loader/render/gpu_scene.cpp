@@ -1,12 +1,12 @@
-#include "render/gpu_scene.h"
+#include <orris/render/gpu_scene.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "gl/functions.h"
-#include "plan/shapes.h"
-#include "world/atlas/atlas_levels.h"
+#include <orris/gl/functions.h>
+#include <orris/plan/shapes.h>
+#include <orris/world/atlas/atlas_levels.h>
 
 namespace orris {
 namespace {

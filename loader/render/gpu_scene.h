@@ -7,18 +7,18 @@
 #include <string>
 #include <vector>
 
-#include "gl/buffer.h"
-#include "gl/texture.h"
-#include "pack/shader_pack.h"
-#include "plan/clouds.h"
-#include "plan/frame_state.h"
-#include "plan/gpu_vertex.h"
-#include "plan/lists/draw_lists.h"
-#include "plan/scene_data.h"
-#include "plan/schedule.h"
-#include "plan/shapes.h"
-#include "render/animated_tiles.h"
-#include "world/mesh/block_mesh.h"
+#include <orris/gl/buffer.h>
+#include <orris/gl/texture.h>
+#include <orris/pack/shader_pack.h>
+#include <orris/plan/clouds.h>
+#include <orris/plan/frame_state.h>
+#include <orris/plan/gpu_vertex.h>
+#include <orris/plan/lists/draw_lists.h>
+#include <orris/plan/scene_data.h>
+#include <orris/plan/schedule.h>
+#include <orris/plan/shapes.h>
+#include <orris/render/animated_tiles.h>
+#include <orris/world/mesh/block_mesh.h>
 
 namespace orris {
 

@@ -1,10 +1,10 @@
-#include "render/lamp_volumes.h"
+#include <orris/render/lamp_volumes.h>
 
 #include <algorithm>
 #include <cmath>
 #include <tuple>
 
-#include "gl/functions.h"
+#include <orris/gl/functions.h>
 
 namespace orris {
 namespace {

@@ -7,11 +7,11 @@
 
 #include <memory>
 
-#include "pack/properties/volume_lights.h"
-#include "plan/frame_state.h"
-#include "render/gpu_scene.h"
-#include "render/shadow_volumes.h"
-#include "world/mesh/mesh_lamps.h"
+#include <orris/pack/properties/volume_lights.h>
+#include <orris/plan/frame_state.h>
+#include <orris/render/gpu_scene.h>
+#include <orris/render/shadow_volumes.h>
+#include <orris/world/mesh/mesh_lamps.h>
 
 namespace orris {
 

@@ -1,13 +1,13 @@
-#include "render/loaded_pack.h"
+#include <orris/render/loaded_pack.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/work_record.h"
-#include "gl/functions.h"
-#include "plan/builtin_program.h"
+#include <orris/core/work_record.h>
+#include <orris/gl/functions.h>
+#include <orris/plan/builtin_program.h>
 
 namespace orris {
 namespace {

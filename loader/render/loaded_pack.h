@@ -5,8 +5,8 @@
 #include <memory>
 #include <utility>
 
-#include "render/frame_renderer.h"
-#include "render/lamp_volumes.h"
+#include <orris/render/frame_renderer.h>
+#include <orris/render/lamp_volumes.h>
 
 namespace orris {
 

@@ -1,13 +1,13 @@
-#include "render/pack_resources.h"
+#include <orris/render/pack_resources.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "core/add_diagnostic.h"
-#include "gl/functions.h"
-#include "image/image.h"
+#include <orris/core/add_diagnostic.h>
+#include <orris/gl/functions.h>
+#include <orris/image/image.h>
 
 namespace orris {
 namespace {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "gl/buffer.h"
-#include "gl/texture.h"
-#include "pack/shader_pack.h"
+#include <orris/gl/buffer.h>
+#include <orris/gl/texture.h>
+#include <orris/pack/shader_pack.h>
 
 namespace orris {
 

@@ -1,12 +1,12 @@
-#include "render/pass_state.h"
+#include <orris/render/pass_state.h>
 
 #include <algorithm>
 #include <cctype>
 #include <glm/gtc/type_ptr.hpp>
 #include <string>
 
-#include "plan/core_uniforms.h"
-#include "gl/functions.h"
+#include <orris/plan/core_uniforms.h>
+#include <orris/gl/functions.h>
 
 namespace orris {
 namespace {

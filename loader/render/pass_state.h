@@ -2,9 +2,9 @@
 // Contract: README "Fullscreen geometry", programs.csv default_blend and default_alpha_test.
 #pragma once
 
-#include "plan/frame_state.h"
-#include "plan/schedule.h"
-#include "plan/uniforms.h"
+#include <orris/plan/frame_state.h>
+#include <orris/plan/schedule.h>
+#include <orris/plan/uniforms.h>
 
 namespace orris {
 

@@ -1,10 +1,10 @@
-#include "render/pixel_probe.h"
+#include <orris/render/pixel_probe.h>
 
 #include <algorithm>
 #include <cstring>
 
-#include "gl/framebuffer.h"
-#include "plan/program_uses.h"
+#include <orris/gl/framebuffer.h>
+#include <orris/plan/program_uses.h>
 
 namespace orris {
 namespace {

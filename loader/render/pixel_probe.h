@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "render/frame_renderer.h"
+#include <orris/render/frame_renderer.h>
 
 namespace orris {
 

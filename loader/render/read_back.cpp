@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/frame_renderer.h"
-#include "render/loaded_pack.h"
+#include <orris/render/frame_renderer.h>
+#include <orris/render/loaded_pack.h>
 
 namespace orris {
 

@@ -1,14 +1,14 @@
-#include "render/render_session.h"
+#include <orris/render/render_session.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdlib>
 
-#include "core/work_record.h"
-#include "plan/lists/draw_lists.h"
-#include "plan/scene_quantities.h"
-#include "world/blocks/block_data.h"
+#include <orris/core/work_record.h>
+#include <orris/plan/lists/draw_lists.h>
+#include <orris/plan/scene_quantities.h>
+#include <orris/world/blocks/block_data.h>
 
 namespace orris {
 namespace {

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "plan/auto_choices.h"
-#include "render/background_load.h"
-#include "render/engine_geometry.h"
-#include "render/frame_renderer.h"
+#include <orris/plan/auto_choices.h>
+#include <orris/render/background_load.h>
+#include <orris/render/engine_geometry.h>
+#include <orris/render/frame_renderer.h>
 
 namespace orris {
 

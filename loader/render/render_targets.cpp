@@ -1,4 +1,4 @@
-#include "render/render_targets.h"
+#include <orris/render/render_targets.h>
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <cstring>
 #include <utility>
 
-#include "core/add_diagnostic.h"
-#include "gl/functions.h"
+#include <orris/core/add_diagnostic.h>
+#include <orris/gl/functions.h>
 
 namespace orris {
 namespace {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "gl/framebuffer.h"
-#include "gl/texture.h"
-#include "plan/schedule.h"
+#include <orris/gl/framebuffer.h>
+#include <orris/gl/texture.h>
+#include <orris/plan/schedule.h>
 
 namespace orris {
 

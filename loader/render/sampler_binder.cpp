@@ -1,6 +1,6 @@
-#include "render/sampler_binder.h"
+#include <orris/render/sampler_binder.h>
 
-#include "gl/functions.h"
+#include <orris/gl/functions.h>
 
 namespace orris {
 namespace {

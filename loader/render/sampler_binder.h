@@ -5,10 +5,10 @@
 #include <map>
 #include <optional>
 
-#include "render/gpu_program.h"
-#include "render/gpu_scene.h"
-#include "render/pack_resources.h"
-#include "render/render_targets.h"
+#include <orris/render/gpu_program.h>
+#include <orris/render/gpu_scene.h>
+#include <orris/render/pack_resources.h>
+#include <orris/render/render_targets.h>
 
 namespace orris {
 

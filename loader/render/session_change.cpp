@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-#include "render/render_session.h"
+#include <orris/render/render_session.h>
 
 namespace orris {
 namespace {

@@ -1,9 +1,9 @@
-#include "render/shadow_volumes.h"
+#include <orris/render/shadow_volumes.h>
 
 #include <algorithm>
 #include <set>
 
-#include "gl/functions.h"
+#include <orris/gl/functions.h>
 
 namespace orris {
 namespace {

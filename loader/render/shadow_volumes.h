@@ -9,9 +9,9 @@
 #include <array>
 #include <optional>
 
-#include "gl/buffer.h"
-#include "gl/program.h"
-#include "world/mesh/silhouette.h"
+#include <orris/gl/buffer.h>
+#include <orris/gl/program.h>
+#include <orris/world/mesh/silhouette.h>
 
 namespace orris {
 

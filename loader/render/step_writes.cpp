@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <map>
 
-#include "pack/files/text.h"
-#include "render/frame_renderer.h"
-#include "render/loaded_pack.h"
+#include <orris/pack/files/text.h>
+#include <orris/render/frame_renderer.h>
+#include <orris/render/loaded_pack.h>
 
 namespace orris {
 namespace {

@@ -1,11 +1,11 @@
-#include "render/vertex_layout.h"
+#include <orris/render/vertex_layout.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <span>
 #include <string_view>
 
-#include "gl/functions.h"
+#include <orris/gl/functions.h>
 
 namespace orris {
 namespace {

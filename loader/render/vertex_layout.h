@@ -4,8 +4,8 @@
 
 #include <glm/glm.hpp>
 
-#include "gl/program.h"
-#include "plan/gpu_vertex.h"
+#include <orris/gl/program.h>
+#include <orris/plan/gpu_vertex.h>
 
 namespace orris {
 

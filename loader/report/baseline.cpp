@@ -1,4 +1,4 @@
-#include "report/baseline.h"
+#include <orris/report/baseline.h>
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <tuple>
 
-#include "core/characters.h"
-#include "pack/files/text.h"
+#include <orris/core/characters.h>
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

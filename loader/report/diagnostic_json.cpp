@@ -1,4 +1,4 @@
-#include "report/diagnostic_json.h"
+#include <orris/report/diagnostic_json.h>
 
 #include <nlohmann/json.hpp>
 

@@ -1,4 +1,4 @@
-#include "report/findings.h"
+#include <orris/report/findings.h>
 
 #include <fmt/format.h>
 
@@ -7,12 +7,12 @@
 #include <map>
 #include <tuple>
 
-#include "core/limits.h"
-#include "core/message_limits.h"
-#include "core/text_file.h"
-#include "pack/files/text.h"
-#include "report/ignore_comments.h"
-#include "report/text_style.h"
+#include <orris/core/limits.h>
+#include <orris/core/message_limits.h>
+#include <orris/core/text_file.h>
+#include <orris/pack/files/text.h>
+#include <orris/report/ignore_comments.h>
+#include <orris/report/text_style.h>
 
 namespace orris {
 namespace {

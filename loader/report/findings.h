@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "report/baseline.h"
-#include "report/pack_verdict.h"
-#include "report/problem_list.h"
+#include <orris/report/baseline.h>
+#include <orris/report/pack_verdict.h>
+#include <orris/report/problem_list.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "report/ignore_comments.h"
+#include <orris/report/ignore_comments.h>
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include <climits>
 #include <optional>
 
-#include "check/rules/rules.h"
-#include "core/text_file.h"
-#include "pack/files/text.h"
+#include <orris/check/rules/rules.h>
+#include <orris/core/text_file.h>
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

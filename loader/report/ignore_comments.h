@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "core/diagnostic.h"
-#include "core/file_source.h"
+#include <orris/core/diagnostic.h>
+#include <orris/core/file_source.h>
 
 namespace orris {
 

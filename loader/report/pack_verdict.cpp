@@ -1,4 +1,4 @@
-#include "report/pack_verdict.h"
+#include <orris/report/pack_verdict.h>
 
 #include <fmt/format.h>
 

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "core/exit_status.h"
-#include "core/file_source.h"
+#include <orris/core/exit_status.h>
+#include <orris/core/file_source.h>
 
 namespace orris {
 

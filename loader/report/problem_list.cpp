@@ -1,8 +1,8 @@
-#include "report/problem_list.h"
+#include <orris/report/problem_list.h>
 
 #include <fmt/format.h>
 
-#include "core/message_limits.h"
+#include <orris/core/message_limits.h>
 
 namespace orris {
 namespace {

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "report/findings.h"
-#include "report/text_style.h"
+#include <orris/report/findings.h>
+#include <orris/report/text_style.h>
 
 namespace orris {
 

@@ -1,8 +1,8 @@
 // Workflow commands of GitHub Actions: each becomes an annotation at the line of a pull request.
 #include <fmt/format.h>
 
-#include "core/printable.h"
-#include "report/report_format.h"
+#include <orris/core/printable.h>
+#include <orris/report/report_format.h>
 
 namespace orris {
 namespace {

@@ -1,8 +1,8 @@
 // JSON for scripts; its schema is docs/schema/validate.schema.json.
 #include <nlohmann/json.hpp>
 
-#include "report/diagnostic_json.h"
-#include "report/report_format.h"
+#include <orris/report/diagnostic_json.h>
+#include <orris/report/report_format.h>
 
 namespace orris {
 namespace {

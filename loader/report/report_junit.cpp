@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <map>
 
-#include "core/pack_path.h"
-#include "core/printable.h"
-#include "report/report_format.h"
+#include <orris/core/pack_path.h>
+#include <orris/core/printable.h>
+#include <orris/report/report_format.h>
 
 namespace orris {
 namespace {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "check/rules/rules.h"
-#include "report/diagnostic_json.h"
-#include "report/report_format.h"
+#include <orris/check/rules/rules.h>
+#include <orris/report/diagnostic_json.h>
+#include <orris/report/report_format.h>
 
 namespace orris {
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <map>
 
-#include "core/limits.h"
-#include "report/report_format.h"
+#include <orris/core/limits.h>
+#include <orris/report/report_format.h>
 
 namespace orris {
 namespace {

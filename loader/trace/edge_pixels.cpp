@@ -1,4 +1,4 @@
-#include "trace/edge_pixels.h"
+#include <orris/trace/edge_pixels.h>
 
 #include <algorithm>
 

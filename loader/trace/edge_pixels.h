@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "trace/path_tracer.h"
+#include <orris/trace/path_tracer.h>
 
 namespace orris {
 

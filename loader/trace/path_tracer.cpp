@@ -1,4 +1,4 @@
-#include "trace/path_tracer.h"
+#include <orris/trace/path_tracer.h>
 
 #include <algorithm>
 #include <cmath>

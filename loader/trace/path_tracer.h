@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "trace/light/random.h"
-#include "trace/trace_scene.h"
+#include <orris/trace/light/random.h>
+#include <orris/trace/trace_scene.h>
 
 namespace orris {
 

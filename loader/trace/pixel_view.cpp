@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "trace/path_tracer.h"
+#include <orris/trace/path_tracer.h>
 
 namespace orris {
 namespace {

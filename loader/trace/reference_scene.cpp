@@ -1,9 +1,9 @@
-#include "trace/reference_scene.h"
+#include <orris/trace/reference_scene.h>
 
 #include <cstdlib>
 
-#include "plan/celestial.h"
-#include "plan/scene_data.h"
+#include <orris/plan/celestial.h>
+#include <orris/plan/scene_data.h>
 
 namespace orris {
 namespace {

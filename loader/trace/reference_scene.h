@@ -4,10 +4,10 @@
 #include <map>
 #include <string>
 
-#include "pack/shader_pack.h"
-#include "trace/path_tracer.h"
-#include "world/mesh/casters.h"
-#include "world/world.h"
+#include <orris/pack/shader_pack.h>
+#include <orris/trace/path_tracer.h>
+#include <orris/world/mesh/casters.h>
+#include <orris/world/world.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "trace/seen_surfaces.h"
+#include <orris/trace/seen_surfaces.h>
 
 #include <algorithm>
 #include <cmath>

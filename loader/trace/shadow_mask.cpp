@@ -1,11 +1,11 @@
-#include "trace/shadow_mask.h"
+#include <orris/trace/shadow_mask.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
 
-#include "trace/seen_surfaces.h"
+#include <orris/trace/seen_surfaces.h>
 
 namespace orris {
 namespace {

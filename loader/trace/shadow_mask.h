@@ -5,9 +5,9 @@
 #include <unordered_map>
 #include <vector>
 
-#include "image/image.h"
-#include "trace/path_tracer.h"
-#include "world/mesh/casters.h"
+#include <orris/image/image.h>
+#include <orris/trace/path_tracer.h>
+#include <orris/world/mesh/casters.h>
 
 namespace orris {
 

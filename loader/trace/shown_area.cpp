@@ -1,11 +1,11 @@
-#include "trace/shown_area.h"
+#include <orris/trace/shown_area.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "trace/grid/voxel_grid.h"
-#include "world/mesh/block_faces.h"
+#include <orris/trace/grid/voxel_grid.h>
+#include <orris/world/mesh/block_faces.h>
 
 namespace orris {
 namespace {

@@ -1,8 +1,8 @@
 // How much of itself a block of many faces shows.
 #pragma once
 
-#include "world/atlas/block_atlas.h"
-#include "world/blocks/block_facts.h"
+#include <orris/world/atlas/block_atlas.h>
+#include <orris/world/blocks/block_facts.h>
 
 namespace orris {
 

@@ -1,10 +1,10 @@
-#include "trace/trace_scene.h"
+#include <orris/trace/trace_scene.h>
 
 #include <algorithm>
 #include <numbers>
 
-#include "trace/grid/scene_quads.h"
-#include "trace/shown_area.h"
+#include <orris/trace/grid/scene_quads.h>
+#include <orris/trace/shown_area.h>
 
 namespace orris {
 namespace {

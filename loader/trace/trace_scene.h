@@ -4,10 +4,10 @@
 
 #include <memory>
 
-#include "trace/grid/voxel_grid.h"
-#include "trace/light/lamps.h"
-#include "trace/light/pack_lighting.h"
-#include "world/mesh/block_mesh.h"
+#include <orris/trace/grid/voxel_grid.h>
+#include <orris/trace/light/lamps.h>
+#include <orris/trace/light/pack_lighting.h>
+#include <orris/world/mesh/block_mesh.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "validate/consequences.h"
+#include <orris/validate/consequences.h>
 
 #include <algorithm>
 #include <array>
@@ -6,10 +6,10 @@
 #include <set>
 #include <tuple>
 
-#include "check/pack/pack_texts.h"
-#include "core/characters.h"
-#include "pack/files/text.h"
-#include "validate/unrepaired_consequences.h"
+#include <orris/check/pack/pack_texts.h>
+#include <orris/core/characters.h>
+#include <orris/pack/files/text.h>
+#include <orris/validate/unrepaired_consequences.h>
 
 namespace orris {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "report/problem_list.h"
-#include "validate/validate_pack.h"
+#include <orris/report/problem_list.h>
+#include <orris/validate/validate_pack.h>
 
 namespace orris {
 

@@ -1,10 +1,10 @@
-#include "validate/draw_check.h"
+#include <orris/validate/draw_check.h>
 
 #include <fmt/format.h>
 
-#include "render/render_session.h"
-#include "validate/driver_check.h"
-#include "world/files/world_json.h"
+#include <orris/render/render_session.h>
+#include <orris/validate/driver_check.h>
+#include <orris/world/files/world_json.h>
 
 namespace orris {
 

@@ -4,10 +4,10 @@
 #include <chrono>
 #include <memory>
 
-#include "core/diagnostic.h"
-#include "core/file_source.h"
-#include "gl/context.h"
-#include "pack/shader_pack.h"
+#include <orris/core/diagnostic.h>
+#include <orris/core/file_source.h>
+#include <orris/gl/context.h>
+#include <orris/pack/shader_pack.h>
 
 namespace orris {
 

@@ -1,15 +1,15 @@
-#include "validate/driver_check.h"
+#include <orris/validate/driver_check.h>
 
 #include <unistd.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "check/workers/diagnostic_codec.h"
-#include "check/workers/isolated_jobs.h"
-#include "core/work_record.h"
-#include "pack/mods/mods.h"
-#include "render/gpu_program.h"
+#include <orris/check/workers/diagnostic_codec.h>
+#include <orris/check/workers/isolated_jobs.h>
+#include <orris/core/work_record.h>
+#include <orris/pack/mods/mods.h>
+#include <orris/render/gpu_program.h>
 
 namespace orris {
 namespace {

@@ -7,8 +7,8 @@
 #include <functional>
 #include <optional>
 
-#include "check/compile/program_check.h"
-#include "gl/context.h"
+#include <orris/check/compile/program_check.h>
+#include <orris/gl/context.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "validate/patched_sources.h"
+#include <orris/validate/patched_sources.h>
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <functional>
 #include <set>
 
-#include "core/named_file.h"
-#include "core/read_file.h"
+#include <orris/core/named_file.h>
+#include <orris/core/read_file.h>
 
 namespace orris {
 namespace {

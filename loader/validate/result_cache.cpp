@@ -1,4 +1,4 @@
-#include "validate/result_cache.h"
+#include <orris/validate/result_cache.h>
 
 #include <sodium.h>
 
@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "check/workers/diagnostic_codec.h"
-#include "core/read_file.h"
-#include "core/replace_file.h"
+#include <orris/check/workers/diagnostic_codec.h>
+#include <orris/core/read_file.h>
+#include <orris/core/replace_file.h>
 
 namespace orris {
 namespace {

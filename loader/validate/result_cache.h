@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "report/problem_list.h"
-#include "validate/validate_options.h"
-#include "validate/validate_pack.h"
+#include <orris/report/problem_list.h>
+#include <orris/validate/validate_options.h>
+#include <orris/validate/validate_pack.h>
 
 namespace orris {
 

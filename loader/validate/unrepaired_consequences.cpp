@@ -1,4 +1,4 @@
-#include "validate/unrepaired_consequences.h"
+#include <orris/validate/unrepaired_consequences.h>
 
 #include <algorithm>
 #include <array>
@@ -7,12 +7,12 @@
 #include <tuple>
 #include <vector>
 
-#include "check/hints/compile_hints.h"
-#include "check/pack/pack_texts.h"
-#include "core/limits.h"
-#include "pack/files/include_graph.h"
-#include "pack/files/text.h"
-#include "pack/options/option_line.h"
+#include <orris/check/hints/compile_hints.h>
+#include <orris/check/pack/pack_texts.h>
+#include <orris/core/limits.h>
+#include <orris/pack/files/include_graph.h>
+#include <orris/pack/files/text.h>
+#include <orris/pack/options/option_line.h>
 
 namespace orris {
 namespace {

@@ -6,8 +6,8 @@
 #include <set>
 #include <string>
 
-#include "report/problem_list.h"
-#include "validate/validate_pack.h"
+#include <orris/report/problem_list.h>
+#include <orris/validate/validate_pack.h>
 
 namespace orris {
 

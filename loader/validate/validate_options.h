@@ -9,12 +9,12 @@
 #include <thread>
 #include <vector>
 
-#include "check/compile/target_limits.h"
-#include "check/matrix/matrix_run.h"
-#include "gl/context.h"
-#include "pack/options/pack_options.h"
-#include "report/findings.h"
-#include "validate/driver_check.h"
+#include <orris/check/compile/target_limits.h>
+#include <orris/check/matrix/matrix_run.h>
+#include <orris/gl/context.h>
+#include <orris/pack/options/pack_options.h>
+#include <orris/report/findings.h>
+#include <orris/validate/driver_check.h>
 
 namespace orris {
 

@@ -1,26 +1,26 @@
-#include "validate/validate_pack.h"
+#include <orris/validate/validate_pack.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
 
-#include "check/compile/link_errors.h"
-#include "check/compile/unused_functions.h"
-#include "check/hints/conditional_place.h"
-#include "check/interface/declaration_checks.h"
-#include "check/pack/open_comments.h"
-#include "check/pack/pack_checks.h"
-#include "check/rules/rules.h"
-#include "core/work_stage.h"
-#include "pack/files/text.h"
-#include "plan/auto_choices.h"
-#include "plan/uniforms.h"
-#include "render/render_session.h"
-#include "validate/consequences.h"
-#include "validate/draw_check.h"
-#include "validate/patched_sources.h"
-#include "validate/result_cache.h"
+#include <orris/check/compile/link_errors.h>
+#include <orris/check/compile/unused_functions.h>
+#include <orris/check/hints/conditional_place.h>
+#include <orris/check/interface/declaration_checks.h>
+#include <orris/check/pack/open_comments.h>
+#include <orris/check/pack/pack_checks.h>
+#include <orris/check/rules/rules.h>
+#include <orris/core/work_stage.h>
+#include <orris/pack/files/text.h>
+#include <orris/plan/auto_choices.h>
+#include <orris/plan/uniforms.h>
+#include <orris/render/render_session.h>
+#include <orris/validate/consequences.h>
+#include <orris/validate/draw_check.h>
+#include <orris/validate/patched_sources.h>
+#include <orris/validate/result_cache.h>
 
 namespace orris {
 namespace {

@@ -10,14 +10,14 @@
 #include <set>
 #include <string>
 
-#include "check/compile/program_check.h"
-#include "check/compile/target_limits.h"
-#include "pack/shader_pack.h"
-#include "report/findings.h"
-#include "report/problem_list.h"
-#include "validate/driver_check.h"
-#include "validate/matrix_budget.h"
-#include "validate/validate_options.h"
+#include <orris/check/compile/program_check.h>
+#include <orris/check/compile/target_limits.h>
+#include <orris/pack/shader_pack.h>
+#include <orris/report/findings.h>
+#include <orris/report/problem_list.h>
+#include <orris/validate/driver_check.h>
+#include <orris/validate/matrix_budget.h>
+#include <orris/validate/validate_options.h>
 
 namespace orris {
 

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <limits>
 
-#include "world/standing_camera.h"
+#include <orris/world/standing_camera.h>
 
 namespace orris {
 namespace {

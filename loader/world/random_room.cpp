@@ -1,11 +1,11 @@
-#include "world/random_room.h"
+#include <orris/world/random_room.h>
 
 #include <fmt/core.h>
 
 #include <array>
 #include <charconv>
 
-#include "world/standing_camera.h"
+#include <orris/world/standing_camera.h>
 
 namespace orris {
 namespace {

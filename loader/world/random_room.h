@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "world/world.h"
+#include <orris/world/world.h>
 
 namespace orris {
 

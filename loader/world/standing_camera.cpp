@@ -1,9 +1,9 @@
-#include "world/standing_camera.h"
+#include <orris/world/standing_camera.h>
 
 #include <array>
 #include <cstdlib>
 
-#include "world/blocks/block_facts.h"
+#include <orris/world/blocks/block_facts.h>
 
 namespace orris {
 namespace {

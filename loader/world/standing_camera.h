@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "world/world.h"
+#include <orris/world/world.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "world/terrain.h"
+#include <orris/world/terrain.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Hills, water and trees from a seed.
 #pragma once
 
-#include "world/blocks/block_world.h"
+#include <orris/world/blocks/block_world.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "world/world.h"
+#include <orris/world/world.h>
 
 #include <fmt/core.h>
 
@@ -6,17 +6,17 @@
 #include <filesystem>
 #include <set>
 
-#include "core/add_diagnostic.h"
-#include "core/limits.h"
-#include "core/read_file.h"
-#include "core/text_file.h"
-#include "core/work_stage.h"
-#include "world/blocks/block_facts.h"
-#include "world/files/schematic.h"
-#include "world/files/world_json.h"
-#include "world/random_room.h"
-#include "world/saves/save.h"
-#include "world/saves/save_files.h"
+#include <orris/core/add_diagnostic.h>
+#include <orris/core/limits.h>
+#include <orris/core/read_file.h>
+#include <orris/core/text_file.h>
+#include <orris/core/work_stage.h>
+#include <orris/world/blocks/block_facts.h>
+#include <orris/world/files/schematic.h>
+#include <orris/world/files/world_json.h>
+#include <orris/world/random_room.h>
+#include <orris/world/saves/save.h>
+#include <orris/world/saves/save_files.h>
 
 namespace orris {
 namespace {

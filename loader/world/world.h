@@ -9,10 +9,10 @@
 #include <variant>
 #include <vector>
 
-#include "core/diagnostic.h"
-#include "world/blocks/biome_grid.h"
-#include "world/blocks/block_world.h"
-#include "world/content/content.h"
+#include <orris/core/diagnostic.h>
+#include <orris/world/blocks/biome_grid.h>
+#include <orris/world/blocks/block_world.h>
+#include <orris/world/content/content.h>
 
 namespace orris {
 

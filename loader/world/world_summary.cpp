@@ -1,4 +1,4 @@
-#include "world/world_summary.h"
+#include <orris/world/world_summary.h>
 
 #include <algorithm>
 #include <set>

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "world/mesh/block_mesh.h"
+#include <orris/world/mesh/block_mesh.h>
 
 namespace orris {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "orris/orris.h"
+#include <orris/orris.h>
 
 namespace orris_test {
 

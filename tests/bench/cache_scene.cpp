@@ -1,6 +1,6 @@
 #include "cache_scene.h"
 
-#include "render/loaded_pack.h"
+#include <orris/render/loaded_pack.h>
 
 namespace orris {
 namespace {

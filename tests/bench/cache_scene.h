@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "trace/reference_scene.h"
+#include <orris/trace/reference_scene.h>
 
 namespace orris {
 

@@ -3,10 +3,10 @@
 
 #include <memory>
 
-#include "core/file_source.h"
-#include "pack/shader_pack.h"
-#include "render/gpu_scene.h"
-#include "world/world.h"
+#include <orris/core/file_source.h>
+#include <orris/pack/shader_pack.h>
+#include <orris/render/gpu_scene.h>
+#include <orris/world/world.h>
 
 namespace {
 

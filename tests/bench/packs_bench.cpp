@@ -8,11 +8,11 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
-#include "chart/measure/setting_session.h"
-#include "chart/measure/statistics.h"
-#include "core/file_source.h"
-#include "gl/context.h"
-#include "world/world.h"
+#include <orris/chart/measure/setting_session.h>
+#include <orris/chart/measure/statistics.h>
+#include <orris/core/file_source.h>
+#include <orris/gl/context.h>
+#include <orris/world/world.h>
 
 namespace orris {
 namespace {

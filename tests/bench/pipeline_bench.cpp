@@ -16,11 +16,11 @@
 #include <string>
 #include <vector>
 
-#include "core/file_source.h"
-#include "gl/context.h"
-#include "gl/functions.h"
-#include "render/render_session.h"
-#include "world/world.h"
+#include <orris/core/file_source.h>
+#include <orris/gl/context.h>
+#include <orris/gl/functions.h>
+#include <orris/render/render_session.h>
+#include <orris/world/world.h>
 
 namespace {
 

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "trace/reference_scene.h"
+#include <orris/trace/reference_scene.h>
 #include "trace_bench_embree.h"
 
 namespace orris {

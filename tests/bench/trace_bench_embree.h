@@ -4,7 +4,7 @@
 #include <ctime>
 #include <vector>
 
-#include "trace/grid/voxel_grid.h"
+#include <orris/trace/grid/voxel_grid.h>
 
 namespace orris {
 

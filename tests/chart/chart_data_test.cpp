@@ -1,9 +1,9 @@
-#include "chart/page/chart_data.h"
+#include <orris/chart/page/chart_data.h>
 
 #include <gmock/gmock.h>
 
-#include "chart/page/chart_page.h"
-#include "chart/page/chart_text.h"
+#include <orris/chart/page/chart_page.h>
+#include <orris/chart/page/chart_text.h>
 
 namespace orris {
 namespace {

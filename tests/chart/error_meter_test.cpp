@@ -1,4 +1,4 @@
-#include "chart/measure/error_meter.h"
+#include <orris/chart/measure/error_meter.h>
 
 #include <gmock/gmock.h>
 

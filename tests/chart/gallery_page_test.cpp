@@ -1,11 +1,11 @@
-#include "chart/gallery/gallery_page.h"
+#include <orris/chart/gallery/gallery_page.h>
 
 #include <gmock/gmock.h>
 
 #include <array>
 
-#include "chart/page/embedded.h"
-#include "image/image_compare.h"
+#include <orris/chart/page/embedded.h>
+#include <orris/image/image_compare.h>
 
 namespace orris {
 namespace {

@@ -1,4 +1,4 @@
-#include "chart/gallery/gallery_set.h"
+#include <orris/chart/gallery/gallery_set.h>
 
 #include <gmock/gmock.h>
 

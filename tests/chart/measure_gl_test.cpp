@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "chart/measure/measure.h"
-#include "chart/study/study_key.h"
-#include "core/file_source.h"
+#include <orris/chart/measure/measure.h>
+#include <orris/chart/study/study_key.h>
+#include <orris/core/file_source.h>
 
 namespace orris {
 namespace {

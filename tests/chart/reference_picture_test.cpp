@@ -1,4 +1,4 @@
-#include "chart/measure/reference_picture.h"
+#include <orris/chart/measure/reference_picture.h>
 
 #include <gmock/gmock.h>
 
@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <limits>
 
-#include "chart/measure/display.h"
+#include <orris/chart/measure/display.h>
 
 namespace orris {
 namespace {

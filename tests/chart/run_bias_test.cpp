@@ -1,5 +1,5 @@
 // The bias of independent runs, on pictures whose bias and noise are known.
-#include "chart/measure/run_bias.h"
+#include <orris/chart/measure/run_bias.h>
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "chart/scenes/scene_row.h"
+#include <orris/chart/scenes/scene_row.h>
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "chart/measure/setting_result.h"
+#include <orris/chart/measure/setting_result.h>
 
 #include <gmock/gmock.h>
 

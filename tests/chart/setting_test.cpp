@@ -1,4 +1,4 @@
-#include "chart/measure/setting.h"
+#include <orris/chart/measure/setting.h>
 
 #include <gmock/gmock.h>
 

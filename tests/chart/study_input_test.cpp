@@ -1,4 +1,4 @@
-#include "chart/study/study_input.h"
+#include <orris/chart/study/study_input.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "check/pack/file_name_checks.h"
-#include "check/compile/program_check.h"
+#include <orris/check/pack/file_name_checks.h>
+#include <orris/check/compile/program_check.h>
 #include "frame_fixture.h"
 
 namespace orris {

@@ -1,4 +1,4 @@
-#include "check/pack/condition_names.h"
+#include <orris/check/pack/condition_names.h>
 
 #include "pack_fixture.h"
 

@@ -1,9 +1,9 @@
-#include "check/hints/conditional_place.h"
+#include <orris/check/hints/conditional_place.h>
 
 #include <gmock/gmock.h>
 
-#include "core/file_source.h"
-#include "pack/shader_pack.h"
+#include <orris/core/file_source.h>
+#include <orris/pack/shader_pack.h>
 #include "text_fixture.h"
 
 namespace orris {

@@ -7,17 +7,17 @@
 #include <sstream>
 
 #include "check/contract_page.h"
-#include "plan/program_uses.h"
-#include "plan/uniforms.h"
-#include "render/vertex_layout.h"
-#include "image/texel_format.h"
-#include "pack/programs/directives.h"
-#include "pack/expressions/expression_functions.h"
-#include "pack/versions/features.h"
-#include "pack/programs/program_id.h"
-#include "pack/properties/property_keys.h"
-#include "pack/shader_pack.h"
-#include "pack/properties/texture_format.h"
+#include <orris/plan/program_uses.h>
+#include <orris/plan/uniforms.h>
+#include <orris/render/vertex_layout.h>
+#include <orris/image/texel_format.h>
+#include <orris/pack/programs/directives.h>
+#include <orris/pack/expressions/expression_functions.h>
+#include <orris/pack/versions/features.h>
+#include <orris/pack/programs/program_id.h>
+#include <orris/pack/properties/property_keys.h>
+#include <orris/pack/shader_pack.h>
+#include <orris/pack/properties/texture_format.h>
 #include "text_fixture.h"
 
 namespace orris {

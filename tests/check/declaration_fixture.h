@@ -1,7 +1,7 @@
 // Small packs and what the checks of declarations tell of them.
 #pragma once
 
-#include "check/interface/declaration_checks.h"
+#include <orris/check/interface/declaration_checks.h>
 #include "frame_fixture.h"
 
 namespace orris {

@@ -1,4 +1,4 @@
-#include "check/pack/expression_checks.h"
+#include <orris/check/pack/expression_checks.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

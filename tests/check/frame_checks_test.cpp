@@ -1,4 +1,4 @@
-#include "check/frame/frame_checks.h"
+#include <orris/check/frame/frame_checks.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

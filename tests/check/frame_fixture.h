@@ -7,8 +7,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "check/frame/frame_view.h"
-#include "check/pack/pack_checks.h"
+#include <orris/check/frame/frame_view.h>
+#include <orris/check/pack/pack_checks.h>
 #include "text_fixture.h"
 
 namespace orris {

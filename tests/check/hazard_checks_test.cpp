@@ -1,8 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "check/frame/frame_checks.h"
-#include "check/frame/texture_checks.h"
+#include <orris/check/frame/frame_checks.h>
+#include <orris/check/frame/texture_checks.h>
 #include "frame_fixture.h"
 
 namespace orris {

@@ -1,4 +1,4 @@
-#include "check/ids/id_checks.h"
+#include <orris/check/ids/id_checks.h>
 
 #include "pack_fixture.h"
 

@@ -1,4 +1,4 @@
-#include "check/workers/isolated_jobs.h"
+#include <orris/check/workers/isolated_jobs.h>
 
 #include <gmock/gmock.h>
 #include <sys/resource.h>

@@ -1,4 +1,4 @@
-#include "check/options/language_checks.h"
+#include <orris/check/options/language_checks.h>
 
 #include "pack_fixture.h"
 

@@ -1,4 +1,4 @@
-#include "check/logs/log_explainer.h"
+#include <orris/check/logs/log_explainer.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include "check/matrix/matrix_causes.h"
-#include "check/matrix/matrix_run.h"
+#include <orris/check/matrix/matrix_causes.h>
+#include <orris/check/matrix/matrix_run.h>
 #include "text_fixture.h"
 
 namespace orris {

@@ -1,4 +1,4 @@
-#include "check/matrix/minimise.h"
+#include <orris/check/matrix/minimise.h>
 
 #include <gmock/gmock.h>
 

@@ -1,8 +1,8 @@
-#include "check/pack/open_comments.h"
+#include <orris/check/pack/open_comments.h>
 
 #include <gmock/gmock.h>
 
-#include "pack/files/text.h"
+#include <orris/pack/files/text.h>
 #include "pack_fixture.h"
 #include "text_fixture.h"
 

@@ -1,4 +1,4 @@
-#include "check/options/option_checks.h"
+#include <orris/check/options/option_checks.h>
 
 #include "pack_fixture.h"
 

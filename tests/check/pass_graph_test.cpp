@@ -1,4 +1,4 @@
-#include "check/graph/pass_graph.h"
+#include <orris/check/graph/pass_graph.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "check/compile/program_check.h"
+#include <orris/check/compile/program_check.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

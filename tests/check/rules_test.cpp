@@ -1,4 +1,4 @@
-#include "check/rules/rules.h"
+#include <orris/check/rules/rules.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

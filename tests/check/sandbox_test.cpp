@@ -1,4 +1,4 @@
-#include "check/workers/sandbox.h"
+#include <orris/check/workers/sandbox.h>
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -19,9 +19,9 @@
 #include <iterator>
 #include <thread>
 
-#include "check/workers/isolated_jobs.h"
-#include "core/file_source.h"
-#include "core/read_places.h"
+#include <orris/check/workers/isolated_jobs.h>
+#include <orris/core/file_source.h>
+#include <orris/core/read_places.h>
 
 namespace orris {
 namespace {

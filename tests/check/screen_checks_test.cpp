@@ -1,4 +1,4 @@
-#include "check/options/screen_checks.h"
+#include <orris/check/options/screen_checks.h>
 
 #include "pack_fixture.h"
 

@@ -1,6 +1,6 @@
-#include "check/pack/slip_checks.h"
+#include <orris/check/pack/slip_checks.h>
 
-#include "check/pack/decimal_conditions.h"
+#include <orris/check/pack/decimal_conditions.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Includes, directives and shaders.properties as texts.
-#include "check/pack/directive_checks.h"
-#include "check/pack/include_checks.h"
-#include "check/pack/property_checks.h"
+#include <orris/check/pack/directive_checks.h>
+#include <orris/check/pack/include_checks.h>
+#include <orris/check/pack/property_checks.h>
 #include "pack_fixture.h"
 
 namespace orris {

@@ -1,4 +1,4 @@
-#include "check/logs/token_alignment.h"
+#include <orris/check/logs/token_alignment.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
-#include "check/compile/unused_functions.h"
+#include <orris/check/compile/unused_functions.h>
 
 #include <gmock/gmock.h>
 
-#include "check/compile/program_check.h"
+#include <orris/check/compile/program_check.h>
 #include "frame_fixture.h"
 
 namespace orris {

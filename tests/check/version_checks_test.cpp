@@ -1,8 +1,8 @@
-#include "check/pack/version_checks.h"
+#include <orris/check/pack/version_checks.h>
 
 #include <gmock/gmock.h>
 
-#include "core/file_source.h"
+#include <orris/core/file_source.h>
 
 namespace orris {
 namespace {

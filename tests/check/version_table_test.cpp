@@ -7,7 +7,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "check/compile/program_check.h"
+#include <orris/check/compile/program_check.h>
 #include "pack_fixture.h"
 
 namespace orris {

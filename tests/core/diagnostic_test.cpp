@@ -1,4 +1,4 @@
-#include "core/diagnostic.h"
+#include <orris/core/diagnostic.h>
 
 #include <gtest/gtest.h>
 

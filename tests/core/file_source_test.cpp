@@ -1,4 +1,4 @@
-#include "core/file_source.h"
+#include <orris/core/file_source.h>
 
 #include <gmock/gmock.h>
 

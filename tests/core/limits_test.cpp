@@ -1,5 +1,5 @@
 // docs/limits.md has a row with the value of every constant of core/limits.h, and no others.
-#include "core/limits.h"
+#include <orris/core/limits.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

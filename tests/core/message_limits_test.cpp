@@ -1,9 +1,9 @@
-#include "core/message_limits.h"
+#include <orris/core/message_limits.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/limits.h"
+#include <orris/core/limits.h>
 
 namespace orris {
 namespace {

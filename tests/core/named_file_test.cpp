@@ -1,4 +1,4 @@
-#include "core/named_file.h"
+#include <orris/core/named_file.h>
 
 #include <gtest/gtest.h>
 

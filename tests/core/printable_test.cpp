@@ -1,8 +1,8 @@
-#include "core/printable.h"
+#include <orris/core/printable.h>
 
 #include <gtest/gtest.h>
 
-#include "core/diagnostic.h"
+#include <orris/core/diagnostic.h>
 
 namespace orris {
 namespace {

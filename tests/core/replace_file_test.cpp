@@ -1,4 +1,4 @@
-#include "core/replace_file.h"
+#include <orris/core/replace_file.h>
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>

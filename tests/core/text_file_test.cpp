@@ -1,8 +1,8 @@
-#include "core/text_file.h"
+#include <orris/core/text_file.h>
 
 #include <gtest/gtest.h>
 
-#include "core/limits.h"
+#include <orris/core/limits.h>
 
 namespace orris {
 namespace {

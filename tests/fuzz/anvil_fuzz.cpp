@@ -3,9 +3,9 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "world/saves/anvil_chunk.h"
-#include "world/saves/anvil_region.h"
-#include "world/saves/level_data.h"
+#include <orris/world/saves/anvil_chunk.h>
+#include <orris/world/saves/anvil_region.h>
+#include <orris/world/saves/level_data.h>
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <sstream>
 #include <string>
 
-#include "pack/expressions/expression.h"
+#include <orris/pack/expressions/expression.h>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace orris;

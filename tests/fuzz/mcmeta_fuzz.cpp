@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "world/resources/texture_meta.h"
+#include <orris/world/resources/texture_meta.h>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   constexpr glm::ivec2 kSize(32, 96);

@@ -4,7 +4,7 @@
 #include <sstream>
 #include <string>
 
-#include "pack/shader_pack.h"
+#include <orris/pack/shader_pack.h>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace orris;

@@ -4,8 +4,8 @@
 #include <sstream>
 #include <string>
 
-#include "glsl/preprocess/preprocessor.h"
-#include "glsl/rewrite/rewrite.h"
+#include <orris/glsl/preprocess/preprocessor.h>
+#include <orris/glsl/rewrite/rewrite.h>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace orris;

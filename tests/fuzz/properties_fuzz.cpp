@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <string>
 
-#include "pack/ids/id_map.h"
-#include "pack/properties/shader_properties.h"
+#include <orris/pack/ids/id_map.h>
+#include <orris/pack/properties/shader_properties.h>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace orris;

@@ -3,11 +3,11 @@
 #include <cstdint>
 #include <string>
 
-#include "check/logs/game_log.h"
-#include "check/logs/log_place.h"
-#include "check/logs/token_alignment.h"
-#include "report/baseline.h"
-#include "report/ignore_comments.h"
+#include <orris/check/logs/game_log.h>
+#include <orris/check/logs/log_place.h>
+#include <orris/check/logs/token_alignment.h>
+#include <orris/report/baseline.h>
+#include <orris/report/ignore_comments.h>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace orris;

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "world/resources/block_models.h"
+#include <orris/world/resources/block_models.h>
 
 namespace {
 

@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "world/files/schematic.h"
+#include <orris/world/files/schematic.h>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);

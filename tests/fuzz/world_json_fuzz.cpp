@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "world/files/world_json.h"
+#include <orris/world/files/world_json.h>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   orris::WorldJson json;

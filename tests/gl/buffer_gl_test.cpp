@@ -1,10 +1,10 @@
 #include <array>
 #include <cstdint>
 
-#include "gl/buffer.h"
-#include "gl/functions.h"
+#include <orris/gl/buffer.h>
+#include <orris/gl/functions.h>
 #include "gl/gl_test_context.h"
-#include "gl/program.h"
+#include <orris/gl/program.h>
 
 namespace orris::gl {
 namespace {

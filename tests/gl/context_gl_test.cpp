@@ -2,8 +2,8 @@
 
 #include <cstdlib>
 
-#include "gl/context.h"
-#include "gl/functions.h"
+#include <orris/gl/context.h>
+#include <orris/gl/functions.h>
 #include "gl/gl_test_context.h"
 
 namespace orris::gl {

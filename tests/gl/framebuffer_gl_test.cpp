@@ -1,5 +1,5 @@
-#include "gl/framebuffer.h"
-#include "gl/functions.h"
+#include <orris/gl/framebuffer.h>
+#include <orris/gl/functions.h>
 #include "gl/gl_test_context.h"
 
 namespace orris::gl {

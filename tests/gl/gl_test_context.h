@@ -6,7 +6,7 @@
 
 #include <memory>
 
-#include "gl/context.h"
+#include <orris/gl/context.h>
 
 namespace orris::gl {
 

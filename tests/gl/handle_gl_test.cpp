@@ -1,6 +1,6 @@
-#include "gl/functions.h"
+#include <orris/gl/functions.h>
 #include "gl/gl_test_context.h"
-#include "gl/handle.h"
+#include <orris/gl/handle.h>
 
 namespace orris::gl {
 namespace {

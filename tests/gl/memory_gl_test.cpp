@@ -7,12 +7,12 @@
 #include <cstring>
 #include <vector>
 
-#include "gl/buffer.h"
-#include "image/texel_format.h"
-#include "gl/functions.h"
+#include <orris/gl/buffer.h>
+#include <orris/image/texel_format.h>
+#include <orris/gl/functions.h>
 #include "gl/gl_test_context.h"
-#include "gl/program.h"
-#include "gl/texture.h"
+#include <orris/gl/program.h>
+#include <orris/gl/texture.h>
 
 namespace orris::gl {
 namespace {

@@ -1,9 +1,9 @@
 #include <algorithm>
 
-#include "gl/framebuffer.h"
-#include "gl/functions.h"
+#include <orris/gl/framebuffer.h>
+#include <orris/gl/functions.h>
 #include "gl/gl_test_context.h"
-#include "gl/program.h"
+#include <orris/gl/program.h>
 
 namespace orris::gl {
 namespace {

@@ -4,10 +4,10 @@
 #include <cstring>
 #include <vector>
 
-#include "gl/framebuffer.h"
-#include "gl/functions.h"
+#include <orris/gl/framebuffer.h>
+#include <orris/gl/functions.h>
 #include "gl/gl_test_context.h"
-#include "gl/texture.h"
+#include <orris/gl/texture.h>
 
 namespace orris::gl {
 namespace {

@@ -1,8 +1,8 @@
-#include "glsl/syntax/conditional_balance.h"
+#include <orris/glsl/syntax/conditional_balance.h>
 
 #include <gtest/gtest.h>
 
-#include "glsl/syntax/branch_room.h"
+#include <orris/glsl/syntax/branch_room.h>
 #include "glsl_test.h"
 
 namespace orris::test {

@@ -1,4 +1,4 @@
-#include "glsl/rewrite/core_text.h"
+#include <orris/glsl/rewrite/core_text.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

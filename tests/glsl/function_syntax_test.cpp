@@ -1,4 +1,4 @@
-#include "glsl/syntax/function_syntax.h"
+#include <orris/glsl/syntax/function_syntax.h>
 
 #include <gtest/gtest.h>
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "glsl/compile/validate.h"
-#include "glsl/preprocess/preprocessor.h"
-#include "glsl/rewrite/rewrite.h"
+#include <orris/glsl/compile/validate.h>
+#include <orris/glsl/preprocess/preprocessor.h>
+#include <orris/glsl/rewrite/rewrite.h>
 
 namespace orris::test {
 

@@ -1,11 +1,11 @@
-#include "glsl/rewrite/interface_repair.h"
+#include <orris/glsl/rewrite/interface_repair.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "glsl/glsl_test.h"
-#include "glsl/tokens/file_scope.h"
-#include "glsl/tokens/text_edits.h"
+#include <orris/glsl/tokens/file_scope.h>
+#include <orris/glsl/tokens/text_edits.h>
 
 namespace orris {
 namespace {

@@ -1,9 +1,9 @@
-#include "glsl/iris/iris_text.h"
+#include <orris/glsl/iris/iris_text.h>
 
 #include <gtest/gtest.h>
 
 #include "glsl/glsl_test.h"
-#include "glsl/iris/iris_names.h"
+#include <orris/glsl/iris/iris_names.h>
 
 namespace orris {
 namespace {

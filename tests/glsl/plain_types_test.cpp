@@ -1,4 +1,4 @@
-#include "glsl/compile/plain_types.h"
+#include <orris/glsl/compile/plain_types.h>
 
 #include <gtest/gtest.h>
 

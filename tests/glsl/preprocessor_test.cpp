@@ -1,4 +1,4 @@
-#include "glsl/preprocess/preprocessor.h"
+#include <orris/glsl/preprocess/preprocessor.h>
 
 #include <gtest/gtest.h>
 

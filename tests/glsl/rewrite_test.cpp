@@ -1,4 +1,4 @@
-#include "glsl/rewrite/rewrite.h"
+#include <orris/glsl/rewrite/rewrite.h>
 
 #include <gtest/gtest.h>
 

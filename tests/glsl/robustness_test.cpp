@@ -3,9 +3,9 @@
 
 #include <random>
 
-#include "core/limits.h"
+#include <orris/core/limits.h>
 #include "glsl/glsl_test.h"
-#include "glsl/syntax/struct_size.h"
+#include <orris/glsl/syntax/struct_size.h>
 
 namespace orris {
 namespace {

@@ -1,4 +1,4 @@
-#include "glsl/tokens/shape.h"
+#include <orris/glsl/tokens/shape.h>
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "glsl/rewrite/shared_buffer.h"
+#include <orris/glsl/rewrite/shared_buffer.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "glsl/tokens/source_map.h"
+#include <orris/glsl/tokens/source_map.h>
 
 #include <gtest/gtest.h>
 

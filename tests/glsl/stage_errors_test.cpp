@@ -1,4 +1,4 @@
-#include "glsl/compile/stage_errors.h"
+#include <orris/glsl/compile/stage_errors.h>
 
 #include <gmock/gmock.h>
 

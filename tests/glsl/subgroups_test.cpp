@@ -1,4 +1,4 @@
-#include "glsl/rewrite/subgroups.h"
+#include <orris/glsl/rewrite/subgroups.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "glsl/tokens/token.h"
+#include <orris/glsl/tokens/token.h>
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "glsl/compile/validate.h"
+#include <orris/glsl/compile/validate.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

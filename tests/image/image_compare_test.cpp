@@ -1,4 +1,4 @@
-#include "image/image_compare.h"
+#include <orris/image/image_compare.h>
 
 #include <gtest/gtest.h>
 

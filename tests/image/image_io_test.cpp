@@ -6,7 +6,7 @@
 #include <sstream>
 #include <thread>
 
-#include "image/image.h"
+#include <orris/image/image.h>
 #include "support/folder_test.h"
 
 namespace orris {

@@ -1,4 +1,4 @@
-#include "pack/programs/attribute_types.h"
+#include <orris/pack/programs/attribute_types.h>
 
 #include <gmock/gmock.h>
 

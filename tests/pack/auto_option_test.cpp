@@ -1,10 +1,10 @@
 // What a pack says of the cost of an option's values, and which of them is chosen.
-#include "pack/options/auto_option.h"
+#include <orris/pack/options/auto_option.h>
 
 #include <gmock/gmock.h>
 
-#include "pack/options/auto_properties.h"
-#include "pack/shader_pack.h"
+#include <orris/pack/options/auto_properties.h>
+#include <orris/pack/shader_pack.h>
 
 namespace orris {
 namespace {

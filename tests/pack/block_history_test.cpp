@@ -1,4 +1,4 @@
-#include "pack/ids/block_history.h"
+#include <orris/pack/ids/block_history.h>
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "pack/programs/dimensions.h"
+#include <orris/pack/programs/dimensions.h>
 
 #include <gmock/gmock.h>
 

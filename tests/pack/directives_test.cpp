@@ -1,8 +1,8 @@
-#include "pack/programs/directives.h"
+#include <orris/pack/programs/directives.h>
 
 #include <gmock/gmock.h>
 
-#include "glsl/preprocess/preprocessor.h"
+#include <orris/glsl/preprocess/preprocessor.h>
 
 namespace orris {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "pack/expressions/expression.h"
+#include <orris/pack/expressions/expression.h>
 
 namespace orris {
 namespace {

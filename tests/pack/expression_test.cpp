@@ -1,4 +1,4 @@
-#include "pack/expressions/expression.h"
+#include <orris/pack/expressions/expression.h>
 
 #include <gmock/gmock.h>
 

@@ -1,8 +1,8 @@
-#include "pack/files/extended_graph.h"
+#include <orris/pack/files/extended_graph.h>
 
 #include <gtest/gtest.h>
 
-#include "pack/shader_pack.h"
+#include <orris/pack/shader_pack.h>
 
 namespace orris {
 namespace {

@@ -1,4 +1,4 @@
-#include "pack/ids/id_lines.h"
+#include <orris/pack/ids/id_lines.h>
 
 #include <gmock/gmock.h>
 

@@ -2,8 +2,8 @@
 // BlockMaterialMapping.
 #include <gmock/gmock.h>
 
-#include "glsl/preprocess/preprocessor.h"
-#include "pack/ids/id_map.h"
+#include <orris/glsl/preprocess/preprocessor.h>
+#include <orris/pack/ids/id_map.h>
 
 namespace orris {
 namespace {

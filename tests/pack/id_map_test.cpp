@@ -1,9 +1,9 @@
-#include "pack/ids/id_map.h"
+#include <orris/pack/ids/id_map.h>
 
 #include <gtest/gtest.h>
 
-#include "pack/ids/block_tags.h"
-#include "pack/ids/legacy_ids.h"
+#include <orris/pack/ids/block_tags.h>
+#include <orris/pack/ids/legacy_ids.h>
 
 namespace orris {
 namespace {

@@ -2,8 +2,8 @@
 // IncludeGraph.
 #include <gmock/gmock.h>
 
-#include "core/file_source.h"
-#include "pack/files/include_graph.h"
+#include <orris/core/file_source.h>
+#include <orris/pack/files/include_graph.h>
 
 namespace orris {
 namespace {

@@ -1,12 +1,12 @@
-#include "pack/versions/iris_versions.h"
+#include <orris/pack/versions/iris_versions.h>
 
 #include <gmock/gmock.h>
 
 #include <algorithm>
 #include <fstream>
 
-#include "pack/shader_pack.h"
-#include "pack/versions/features.h"
+#include <orris/pack/shader_pack.h>
+#include <orris/pack/versions/features.h>
 
 namespace orris {
 namespace {

@@ -1,4 +1,4 @@
-#include "pack/properties/latin_text.h"
+#include <orris/pack/properties/latin_text.h>
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "pack/programs/live_check.h"
+#include <orris/pack/programs/live_check.h>
 
 #include <gmock/gmock.h>
 

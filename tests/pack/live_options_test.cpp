@@ -1,4 +1,4 @@
-#include "pack/options/live_options.h"
+#include <orris/pack/options/live_options.h>
 
 #include <gmock/gmock.h>
 

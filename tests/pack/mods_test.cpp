@@ -1,8 +1,8 @@
-#include "pack/mods/mods.h"
+#include <orris/pack/mods/mods.h>
 
 #include <gmock/gmock.h>
 
-#include "glsl/compile/validate.h"
+#include <orris/glsl/compile/validate.h>
 #include "loaded_pack.h"
 
 namespace orris {

@@ -2,9 +2,9 @@
 // Contract: options.csv scan.*, bool.*, value.*, const.*, merge.*.
 #include <gmock/gmock.h>
 
-#include "pack/files/text.h"
-#include "pack/options/option_line.h"
-#include "pack/options/options.h"
+#include <orris/pack/files/text.h>
+#include <orris/pack/options/option_line.h>
+#include <orris/pack/options/options.h>
 
 namespace orris {
 namespace {

@@ -1,8 +1,8 @@
-#include "pack/options/options.h"
+#include <orris/pack/options/options.h>
 
 #include <gmock/gmock.h>
 
-#include "pack/options/option_line.h"
+#include <orris/pack/options/option_line.h>
 
 namespace orris {
 namespace {

@@ -1,4 +1,4 @@
-#include "pack/options/pack_options.h"
+#include <orris/pack/options/pack_options.h>
 
 #include <gtest/gtest.h>
 

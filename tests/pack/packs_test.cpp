@@ -7,7 +7,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "pack/shader_pack.h"
+#include <orris/pack/shader_pack.h>
 
 namespace orris {
 namespace {

@@ -1,8 +1,8 @@
 // Profiles and screens: tables of cases. Contract: options.csv profile.*, screen.*.
 #include <gmock/gmock.h>
 
-#include "pack/options/chosen_values.h"
-#include "pack/properties/shader_properties.h"
+#include <orris/pack/options/chosen_values.h>
+#include <orris/pack/properties/shader_properties.h>
 
 namespace orris {
 namespace {

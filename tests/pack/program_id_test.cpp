@@ -1,4 +1,4 @@
-#include "pack/programs/program_id.h"
+#include <orris/pack/programs/program_id.h>
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "pack/files/properties_text.h"
+#include <orris/pack/files/properties_text.h>
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "loaded_pack.h"
-#include "pack/programs/folder_build.h"
+#include <orris/pack/programs/folder_build.h>
 
 namespace orris {
 namespace {

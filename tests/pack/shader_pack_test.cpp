@@ -1,4 +1,4 @@
-#include "pack/shader_pack.h"
+#include <orris/pack/shader_pack.h>
 
 #include <gmock/gmock.h>
 

@@ -1,8 +1,8 @@
-#include "pack/properties/shader_properties.h"
+#include <orris/pack/properties/shader_properties.h>
 
 #include <gmock/gmock.h>
 
-#include "pack/expressions/boolean_expression.h"
+#include <orris/pack/expressions/boolean_expression.h>
 
 namespace orris {
 namespace {

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/limits.h"
+#include <orris/core/limits.h>
 #include "loaded_pack.h"
 
 namespace orris {

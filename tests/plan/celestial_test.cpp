@@ -1,11 +1,11 @@
-#include "plan/celestial.h"
+#include <orris/plan/celestial.h>
 
 #include <gtest/gtest.h>
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <optional>
 
-#include "plan/frame_state.h"
+#include <orris/plan/frame_state.h>
 
 namespace orris {
 namespace {

@@ -1,4 +1,4 @@
-#include "plan/clouds.h"
+#include <orris/plan/clouds.h>
 
 #include <gtest/gtest.h>
 

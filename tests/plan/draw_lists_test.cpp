@@ -1,12 +1,12 @@
 // What a frame has besides blocks: which kinds, and their quads.
-#include "plan/lists/draw_lists.h"
+#include <orris/plan/lists/draw_lists.h>
 
 #include <gmock/gmock.h>
 
 #include <algorithm>
 #include <set>
 
-#include "world/files/world_json.h"
+#include <orris/world/files/world_json.h>
 
 namespace orris {
 namespace {

@@ -1,7 +1,7 @@
 // A world of few blocks for tests of what a scene holds.
 #pragma once
 
-#include "world/world.h"
+#include <orris/world/world.h>
 
 namespace orris {
 

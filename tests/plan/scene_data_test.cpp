@@ -1,4 +1,4 @@
-#include "plan/scene_data.h"
+#include <orris/plan/scene_data.h>
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
-#include "plan/schedule.h"
+#include <orris/plan/schedule.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "core/file_source.h"
-#include "plan/program_uses.h"
+#include <orris/core/file_source.h>
+#include <orris/plan/program_uses.h>
 #include "support/memory_pack.h"
 
 namespace orris {

@@ -1,4 +1,4 @@
-#include "plan/uniforms.h"
+#include <orris/plan/uniforms.h>
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "image/encode_png.h"
+#include <orris/image/encode_png.h>
 #include "render/render_fixture.h"
 
 namespace orris {

@@ -4,9 +4,9 @@
 
 #include <memory>
 
-#include "render/gpu_program.h"
-#include "gl/context.h"
-#include "gl/functions.h"
+#include <orris/render/gpu_program.h>
+#include <orris/gl/context.h>
+#include <orris/gl/functions.h>
 
 namespace orris {
 namespace {

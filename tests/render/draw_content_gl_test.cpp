@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/frame_renderer.h"
+#include <orris/render/frame_renderer.h>
 #include "render/render_fixture.h"
 
 namespace orris {

@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 
-#include "render/frame_renderer.h"
+#include <orris/render/frame_renderer.h>
 #include "render/render_fixture.h"
 
 namespace orris {

@@ -7,8 +7,8 @@
 #include <memory>
 #include <string>
 
-#include "core/file_source.h"
-#include "render/render_session.h"
+#include <orris/core/file_source.h>
+#include <orris/render/render_session.h>
 
 namespace orris {
 

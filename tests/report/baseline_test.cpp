@@ -1,4 +1,4 @@
-#include "report/baseline.h"
+#include <orris/report/baseline.h>
 
 #include <gtest/gtest.h>
 

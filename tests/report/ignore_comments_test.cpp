@@ -1,4 +1,4 @@
-#include "report/ignore_comments.h"
+#include <orris/report/ignore_comments.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

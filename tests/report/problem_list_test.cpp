@@ -1,4 +1,4 @@
-#include "report/problem_list.h"
+#include <orris/report/problem_list.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "report/report_format.h"
+#include <orris/report/report_format.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

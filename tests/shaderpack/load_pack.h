@@ -5,8 +5,8 @@
 
 #include <optional>
 
-#include "core/file_source.h"
-#include "pack/shader_pack.h"
+#include <orris/core/file_source.h>
+#include <orris/pack/shader_pack.h>
 
 namespace orris::test {
 

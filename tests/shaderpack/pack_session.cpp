@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <regex>
 
-#include "world/files/world_json.h"
+#include <orris/world/files/world_json.h>
 
 namespace orris::test {
 namespace {

@@ -7,8 +7,8 @@
 #include <memory>
 #include <string>
 
-#include "gl/context.h"
-#include "render/render_session.h"
+#include <orris/gl/context.h>
+#include <orris/render/render_session.h>
 
 namespace orris::test {
 

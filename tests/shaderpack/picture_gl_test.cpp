@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "pack_session.h"
-#include "render/counters.h"
+#include <orris/render/counters.h>
 
 namespace orris::test {
 namespace {

@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 
-#include "chart/measure/reference_picture.h"
+#include <orris/chart/measure/reference_picture.h>
 #include "pack_session.h"
 
 namespace orris::test {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "lab.h"
-#include "plan/celestial.h"
+#include <orris/plan/celestial.h>
 
 namespace orris::test {
 namespace {

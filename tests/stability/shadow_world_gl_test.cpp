@@ -9,9 +9,9 @@
 #include <iterator>
 #include <sstream>
 
-#include "plan/celestial.h"
+#include <orris/plan/celestial.h>
 #include "shadow_lab.h"
-#include "trace/shadow_mask.h"
+#include <orris/trace/shadow_mask.h>
 
 namespace orris::test {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <random>
 
-#include "render/shadow_volumes.h"
-#include "world/mesh/silhouette.h"
+#include <orris/render/shadow_volumes.h>
+#include <orris/world/mesh/silhouette.h>
 
 namespace orris {
 namespace {

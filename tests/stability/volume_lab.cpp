@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "world/files/world_json.h"
+#include <orris/world/files/world_json.h>
 
 namespace orris::test {
 namespace {

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "../shaderpack/pack_session.h"
-#include "image/mask_compare.h"
-#include "trace/reference_scene.h"
-#include "trace/shadow_mask.h"
+#include <orris/image/mask_compare.h>
+#include <orris/trace/reference_scene.h>
+#include <orris/trace/shadow_mask.h>
 
 namespace orris::test {
 

@@ -5,10 +5,10 @@
 #include <filesystem>
 
 #include "../shaderpack/pack_session.h"
-#include "image/mask_compare.h"
-#include "plan/frame_state.h"
-#include "trace/reference_scene.h"
-#include "trace/shadow_mask.h"
+#include <orris/image/mask_compare.h>
+#include <orris/plan/frame_state.h>
+#include <orris/trace/reference_scene.h>
+#include <orris/trace/shadow_mask.h>
 
 namespace orris::test {
 namespace {

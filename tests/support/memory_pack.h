@@ -8,8 +8,8 @@
 #include <string>
 #include <utility>
 
-#include "core/file_source.h"
-#include "pack/shader_pack.h"
+#include <orris/core/file_source.h>
+#include <orris/pack/shader_pack.h>
 
 namespace orris {
 

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "trace/film/trace_run.h"
-#include "world/files/world_json.h"
+#include <orris/trace/film/trace_run.h>
+#include <orris/world/files/world_json.h>
 
 namespace orris::test {
 

@@ -5,7 +5,7 @@
 #include <map>
 #include <tuple>
 
-#include "trace/film/trace_run.h"
+#include <orris/trace/film/trace_run.h>
 
 namespace orris::test {
 

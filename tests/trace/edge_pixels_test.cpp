@@ -1,5 +1,5 @@
 // Pixels on which a rasteriser and a ray may differ.
-#include "trace/edge_pixels.h"
+#include <orris/trace/edge_pixels.h>
 
 #include <gtest/gtest.h>
 

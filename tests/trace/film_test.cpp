@@ -5,7 +5,7 @@
 #include <fstream>
 
 #include "cube_scene.h"
-#include "trace/film/checkpoint.h"
+#include <orris/trace/film/checkpoint.h>
 
 namespace orris {
 namespace {

@@ -1,9 +1,9 @@
-#include "validate/validate_pack.h"
+#include <orris/validate/validate_pack.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "report/report_format.h"
+#include <orris/report/report_format.h>
 #include "support/folder_test.h"
 
 namespace orris {

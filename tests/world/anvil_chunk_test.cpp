@@ -1,9 +1,9 @@
-#include "world/saves/anvil_chunk.h"
+#include <orris/world/saves/anvil_chunk.h>
 
 #include <gtest/gtest.h>
 
 #include "region_builder.h"
-#include "world/saves/packed_indices.h"
+#include <orris/world/saves/packed_indices.h>
 
 namespace orris {
 namespace {

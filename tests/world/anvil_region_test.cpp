@@ -1,4 +1,4 @@
-#include "world/saves/anvil_region.h"
+#include <orris/world/saves/anvil_region.h>
 
 #include <gtest/gtest.h>
 #include <lz4.h>
@@ -6,8 +6,8 @@
 #include <random>
 
 #include "region_builder.h"
-#include "world/saves/anvil_chunk.h"
-#include "world/saves/lz4_blocks.h"
+#include <orris/world/saves/anvil_chunk.h>
+#include <orris/world/saves/lz4_blocks.h>
 
 namespace orris {
 namespace {

@@ -1,14 +1,14 @@
-#include "world/atlas/block_atlas.h"
+#include <orris/world/atlas/block_atlas.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
 
-#include "world/atlas/texture_canvas.h"
-#include "world/content/entity_models.h"
-#include "world/blocks/block_data.h"
-#include "world/blocks/block_facts.h"
+#include <orris/world/atlas/texture_canvas.h>
+#include <orris/world/content/entity_models.h>
+#include <orris/world/blocks/block_data.h>
+#include <orris/world/blocks/block_facts.h>
 
 namespace orris {
 namespace {

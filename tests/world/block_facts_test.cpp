@@ -1,4 +1,4 @@
-#include "world/blocks/block_facts.h"
+#include <orris/world/blocks/block_facts.h>
 
 #include <gtest/gtest.h>
 
@@ -6,10 +6,10 @@
 #include <map>
 #include <set>
 
-#include "world/atlas/texture_canvas.h"
-#include "world/blocks/block_data.h"
-#include "world/blocks/block_state.h"
-#include "world/world.h"
+#include <orris/world/atlas/texture_canvas.h>
+#include <orris/world/blocks/block_data.h>
+#include <orris/world/blocks/block_state.h>
+#include <orris/world/world.h>
 
 namespace orris {
 namespace {

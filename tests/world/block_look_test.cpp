@@ -1,14 +1,14 @@
 // Blocks drawn with resource packs that these tests make.
-#include "world/resources/block_look.h"
+#include <orris/world/resources/block_look.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cstring>
 
-#include "core/limits.h"
+#include <orris/core/limits.h>
 #include "resource_helpers.h"
-#include "world/resources/block_models.h"
+#include <orris/world/resources/block_models.h>
 
 namespace orris {
 namespace {

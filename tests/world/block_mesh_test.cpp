@@ -1,4 +1,4 @@
-#include "world/mesh/block_mesh.h"
+#include <orris/world/mesh/block_mesh.h>
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "world/blocks/block_shape.h"
+#include <orris/world/blocks/block_shape.h>
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <ostream>
 #include <string>
 
-#include "world/blocks/block_facts.h"
-#include "world/blocks/block_state.h"
+#include <orris/world/blocks/block_facts.h>
+#include <orris/world/blocks/block_state.h>
 
 namespace orris {
 namespace {

@@ -1,4 +1,4 @@
-#include "world/blocks/block_state.h"
+#include <orris/world/blocks/block_state.h>
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "world/blocks/block_world.h"
+#include <orris/world/blocks/block_world.h>
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "region_builder.h"
-#include "world/files/schematic.h"
-#include "world/saves/legacy_blocks.h"
+#include <orris/world/files/schematic.h>
+#include <orris/world/saves/legacy_blocks.h>
 #include "world_helpers.h"
 
 namespace orris {

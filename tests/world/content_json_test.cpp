@@ -1,8 +1,8 @@
 // Entities and the rest besides blocks in world.json: values, and messages with their place.
 #include <gtest/gtest.h>
 
-#include "core/limits.h"
-#include "world/content/entity_models.h"
+#include <orris/core/limits.h>
+#include <orris/world/content/entity_models.h>
 #include "world_helpers.h"
 
 namespace orris {

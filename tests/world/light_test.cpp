@@ -1,4 +1,4 @@
-#include "world/mesh/light.h"
+#include <orris/world/mesh/light.h>
 
 #include <gtest/gtest.h>
 

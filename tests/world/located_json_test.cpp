@@ -1,4 +1,4 @@
-#include "world/files/located_json.h"
+#include <orris/world/files/located_json.h>
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "world/atlas/mixed_atlas.h"
+#include <orris/world/atlas/mixed_atlas.h>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The table was made by a second implementation, in whole numbers of any size.
-#include "world/mesh/model_dice.h"
+#include <orris/world/mesh/model_dice.h>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Where the game puts the corners and the texture of a model's faces, worked out here from what each rule means.
-#include "world/resources/model_faces.h"
+#include <orris/world/resources/model_faces.h>
 
 #include <gtest/gtest.h>
 

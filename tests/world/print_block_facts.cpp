@@ -5,7 +5,7 @@
 #include <iostream>
 #include <string>
 
-#include "world/blocks/block_facts.h"
+#include <orris/world/blocks/block_facts.h>
 
 int main() {
   const orris::BlockTable table;

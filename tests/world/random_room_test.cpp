@@ -1,10 +1,10 @@
-#include "world/random_room.h"
+#include <orris/world/random_room.h>
 
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "world/blocks/block_facts.h"
+#include <orris/world/blocks/block_facts.h>
 
 namespace orris {
 namespace {

@@ -9,8 +9,8 @@
 #include <memory>
 #include <string>
 
-#include "image/encode_png.h"
-#include "world/resources/block_look.h"
+#include <orris/image/encode_png.h>
+#include <orris/world/resources/block_look.h>
 #include "world_helpers.h"
 
 namespace orris {

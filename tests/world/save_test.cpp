@@ -1,4 +1,4 @@
-#include "world/saves/save.h"
+#include <orris/world/saves/save.h>
 
 #include <gtest/gtest.h>
 

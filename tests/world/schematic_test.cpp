@@ -1,4 +1,4 @@
-#include "world/files/schematic.h"
+#include <orris/world/files/schematic.h>
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "world/files/world_json.h"
-#include "world/mesh/block_mesh.h"
+#include <orris/world/files/world_json.h>
+#include <orris/world/mesh/block_mesh.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "world/files/world_json.h"
+#include <orris/world/files/world_json.h>
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "world/world.h"
+#include <orris/world/world.h>
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 
 #include "support/folder_test.h"
-#include "world/world_summary.h"
+#include <orris/world/world_summary.h>
 #include "world_helpers.h"
 
 namespace orris {

@@ -9,7 +9,7 @@
 #include "app/study/chart_output.h"
 #include "app/study/open_study.h"
 #include "app/study/scene_study.h"
-#include "chart/page/chart_text.h"
+#include <orris/chart/page/chart_text.h>
 
 namespace orris {
 namespace {

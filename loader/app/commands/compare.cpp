@@ -8,9 +8,9 @@
 
 #include "app/commands/commands.h"
 #include "app/report/report.h"
-#include "image/image.h"
-#include "image/image_compare.h"
-#include "image/mask_compare.h"
+#include <orris/image/image.h>
+#include <orris/image/image_compare.h>
+#include <orris/image/mask_compare.h>
 
 namespace orris {
 namespace {

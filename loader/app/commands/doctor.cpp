@@ -12,9 +12,9 @@
 #include "app/commands/commands.h"
 #include "app/input/shipped_worlds.h"
 #include "app/report/report.h"
-#include "check/workers/sandbox.h"
-#include "image/codecs/image_codecs.h"
-#include "validate/driver_check.h"
+#include <orris/check/workers/sandbox.h>
+#include <orris/image/codecs/image_codecs.h>
+#include <orris/validate/driver_check.h>
 
 namespace orris {
 namespace {

@@ -5,9 +5,9 @@
 #include <iostream>
 #include <iterator>
 
-#include "check/logs/log_explainer.h"
-#include "check/rules/rules.h"
-#include "core/named_file.h"
+#include <orris/check/logs/log_explainer.h>
+#include <orris/check/rules/rules.h>
+#include <orris/core/named_file.h>
 
 namespace orris {
 namespace {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "app/validate/validate_flags.h"
-#include "report/pack_verdict.h"
-#include "report/problem_list.h"
+#include <orris/report/pack_verdict.h>
+#include <orris/report/problem_list.h>
 
 namespace orris {
 

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "pack/files/text.h"
-#include "render/buffer_view.h"
+#include <orris/pack/files/text.h>
+#include <orris/render/buffer_view.h>
 
 namespace orris {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "app/input/inputs.h"
 #include "app/report/child_process.h"
-#include "check/graph/pass_graph.h"
+#include <orris/check/graph/pass_graph.h>
 
 namespace orris {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/report/report.h"
-#include "pack/shader_pack.h"
+#include <orris/pack/shader_pack.h>
 
 namespace orris {
 

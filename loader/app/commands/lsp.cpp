@@ -8,7 +8,7 @@
 
 #include "app/commands/commands.h"
 #include "app/lsp/server.h"
-#include "check/compile/target_limits.h"
+#include <orris/check/compile/target_limits.h>
 
 namespace orris {
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "pack/files/text.h"
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

@@ -12,8 +12,8 @@
 #include "app/commands/graph.h"
 #include "app/commands/option_tree.h"
 #include "app/input/inputs.h"
-#include "pack/programs/live_check.h"
-#include "plan/auto_choices.h"
+#include <orris/pack/programs/live_check.h>
+#include <orris/plan/auto_choices.h>
 
 namespace orris {
 namespace {

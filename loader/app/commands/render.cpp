@@ -13,10 +13,10 @@
 #include "app/drawing/supervised_run.h"
 #include "app/input/inputs.h"
 #include "app/report/progress.h"
-#include "check/compile/program_check.h"
-#include "render/counters.h"
-#include "render/render_session.h"
-#include "validate/patched_sources.h"
+#include <orris/check/compile/program_check.h>
+#include <orris/render/counters.h>
+#include <orris/render/render_session.h>
+#include <orris/validate/patched_sources.h>
 
 namespace orris {
 namespace {

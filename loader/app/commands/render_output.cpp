@@ -9,9 +9,9 @@
 
 #include "app/commands/frame_probe.h"
 #include "app/input/inputs.h"
-#include "image/image.h"
-#include "pack/files/text.h"
-#include "render/counters.h"
+#include <orris/image/image.h>
+#include <orris/pack/files/text.h>
+#include <orris/render/counters.h>
 
 namespace orris {
 namespace {

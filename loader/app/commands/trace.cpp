@@ -13,10 +13,10 @@
 #include "app/commands/trace_loop.h"
 #include "app/commands/trace_scene_input.h"
 #include "app/input/inputs.h"
-#include "image/image.h"
-#include "trace/edge_pixels.h"
-#include "trace/film/checkpoint.h"
-#include "trace/shadow_mask.h"
+#include <orris/image/image.h>
+#include <orris/trace/edge_pixels.h>
+#include <orris/trace/film/checkpoint.h>
+#include <orris/trace/shadow_mask.h>
 
 namespace orris {
 namespace {

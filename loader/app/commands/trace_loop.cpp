@@ -7,8 +7,8 @@
 #include <csignal>
 
 #include "app/report/progress.h"
-#include "image/image.h"
-#include "trace/film/checkpoint.h"
+#include <orris/image/image.h>
+#include <orris/trace/film/checkpoint.h>
 
 namespace orris {
 namespace {

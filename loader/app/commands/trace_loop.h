@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/report/report.h"
-#include "trace/film/trace_run.h"
+#include <orris/trace/film/trace_run.h>
 
 namespace orris {
 

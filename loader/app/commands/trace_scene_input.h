@@ -5,7 +5,7 @@
 
 #include "app/input/common.h"
 #include "app/report/report.h"
-#include "trace/reference_scene.h"
+#include <orris/trace/reference_scene.h>
 
 namespace orris {
 

@@ -1,5 +1,5 @@
 // orris tune: the options that a scene needs, and no more.
-#include "chart/study/tune.h"
+#include <orris/chart/study/tune.h>
 
 #include <fmt/format.h>
 

@@ -9,9 +9,9 @@
 #include "app/report/progress.h"
 #include "app/report/report_output.h"
 #include "app/validate/validate_flags.h"
-#include "core/pack_search.h"
-#include "validate/result_cache.h"
-#include "validate/validate_pack.h"
+#include <orris/core/pack_search.h>
+#include <orris/validate/result_cache.h>
+#include <orris/validate/validate_pack.h>
 
 namespace orris {
 namespace {

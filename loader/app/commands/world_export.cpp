@@ -4,7 +4,7 @@
 
 #include "app/commands/trace_scene_input.h"
 #include "app/input/inputs.h"
-#include "trace/export/gltf_scene.h"
+#include <orris/trace/export/gltf_scene.h>
 
 namespace orris {
 

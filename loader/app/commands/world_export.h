@@ -5,7 +5,7 @@
 
 #include "app/input/common.h"
 #include "app/report/report.h"
-#include "world/world.h"
+#include <orris/world/world.h>
 
 namespace orris {
 

@@ -17,11 +17,11 @@
 #include <cstring>
 #include <iostream>
 
-#include "check/workers/sandbox.h"
-#include "core/read_places.h"
-#include "core/work_record.h"
-#include "image/codecs/image_codecs.h"
-#include "validate/driver_check.h"
+#include <orris/check/workers/sandbox.h>
+#include <orris/core/read_places.h>
+#include <orris/core/work_record.h>
+#include <orris/image/codecs/image_codecs.h>
+#include <orris/validate/driver_check.h>
 
 namespace orris {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "app/drawing/output_broker.h"
 #include "app/report/report.h"
-#include "gl/context.h"
+#include <orris/gl/context.h>
 
 namespace CLI {
 class App;

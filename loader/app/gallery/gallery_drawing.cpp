@@ -6,11 +6,11 @@
 #include <nlohmann/json.hpp>
 
 #include "app/input/inputs.h"
-#include "check/workers/diagnostic_codec.h"
-#include "check/workers/isolated_jobs.h"
-#include "core/work_record.h"
-#include "image/codecs/image_codecs.h"
-#include "validate/driver_check.h"
+#include <orris/check/workers/diagnostic_codec.h>
+#include <orris/check/workers/isolated_jobs.h>
+#include <orris/core/work_record.h>
+#include <orris/image/codecs/image_codecs.h>
+#include <orris/validate/driver_check.h>
 
 namespace orris {
 namespace {

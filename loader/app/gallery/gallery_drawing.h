@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/gallery/gallery_input.h"
-#include "chart/gallery/gallery_picture.h"
+#include <orris/chart/gallery/gallery_picture.h>
 
 namespace orris {
 

@@ -6,11 +6,11 @@
 #include <nlohmann/json.hpp>
 
 #include "app/input/inputs.h"
-#include "chart/measure/setting.h"
-#include "chart/study/digest.h"
-#include "core/read_file.h"
-#include "image/encode_png.h"
-#include "world/random_room.h"
+#include <orris/chart/measure/setting.h>
+#include <orris/chart/study/digest.h>
+#include <orris/core/read_file.h>
+#include <orris/image/encode_png.h>
+#include <orris/world/random_room.h>
 
 namespace orris {
 namespace {

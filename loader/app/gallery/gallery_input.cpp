@@ -7,13 +7,13 @@
 
 #include "app/input/inputs.h"
 #include "app/input/shipped_worlds.h"
-#include "check/workers/diagnostic_codec.h"
-#include "check/workers/isolated_jobs.h"
-#include "core/read_file.h"
-#include "core/read_places.h"
-#include "pack/files/text.h"
-#include "validate/driver_check.h"
-#include "world/random_room.h"
+#include <orris/check/workers/diagnostic_codec.h>
+#include <orris/check/workers/isolated_jobs.h>
+#include <orris/core/read_file.h>
+#include <orris/core/read_places.h>
+#include <orris/pack/files/text.h>
+#include <orris/validate/driver_check.h>
+#include <orris/world/random_room.h>
 
 namespace orris {
 namespace {

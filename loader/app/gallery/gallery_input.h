@@ -7,9 +7,9 @@
 
 #include "app/gallery/gallery_options.h"
 #include "app/report/report.h"
-#include "chart/gallery/gallery_set.h"
-#include "core/file_source.h"
-#include "gl/context.h"
+#include <orris/chart/gallery/gallery_set.h>
+#include <orris/core/file_source.h>
+#include <orris/gl/context.h>
 
 namespace orris {
 

@@ -8,8 +8,8 @@
 #include "app/gallery/gallery_files.h"
 #include "app/input/inputs.h"
 #include "app/report/progress.h"
-#include "chart/gallery/gallery_page.h"
-#include "image/encode_png.h"
+#include <orris/chart/gallery/gallery_page.h>
+#include <orris/image/encode_png.h>
 
 namespace orris {
 namespace {

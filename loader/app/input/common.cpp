@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <memory>
 
-#include "core/limits.h"
-#include "image/image_size.h"
+#include <orris/core/limits.h>
+#include <orris/image/image_size.h>
 
 namespace orris {
 namespace {

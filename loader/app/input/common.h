@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "gl/context.h"
-#include "pack/options/pack_options.h"
-#include "report/text_style.h"
-#include "world/world.h"
+#include <orris/gl/context.h>
+#include <orris/pack/options/pack_options.h>
+#include <orris/report/text_style.h>
+#include <orris/world/world.h>
 
 namespace CLI {
 class App;

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <sstream>
 
-#include "core/read_file.h"
-#include "pack/files/text.h"
+#include <orris/core/read_file.h>
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

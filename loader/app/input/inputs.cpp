@@ -12,9 +12,9 @@
 #include <sstream>
 
 #include "app/input/shipped_worlds.h"
-#include "core/named_file.h"
-#include "pack/files/text.h"
-#include "world/resources/resource_stack.h"
+#include <orris/core/named_file.h>
+#include <orris/pack/files/text.h>
+#include <orris/world/resources/resource_stack.h>
 
 namespace orris {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "app/input/common.h"
 #include "app/report/report.h"
-#include "core/file_source.h"
-#include "pack/shader_pack.h"
-#include "world/world.h"
+#include <orris/core/file_source.h>
+#include <orris/pack/shader_pack.h>
+#include <orris/world/world.h>
 
 namespace orris {
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <set>
 
-#include "world/random_room.h"
+#include <orris/world/random_room.h>
 
 namespace orris {
 namespace {

@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "image/value_picture.h"
-#include "render/buffer_view.h"
+#include <orris/image/value_picture.h>
+#include <orris/render/buffer_view.h>
 
 namespace orris {
 

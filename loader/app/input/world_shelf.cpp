@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <system_error>
 
-#include "core/limits.h"
-#include "core/read_file.h"
-#include "core/replace_file.h"
-#include "pack/files/text.h"
+#include <orris/core/limits.h>
+#include <orris/core/read_file.h>
+#include <orris/core/replace_file.h>
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

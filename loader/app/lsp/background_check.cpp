@@ -9,9 +9,9 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "report/diagnostic_json.h"
-#include "report/findings.h"
-#include "validate/validate_pack.h"
+#include <orris/report/diagnostic_json.h>
+#include <orris/report/findings.h>
+#include <orris/validate/validate_pack.h>
 
 namespace orris {
 namespace {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "app/lsp/overlay_source.h"
-#include "check/compile/program_check.h"
-#include "validate/validate_options.h"
+#include <orris/check/compile/program_check.h>
+#include <orris/validate/validate_options.h>
 
 namespace orris {
 

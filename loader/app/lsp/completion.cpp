@@ -6,15 +6,15 @@
 #include <set>
 
 #include "app/lsp/features.h"
-#include "check/hints/glsl_functions.h"
-#include "check/interface/known_names.h"
-#include "core/characters.h"
-#include "pack/files/text.h"
-#include "pack/programs/directives.h"
-#include "pack/programs/program_id.h"
-#include "pack/properties/property_keys.h"
-#include "plan/uniforms.h"
-#include "world/blocks/block_data.h"
+#include <orris/check/hints/glsl_functions.h>
+#include <orris/check/interface/known_names.h>
+#include <orris/core/characters.h>
+#include <orris/pack/files/text.h>
+#include <orris/pack/programs/directives.h>
+#include <orris/pack/programs/program_id.h>
+#include <orris/pack/properties/property_keys.h>
+#include <orris/plan/uniforms.h>
+#include <orris/world/blocks/block_data.h>
 
 namespace orris {
 namespace {

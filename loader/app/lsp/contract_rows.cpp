@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "core/characters.h"
-#include "pack/files/text.h"
+#include <orris/core/characters.h>
+#include <orris/pack/files/text.h>
 
 namespace orris {
 

@@ -3,9 +3,9 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "core/read_file.h"
-#include "core/characters.h"
-#include "pack/files/text.h"
+#include <orris/core/read_file.h>
+#include <orris/core/characters.h>
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "app/lsp/background_check.h"
-#include "check/hints/definition_index.h"
-#include "pack/shader_pack.h"
+#include <orris/check/hints/definition_index.h>
+#include <orris/pack/shader_pack.h>
 
 namespace orris {
 

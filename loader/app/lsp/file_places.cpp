@@ -3,12 +3,12 @@
 #include <nlohmann/json.hpp>
 
 #include "app/lsp/features.h"
-#include "core/pack_path.h"
-#include "glsl/tokens/outline.h"
-#include "glsl/tokens/token.h"
-#include "core/characters.h"
-#include "pack/files/text.h"
-#include "pack/options/option_line.h"
+#include <orris/core/pack_path.h>
+#include <orris/glsl/tokens/outline.h>
+#include <orris/glsl/tokens/token.h>
+#include <orris/core/characters.h>
+#include <orris/pack/files/text.h>
+#include <orris/pack/options/option_line.h>
 
 namespace orris {
 namespace {

@@ -6,11 +6,11 @@
 
 #include "app/lsp/contract_rows.h"
 #include "app/lsp/features.h"
-#include "check/interface/known_names.h"
-#include "core/characters.h"
-#include "pack/files/text.h"
-#include "plan/uniforms.h"
-#include "world/blocks/block_data.h"
+#include <orris/check/interface/known_names.h>
+#include <orris/core/characters.h>
+#include <orris/pack/files/text.h>
+#include <orris/plan/uniforms.h>
+#include <orris/world/blocks/block_data.h>
 
 namespace orris {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "pack/files/include_graph.h"
-#include "pack/programs/program_id.h"
+#include <orris/pack/files/include_graph.h>
+#include <orris/pack/programs/program_id.h>
 
 namespace orris {
 namespace {

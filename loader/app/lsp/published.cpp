@@ -6,8 +6,8 @@
 
 #include "app/lsp/features.h"
 #include "app/lsp/text_place.h"
-#include "core/characters.h"
-#include "pack/files/text.h"
+#include <orris/core/characters.h>
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

@@ -8,7 +8,7 @@
 #include <set>
 #include <vector>
 
-#include "pack/files/text.h"
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

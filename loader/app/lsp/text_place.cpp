@@ -6,8 +6,8 @@
 #include <cctype>
 #include <nlohmann/json.hpp>
 
-#include "core/characters.h"
-#include "pack/files/text.h"
+#include <orris/core/characters.h>
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

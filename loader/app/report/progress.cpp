@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <iostream>
 
-#include "core/printable.h"
+#include <orris/core/printable.h>
 
 namespace orris {
 namespace {

@@ -6,8 +6,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "core/limits.h"
-#include "core/printable.h"
+#include <orris/core/limits.h>
+#include <orris/core/printable.h>
 
 namespace orris {
 namespace {

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "app/input/common.h"
-#include "check/rules/rules.h"
-#include "report/diagnostic_json.h"
-#include "report/problem_list.h"
-#include "report/text_style.h"
+#include <orris/check/rules/rules.h>
+#include <orris/report/diagnostic_json.h>
+#include <orris/report/problem_list.h>
+#include <orris/report/text_style.h>
 
 namespace orris {
 

@@ -5,9 +5,9 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "check/rules/rules.h"
-#include "pack/files/text.h"
-#include "report/report_format.h"
+#include <orris/check/rules/rules.h>
+#include <orris/pack/files/text.h>
+#include <orris/report/report_format.h>
 
 namespace orris {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "report/findings.h"
+#include <orris/report/findings.h>
 
 namespace CLI {
 class App;

@@ -3,7 +3,7 @@
 
 #include "app/report/report.h"
 #include "app/report/report_options.h"
-#include "report/report_format.h"
+#include <orris/report/report_format.h>
 
 namespace orris {
 

@@ -7,8 +7,8 @@
 
 #include "app/input/inputs.h"
 #include "app/report/child_process.h"
-#include "chart/page/chart_page.h"
-#include "chart/page/chart_text.h"
+#include <orris/chart/page/chart_page.h>
+#include <orris/chart/page/chart_text.h>
 
 namespace orris {
 namespace {

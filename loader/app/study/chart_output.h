@@ -2,8 +2,8 @@
 #pragma once
 
 #include "app/report/report.h"
-#include "chart/page/chart_data.h"
-#include "chart/study/study_files.h"
+#include <orris/chart/page/chart_data.h>
+#include <orris/chart/study/study_files.h>
 
 namespace orris {
 

@@ -6,7 +6,7 @@
 
 #include "app/report/report.h"
 #include "app/study/study_options.h"
-#include "chart/study/study.h"
+#include <orris/chart/study/study.h>
 
 namespace orris {
 

@@ -11,10 +11,10 @@
 #include "app/input/inputs.h"
 #include "app/report/progress.h"
 #include "app/study/open_study.h"
-#include "chart/scenes/row_meter.h"
-#include "trace/edge_pixels.h"
-#include "trace/film/checkpoint.h"
-#include "world/random_room.h"
+#include <orris/chart/scenes/row_meter.h>
+#include <orris/trace/edge_pixels.h>
+#include <orris/trace/film/checkpoint.h>
+#include <orris/world/random_room.h>
 
 namespace orris {
 namespace {

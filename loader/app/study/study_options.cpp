@@ -2,7 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "chart/page/chart_data.h"
+#include <orris/chart/page/chart_data.h>
 
 namespace orris {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "app/drawing/supervised_run.h"
 #include "app/input/common.h"
-#include "chart/measure/measure.h"
+#include <orris/chart/measure/measure.h>
 
 namespace orris {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "check/matrix/matrix_run.h"
+#include <orris/check/matrix/matrix_run.h>
 
 namespace CLI {
 class App;

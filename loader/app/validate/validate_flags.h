@@ -7,7 +7,7 @@
 #include "app/input/common.h"
 #include "app/report/report_options.h"
 #include "app/validate/matrix_options.h"
-#include "validate/validate_options.h"
+#include <orris/validate/validate_options.h>
 
 namespace orris {
 

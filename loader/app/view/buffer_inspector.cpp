@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "gl/functions.h"
+#include <orris/gl/functions.h>
 
 namespace orris {
 namespace {

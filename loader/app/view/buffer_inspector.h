@@ -6,7 +6,7 @@
 #include <string>
 
 #include "app/input/shown_buffer.h"
-#include "gl/texture.h"
+#include <orris/gl/texture.h>
 
 namespace orris {
 

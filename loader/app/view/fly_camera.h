@@ -1,7 +1,7 @@
 // Flying through a world with keys and mouse.
 #pragma once
 
-#include "world/world.h"
+#include <orris/world/world.h>
 
 namespace orris {
 

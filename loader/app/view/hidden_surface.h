@@ -2,8 +2,8 @@
 #pragma once
 
 #include "app/view/view_surface.h"
-#include "gl/framebuffer.h"
-#include "gl/texture.h"
+#include <orris/gl/framebuffer.h>
+#include <orris/gl/texture.h>
 
 namespace orris {
 

@@ -9,11 +9,11 @@
 #include <utility>
 
 #include "app/input/inputs.h"
-#include "core/read_file.h"
-#include "core/replace_file.h"
-#include "pack/programs/folder_build.h"
-#include "pack/programs/live_check.h"
-#include "report/problem_list.h"
+#include <orris/core/read_file.h>
+#include <orris/core/replace_file.h>
+#include <orris/pack/programs/folder_build.h>
+#include <orris/pack/programs/live_check.h>
+#include <orris/report/problem_list.h>
 
 namespace orris {
 namespace {

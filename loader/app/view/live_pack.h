@@ -14,8 +14,8 @@
 
 #include "app/input/common.h"
 #include "app/report/report.h"
-#include "gl/context.h"
-#include "render/render_session.h"
+#include <orris/gl/context.h>
+#include <orris/render/render_session.h>
 
 namespace orris {
 

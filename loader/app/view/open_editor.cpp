@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "pack/files/text.h"
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

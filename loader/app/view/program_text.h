@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "pack/shader_pack.h"
+#include <orris/pack/shader_pack.h>
 
 namespace orris {
 

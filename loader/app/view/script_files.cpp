@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <system_error>
 
-#include "core/read_file.h"
-#include "core/replace_file.h"
+#include <orris/core/read_file.h>
+#include <orris/core/replace_file.h>
 
 namespace orris {
 namespace {

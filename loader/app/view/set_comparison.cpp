@@ -5,9 +5,9 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "gl/functions.h"
-#include "image/value_picture.h"
-#include "pack/programs/folder_build.h"
+#include <orris/gl/functions.h>
+#include <orris/image/value_picture.h>
+#include <orris/pack/programs/folder_build.h>
 
 namespace orris {
 namespace {

@@ -11,10 +11,10 @@
 #include <utility>
 
 #include "app/view/view_surface.h"
-#include "gl/framebuffer.h"
-#include "gl/texture.h"
-#include "image/image.h"
-#include "render/render_session.h"
+#include <orris/gl/framebuffer.h>
+#include <orris/gl/texture.h>
+#include <orris/image/image.h>
+#include <orris/render/render_session.h>
 
 namespace orris {
 

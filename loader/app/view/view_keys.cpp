@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "pack/files/text.h"
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/diagnostic.h"
-#include "world/files/located_json.h"
+#include <orris/core/diagnostic.h>
+#include <orris/world/files/located_json.h>
 
 namespace orris {
 

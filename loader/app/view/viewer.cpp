@@ -13,8 +13,8 @@
 #include "app/input/world_shelf.h"
 #include "app/view/hidden_surface.h"
 #include "app/view/view_window.h"
-#include "gl/functions.h"
-#include "render/counters.h"
+#include <orris/gl/functions.h>
+#include <orris/render/counters.h>
 
 namespace orris {
 namespace {

@@ -18,8 +18,8 @@
 #include "app/view/view_controls.h"
 #include "app/view/view_surface.h"
 #include "app/window/panels.h"
-#include "gl/context.h"
-#include "render/render_session.h"
+#include <orris/gl/context.h>
+#include <orris/render/render_session.h>
 
 namespace orris {
 

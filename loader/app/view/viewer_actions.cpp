@@ -10,10 +10,10 @@
 #include "app/input/inputs.h"
 #include "app/view/plain_pack.h"
 #include "app/view/viewer.h"
-#include "gl/functions.h"
-#include "image/image.h"
-#include "pack/programs/live_check.h"
-#include "render/counters.h"
+#include <orris/gl/functions.h>
+#include <orris/image/image.h>
+#include <orris/pack/programs/live_check.h>
+#include <orris/render/counters.h>
 
 namespace orris {
 namespace {

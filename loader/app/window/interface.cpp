@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "gl/functions.h"
+#include <orris/gl/functions.h>
 
 namespace orris {
 namespace {

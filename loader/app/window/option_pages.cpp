@@ -4,7 +4,7 @@
 #include <set>
 
 #include "app/commands/option_tree.h"
-#include "pack/files/text.h"
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

@@ -1,7 +1,7 @@
 // What is wrong with the last edit, at the author's line.
 #include "app/window/panel_parts.h"
 #include "app/window/panels.h"
-#include "core/diagnostic.h"
+#include <orris/core/diagnostic.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "chart/gallery/gallery_change.h"
+#include <orris/chart/gallery/gallery_change.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-#include "image/image_compare.h"
+#include <orris/image/image_compare.h>
 
 namespace orris {
 namespace {

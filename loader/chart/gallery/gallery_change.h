@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "chart/gallery/gallery_picture.h"
-#include "core/file_source.h"
+#include <orris/chart/gallery/gallery_picture.h>
+#include <orris/core/file_source.h>
 
 namespace orris {
 

@@ -1,11 +1,11 @@
-#include "chart/gallery/gallery_page.h"
+#include <orris/chart/gallery/gallery_page.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <numeric>
 
-#include "chart/page/embedded.h"
+#include <orris/chart/page/embedded.h>
 
 namespace orris {
 namespace {

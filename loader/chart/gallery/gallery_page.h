@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "chart/gallery/gallery_change.h"
+#include <orris/chart/gallery/gallery_change.h>
 
 namespace orris {
 

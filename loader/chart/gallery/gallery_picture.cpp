@@ -1,12 +1,12 @@
-#include "chart/gallery/gallery_picture.h"
+#include <orris/chart/gallery/gallery_picture.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "chart/measure/statistics.h"
-#include "chart/study/digest.h"
-#include "glsl/rewrite/rewrite.h"
+#include <orris/chart/measure/statistics.h>
+#include <orris/chart/study/digest.h>
+#include <orris/glsl/rewrite/rewrite.h>
 
 namespace orris {
 namespace {

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "chart/measure/setting_session.h"
-#include "image/image.h"
+#include <orris/chart/measure/setting_session.h>
+#include <orris/image/image.h>
 
 namespace orris {
 

@@ -1,13 +1,13 @@
-#include "chart/gallery/gallery_set.h"
+#include <orris/chart/gallery/gallery_set.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
 
-#include "core/limits.h"
-#include "pack/files/text.h"
-#include "world/files/json_reader.h"
+#include <orris/core/limits.h>
+#include <orris/pack/files/text.h>
+#include <orris/world/files/json_reader.h>
 
 namespace orris {
 

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "image/image_size.h"
-#include "pack/options/options.h"
-#include "world/files/located_json.h"
-#include "world/world.h"
+#include <orris/image/image_size.h>
+#include <orris/pack/options/options.h>
+#include <orris/world/files/located_json.h>
+#include <orris/world/world.h>
 
 namespace orris {
 

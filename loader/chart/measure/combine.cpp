@@ -1,4 +1,4 @@
-#include "chart/measure/combine.h"
+#include <orris/chart/measure/combine.h>
 
 #include <algorithm>
 #include <cmath>

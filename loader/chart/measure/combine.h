@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "chart/measure/setting_result.h"
+#include <orris/chart/measure/setting_result.h>
 
 namespace orris {
 

@@ -1,10 +1,10 @@
-#include "chart/measure/display.h"
+#include <orris/chart/measure/display.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "chart/measure/statistics.h"
-#include "image/image_compare.h"
+#include <orris/chart/measure/statistics.h>
+#include <orris/image/image_compare.h>
 
 namespace orris {
 namespace {

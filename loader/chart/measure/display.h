@@ -1,7 +1,7 @@
 // Linear pictures as people look at them.
 #pragma once
 
-#include "chart/measure/reference_picture.h"
+#include <orris/chart/measure/reference_picture.h>
 
 namespace orris {
 

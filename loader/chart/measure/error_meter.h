@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "chart/measure/reference_picture.h"
-#include "chart/measure/statistics.h"
+#include <orris/chart/measure/reference_picture.h>
+#include <orris/chart/measure/statistics.h>
 
 namespace orris {
 

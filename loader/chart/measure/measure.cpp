@@ -1,10 +1,10 @@
-#include "chart/measure/measure.h"
+#include <orris/chart/measure/measure.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "chart/measure/display.h"
+#include <orris/chart/measure/display.h>
 
 namespace orris {
 namespace {

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "chart/measure/reference_picture.h"
-#include "chart/measure/setting_result.h"
-#include "chart/measure/setting_session.h"
+#include <orris/chart/measure/reference_picture.h>
+#include <orris/chart/measure/setting_result.h>
+#include <orris/chart/measure/setting_session.h>
 
 namespace orris {
 

@@ -1,10 +1,10 @@
-#include "chart/measure/reference_picture.h"
+#include <orris/chart/measure/reference_picture.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "chart/study/digest.h"
-#include "core/add_diagnostic.h"
+#include <orris/chart/study/digest.h>
+#include <orris/core/add_diagnostic.h>
 
 namespace orris {
 namespace {

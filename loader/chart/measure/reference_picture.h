@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/diagnostic.h"
-#include "image/image.h"
+#include <orris/core/diagnostic.h>
+#include <orris/image/image.h>
 
 namespace orris {
 

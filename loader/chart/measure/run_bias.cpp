@@ -1,4 +1,4 @@
-#include "chart/measure/run_bias.h"
+#include <orris/chart/measure/run_bias.h>
 
 #include <algorithm>
 #include <cassert>

@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
-#include "chart/measure/reference_picture.h"
-#include "chart/measure/statistics.h"
+#include <orris/chart/measure/reference_picture.h>
+#include <orris/chart/measure/statistics.h>
 
 namespace orris {
 

@@ -1,13 +1,13 @@
-#include "chart/measure/setting.h"
+#include <orris/chart/measure/setting.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
 
-#include "chart/study/digest.h"
-#include "core/add_diagnostic.h"
-#include "pack/files/text.h"
+#include <orris/chart/study/digest.h>
+#include <orris/core/add_diagnostic.h>
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "core/diagnostic.h"
-#include "image/image_size.h"
-#include "pack/shader_pack.h"
+#include <orris/core/diagnostic.h>
+#include <orris/image/image_size.h>
+#include <orris/pack/shader_pack.h>
 
 namespace orris {
 

@@ -1,10 +1,10 @@
-#include "chart/measure/setting_result.h"
+#include <orris/chart/measure/setting_result.h>
 
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "chart/study/json_number.h"
+#include <orris/chart/study/json_number.h>
 
 namespace orris {
 namespace {

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "chart/measure/error_meter.h"
-#include "chart/measure/statistics.h"
+#include <orris/chart/measure/error_meter.h>
+#include <orris/chart/measure/statistics.h>
 
 namespace orris {
 

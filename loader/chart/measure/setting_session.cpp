@@ -1,4 +1,4 @@
-#include "chart/measure/setting_session.h"
+#include <orris/chart/measure/setting_session.h>
 
 #include <time.h>
 
@@ -6,7 +6,7 @@
 #include <fstream>
 #include <numeric>
 
-#include "chart/measure/reference_picture.h"
+#include <orris/chart/measure/reference_picture.h>
 
 namespace orris {
 namespace {

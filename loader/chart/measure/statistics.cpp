@@ -1,4 +1,4 @@
-#include "chart/measure/statistics.h"
+#include <orris/chart/measure/statistics.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
-#include "chart/page/chart_data.h"
+#include <orris/chart/page/chart_data.h>
 
 #include <algorithm>
 
-#include "chart/page/pareto.h"
+#include <orris/chart/page/pareto.h>
 
 namespace orris {
 namespace {

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "chart/measure/setting.h"
-#include "chart/measure/setting_result.h"
+#include <orris/chart/measure/setting.h>
+#include <orris/chart/measure/setting_result.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "chart/page/chart_page.h"
+#include <orris/chart/page/chart_page.h>
 
 #include <fmt/format.h>
 
@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "chart/page/embedded.h"
-#include "chart/page/page_template.h"
-#include "chart/study/json_number.h"
+#include <orris/chart/page/embedded.h>
+#include <orris/chart/page/page_template.h>
+#include <orris/chart/study/json_number.h>
 
 namespace orris {
 namespace {

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "chart/page/chart_text.h"
+#include <orris/chart/page/chart_text.h>
 
 namespace orris {
 namespace {

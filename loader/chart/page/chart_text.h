@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "chart/page/chart_data.h"
+#include <orris/chart/page/chart_data.h>
 
 namespace orris {
 

@@ -1,8 +1,8 @@
-#include "chart/page/embedded.h"
+#include <orris/chart/page/embedded.h>
 
 #include <fmt/format.h>
 
-#include "core/printable.h"
+#include <orris/core/printable.h>
 
 namespace orris {
 namespace {

@@ -1,4 +1,4 @@
-#include "chart/page/pareto.h"
+#include <orris/chart/page/pareto.h>
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-#include "chart/page/chart_text.h"
+#include <orris/chart/page/chart_text.h>
 
 namespace orris {
 namespace {

@@ -1,4 +1,4 @@
-#include "chart/scenes/row_meter.h"
+#include <orris/chart/scenes/row_meter.h>
 
 #include <fmt/format.h>
 

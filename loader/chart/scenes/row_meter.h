@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "chart/measure/reference_picture.h"
-#include "chart/measure/setting_session.h"
-#include "chart/scenes/scene_row.h"
+#include <orris/chart/measure/reference_picture.h>
+#include <orris/chart/measure/setting_session.h>
+#include <orris/chart/scenes/scene_row.h>
 
 namespace orris {
 

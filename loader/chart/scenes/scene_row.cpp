@@ -1,4 +1,4 @@
-#include "chart/scenes/scene_row.h"
+#include <orris/chart/scenes/scene_row.h>
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "chart/page/pareto.h"
+#include <orris/chart/page/pareto.h>
 
 namespace orris {
 namespace {

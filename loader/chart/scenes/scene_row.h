@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "chart/measure/run_bias.h"
-#include "chart/measure/statistics.h"
+#include <orris/chart/measure/run_bias.h>
+#include <orris/chart/measure/statistics.h>
 
 namespace orris {
 

@@ -1,17 +1,17 @@
-#include "chart/study/study.h"
+#include <orris/chart/study/study.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
 
-#include "chart/measure/combine.h"
-#include "chart/measure/display.h"
-#include "chart/measure/measure.h"
-#include "chart/study/study_key.h"
-#include "core/named_file.h"
-#include "image/image.h"
-#include "pack/files/text.h"
+#include <orris/chart/measure/combine.h>
+#include <orris/chart/measure/display.h>
+#include <orris/chart/measure/measure.h>
+#include <orris/chart/study/study_key.h>
+#include <orris/core/named_file.h>
+#include <orris/image/image.h>
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

@@ -7,10 +7,10 @@
 #include <optional>
 #include <vector>
 
-#include "chart/page/chart_data.h"
-#include "chart/study/digest.h"
-#include "chart/study/study_files.h"
-#include "chart/study/study_input.h"
+#include <orris/chart/page/chart_data.h>
+#include <orris/chart/study/digest.h>
+#include <orris/chart/study/study_files.h>
+#include <orris/chart/study/study_input.h>
 
 namespace orris {
 

@@ -1,13 +1,13 @@
-#include "chart/study/study_files.h"
+#include <orris/chart/study/study_files.h>
 
 #include <fmt/format.h>
 
 #include <filesystem>
 
-#include "chart/measure/setting.h"
-#include "core/add_diagnostic.h"
-#include "core/named_file.h"
-#include "core/read_file.h"
+#include <orris/chart/measure/setting.h>
+#include <orris/core/add_diagnostic.h>
+#include <orris/core/named_file.h>
+#include <orris/core/read_file.h>
 
 namespace orris {
 bool StudyFiles::create(Diagnostics& diagnostics) const {

@@ -12,9 +12,9 @@
 #include <optional>
 #include <string>
 
-#include "chart/measure/reference_picture.h"
-#include "chart/measure/setting_result.h"
-#include "core/diagnostic.h"
+#include <orris/chart/measure/reference_picture.h>
+#include <orris/chart/measure/setting_result.h>
+#include <orris/core/diagnostic.h>
 
 namespace orris {
 

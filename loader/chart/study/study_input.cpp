@@ -1,4 +1,4 @@
-#include "chart/study/study_input.h"
+#include <orris/chart/study/study_input.h>
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <charconv>
 #include <filesystem>
 
-#include "core/add_diagnostic.h"
+#include <orris/core/add_diagnostic.h>
 
 namespace orris {
 namespace {

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "chart/measure/measure.h"
-#include "chart/page/chart_data.h"
-#include "gl/context.h"
-#include "world/world.h"
+#include <orris/chart/measure/measure.h>
+#include <orris/chart/page/chart_data.h>
+#include <orris/gl/context.h>
+#include <orris/world/world.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "chart/study/study_key.h"
+#include <orris/chart/study/study_key.h>
 
 #include <fmt/format.h>
 

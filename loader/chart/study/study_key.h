@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "chart/measure/measure.h"
-#include "chart/study/digest.h"
-#include "core/file_source.h"
+#include <orris/chart/measure/measure.h>
+#include <orris/chart/study/digest.h>
+#include <orris/core/file_source.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "chart/study/tune.h"
+#include <orris/chart/study/tune.h>
 
 #include <limits>
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "chart/study/study.h"
-#include "chart/study/tune_search.h"
+#include <orris/chart/study/study.h>
+#include <orris/chart/study/tune_search.h>
 
 namespace orris {
 

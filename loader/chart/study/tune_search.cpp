@@ -1,4 +1,4 @@
-#include "chart/study/tune_search.h"
+#include <orris/chart/study/tune_search.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "chart/measure/setting.h"
-#include "chart/page/pareto.h"
+#include <orris/chart/measure/setting.h>
+#include <orris/chart/page/pareto.h>
 
 namespace orris {
 

@@ -1,10 +1,10 @@
-#include "check/compile/link_errors.h"
+#include <orris/check/compile/link_errors.h>
 
 #include <algorithm>
 #include <set>
 #include <string_view>
 
-#include "pack/files/text.h"
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

@@ -1,7 +1,7 @@
 // What linkers say without a place, where a check says it with one.
 #pragma once
 
-#include "core/diagnostic.h"
+#include <orris/core/diagnostic.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "check/compile/program_check.h"
+#include <orris/check/compile/program_check.h>
 
 #include <fmt/format.h>
 
@@ -6,15 +6,15 @@
 #include <set>
 #include <tuple>
 
-#include "check/compile/unused_functions.h"
-#include "check/compile/version_hints.h"
-#include "check/hints/common_include.h"
-#include "check/hints/compile_hints.h"
-#include "check/hints/line_trial.h"
-#include "check/pack/open_comments.h"
-#include "check/workers/diagnostic_codec.h"
-#include "glsl/compile/validate.h"
-#include "pack/mods/mods.h"
+#include <orris/check/compile/unused_functions.h>
+#include <orris/check/compile/version_hints.h>
+#include <orris/check/hints/common_include.h>
+#include <orris/check/hints/compile_hints.h>
+#include <orris/check/hints/line_trial.h>
+#include <orris/check/pack/open_comments.h>
+#include <orris/check/workers/diagnostic_codec.h>
+#include <orris/glsl/compile/validate.h>
+#include <orris/pack/mods/mods.h>
 
 namespace orris {
 namespace {

@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "check/workers/isolated_jobs.h"
-#include "core/diagnostic.h"
-#include "pack/shader_pack.h"
+#include <orris/check/workers/isolated_jobs.h>
+#include <orris/core/diagnostic.h>
+#include <orris/pack/shader_pack.h>
 
 namespace orris {
 

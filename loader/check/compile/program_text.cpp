@@ -1,9 +1,9 @@
-#include "check/compile/program_text.h"
+#include <orris/check/compile/program_text.h>
 
 #include <algorithm>
 
-#include "check/interface/stage_interface.h"
-#include "pack/files/text.h"
+#include <orris/check/interface/stage_interface.h>
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

@@ -1,8 +1,8 @@
-#include "check/compile/shared_memory.h"
+#include <orris/check/compile/shared_memory.h>
 
 #include <algorithm>
 
-#include "check/interface/glsl_types.h"
+#include <orris/check/interface/glsl_types.h>
 
 namespace orris {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "check/interface/stage_interface.h"
+#include <orris/check/interface/stage_interface.h>
 
 namespace orris {
 

@@ -1,9 +1,9 @@
-#include "check/compile/stage_files.h"
+#include <orris/check/compile/stage_files.h>
 
 #include <algorithm>
 #include <string_view>
 
-#include "pack/files/text.h"
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

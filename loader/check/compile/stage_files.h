@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "check/hints/definition_index.h"
-#include "glsl/compile/validate.h"
+#include <orris/check/hints/definition_index.h>
+#include <orris/glsl/compile/validate.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "check/compile/target_limits.h"
+#include <orris/check/compile/target_limits.h>
 
 #include <algorithm>
 #include <array>

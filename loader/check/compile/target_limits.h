@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-#include "pack/shader_pack.h"
+#include <orris/pack/shader_pack.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "check/compile/text_scanner.h"
+#include <orris/check/compile/text_scanner.h>
 
 #include <array>
 

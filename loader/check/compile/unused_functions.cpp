@@ -1,4 +1,4 @@
-#include "check/compile/unused_functions.h"
+#include <orris/check/compile/unused_functions.h>
 
 #include <fmt/format.h>
 
@@ -10,11 +10,11 @@
 #include <string_view>
 #include <utility>
 
-#include "check/compile/program_check.h"
-#include "check/workers/diagnostic_codec.h"
-#include "check/workers/isolated_jobs.h"
-#include "glsl/compile/validate.h"
-#include "glsl/syntax/function_syntax.h"
+#include <orris/check/compile/program_check.h>
+#include <orris/check/workers/diagnostic_codec.h>
+#include <orris/check/workers/isolated_jobs.h>
+#include <orris/glsl/compile/validate.h>
+#include <orris/glsl/syntax/function_syntax.h>
 
 namespace orris {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <span>
 
-#include "check/compile/program_check.h"
-#include "core/diagnostic.h"
-#include "pack/shader_pack.h"
+#include <orris/check/compile/program_check.h>
+#include <orris/core/diagnostic.h>
+#include <orris/pack/shader_pack.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "check/compile/version_features.h"
+#include <orris/check/compile/version_features.h>
 
 #include <algorithm>
 #include <iterator>

@@ -1,4 +1,4 @@
-#include "check/compile/version_hints.h"
+#include <orris/check/compile/version_hints.h>
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include <string>
 #include <string_view>
 
-#include "check/compile/version_features.h"
-#include "check/pack/pack_texts.h"
-#include "glsl/iris/iris_names.h"
+#include <orris/check/compile/version_features.h>
+#include <orris/check/pack/pack_texts.h>
+#include <orris/glsl/iris/iris_names.h>
 
 namespace orris {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "core/diagnostic.h"
-#include "glsl/compile/validate.h"
+#include <orris/core/diagnostic.h>
+#include <orris/glsl/compile/validate.h>
 
 namespace orris {
 

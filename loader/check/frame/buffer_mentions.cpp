@@ -1,11 +1,11 @@
-#include "check/frame/buffer_mentions.h"
+#include <orris/check/frame/buffer_mentions.h>
 
 #include <algorithm>
 #include <array>
 
-#include "core/text_file.h"
-#include "pack/files/text.h"
-#include "pack/programs/directive_values.h"
+#include <orris/core/text_file.h>
+#include <orris/pack/files/text.h>
+#include <orris/pack/programs/directive_values.h>
 
 namespace orris {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "pack/shader_pack.h"
-#include "plan/program_uses.h"
+#include <orris/pack/shader_pack.h>
+#include <orris/plan/program_uses.h>
 
 namespace orris {
 

@@ -5,11 +5,11 @@
 #include <array>
 #include <optional>
 
-#include "check/compile/program_text.h"
-#include "check/frame/frame_checks.h"
-#include "check/interface/stage_interface.h"
-#include "image/texel_format.h"
-#include "pack/files/text.h"
+#include <orris/check/compile/program_text.h>
+#include <orris/check/frame/frame_checks.h>
+#include <orris/check/interface/stage_interface.h>
+#include <orris/image/texel_format.h>
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

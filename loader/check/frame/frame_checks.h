@@ -2,8 +2,8 @@
 // own way.
 #pragma once
 
-#include "check/frame/frame_view.h"
-#include "check/pack/pack_checks.h"
+#include <orris/check/frame/frame_view.h>
+#include <orris/check/pack/pack_checks.h>
 
 namespace orris {
 

@@ -1,10 +1,10 @@
-#include "check/frame/frame_passes.h"
+#include <orris/check/frame/frame_passes.h>
 
 #include <algorithm>
 #include <array>
 
-#include "check/interface/stage_interface.h"
-#include "plan/schedule_targets.h"
+#include <orris/check/interface/stage_interface.h>
+#include <orris/plan/schedule_targets.h>
 
 namespace orris {
 namespace {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "pack/shader_pack.h"
-#include "plan/program_uses.h"
-#include "plan/schedule.h"
+#include <orris/pack/shader_pack.h>
+#include <orris/plan/program_uses.h>
+#include <orris/plan/schedule.h>
 
 namespace orris {
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "check/frame/buffer_mentions.h"
-#include "check/frame/frame_passes.h"
+#include <orris/check/frame/buffer_mentions.h>
+#include <orris/check/frame/frame_passes.h>
 
 namespace orris {
 

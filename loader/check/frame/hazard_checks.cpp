@@ -4,10 +4,10 @@
 #include <array>
 #include <optional>
 
-#include "check/compile/program_text.h"
-#include "check/frame/frame_checks.h"
-#include "check/pack/pack_texts.h"
-#include "pack/files/text.h"
+#include <orris/check/compile/program_text.h>
+#include <orris/check/frame/frame_checks.h>
+#include <orris/check/pack/pack_texts.h>
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <set>
 
-#include "check/compile/program_text.h"
-#include "check/frame/frame_checks.h"
+#include <orris/check/compile/program_text.h>
+#include <orris/check/frame/frame_checks.h>
 
 namespace orris {
 namespace {

@@ -6,9 +6,9 @@
 #include <optional>
 #include <set>
 
-#include "check/compile/program_text.h"
-#include "check/frame/frame_checks.h"
-#include "pack/files/include_graph.h"
+#include <orris/check/compile/program_text.h>
+#include <orris/check/frame/frame_checks.h>
+#include <orris/pack/files/include_graph.h>
 
 namespace orris {
 namespace {

@@ -1,4 +1,4 @@
-#include "check/frame/texture_checks.h"
+#include <orris/check/frame/texture_checks.h>
 
 #include <fmt/format.h>
 
@@ -6,9 +6,9 @@
 #include <string>
 #include <string_view>
 
-#include "check/compile/program_text.h"
-#include "check/frame/buffer_mentions.h"
-#include "pack/files/text.h"
+#include <orris/check/compile/program_text.h>
+#include <orris/check/frame/buffer_mentions.h>
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

@@ -1,4 +1,4 @@
-#include "check/graph/pass_graph.h"
+#include <orris/check/graph/pass_graph.h>
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <map>
 
-#include "check/compile/program_text.h"
-#include "check/frame/frame_passes.h"
+#include <orris/check/compile/program_text.h>
+#include <orris/check/frame/frame_passes.h>
 
 namespace orris {
 namespace {

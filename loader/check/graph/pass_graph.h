@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "pack/shader_pack.h"
-#include "plan/schedule.h"
+#include <orris/pack/shader_pack.h>
+#include <orris/plan/schedule.h>
 
 namespace orris {
 

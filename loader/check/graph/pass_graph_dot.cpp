@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "check/graph/pass_graph.h"
+#include <orris/check/graph/pass_graph.h>
 
 namespace orris {
 namespace {

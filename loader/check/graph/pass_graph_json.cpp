@@ -1,7 +1,7 @@
 // The pass graph for programs. docs/pass-graph.schema.json states the form.
 #include <nlohmann/json.hpp>
 
-#include "check/graph/pass_graph.h"
+#include <orris/check/graph/pass_graph.h>
 
 namespace orris {
 namespace {

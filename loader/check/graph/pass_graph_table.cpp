@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <map>
 
-#include "check/graph/pass_graph.h"
+#include <orris/check/graph/pass_graph.h>
 
 namespace orris {
 namespace {

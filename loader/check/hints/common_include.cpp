@@ -1,4 +1,4 @@
-#include "check/hints/common_include.h"
+#include <orris/check/hints/common_include.h>
 
 #include <fmt/format.h>
 
@@ -6,11 +6,11 @@
 #include <map>
 #include <utility>
 
-#include "check/compile/stage_files.h"
-#include "check/hints/compile_hints.h"
-#include "check/hints/line_trial.h"
-#include "check/workers/diagnostic_codec.h"
-#include "check/workers/isolated_jobs.h"
+#include <orris/check/compile/stage_files.h>
+#include <orris/check/hints/compile_hints.h>
+#include <orris/check/hints/line_trial.h>
+#include <orris/check/workers/diagnostic_codec.h>
+#include <orris/check/workers/isolated_jobs.h>
 
 namespace orris {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "check/compile/program_check.h"
+#include <orris/check/compile/program_check.h>
 
 namespace orris {
 

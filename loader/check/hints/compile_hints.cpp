@@ -1,4 +1,4 @@
-#include "check/hints/compile_hints.h"
+#include <orris/check/hints/compile_hints.h>
 
 #include <fmt/format.h>
 
@@ -7,14 +7,14 @@
 #include <optional>
 #include <set>
 
-#include "check/hints/glsl_functions.h"
-#include "check/hints/include_hints.h"
-#include "check/interface/known_names.h"
-#include "check/interface/stage_interface.h"
-#include "check/interface/unused_declarations.h"
-#include "check/pack/pack_texts.h"
-#include "glsl/tokens/outline.h"
-#include "pack/files/text.h"
+#include <orris/check/hints/glsl_functions.h>
+#include <orris/check/hints/include_hints.h>
+#include <orris/check/interface/known_names.h>
+#include <orris/check/interface/stage_interface.h>
+#include <orris/check/interface/unused_declarations.h>
+#include <orris/check/pack/pack_texts.h>
+#include <orris/glsl/tokens/outline.h>
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

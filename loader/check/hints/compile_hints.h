@@ -4,10 +4,10 @@
 
 #include <vector>
 
-#include "check/hints/definition_index.h"
-#include "check/hints/missing_include.h"
-#include "core/diagnostic.h"
-#include "glsl/compile/validate.h"
+#include <orris/check/hints/definition_index.h>
+#include <orris/check/hints/missing_include.h>
+#include <orris/core/diagnostic.h>
+#include <orris/glsl/compile/validate.h>
 
 namespace orris {
 

@@ -1,14 +1,14 @@
-#include "check/hints/conditional_place.h"
+#include <orris/check/hints/conditional_place.h>
 
 #include <algorithm>
 #include <map>
 #include <optional>
 #include <set>
 
-#include "check/hints/line_trial.h"
-#include "check/workers/diagnostic_codec.h"
-#include "glsl/syntax/conditional_balance.h"
-#include "glsl/tokens/source_map.h"
+#include <orris/check/hints/line_trial.h>
+#include <orris/check/workers/diagnostic_codec.h>
+#include <orris/glsl/syntax/conditional_balance.h>
+#include <orris/glsl/tokens/source_map.h>
 
 namespace orris {
 namespace {

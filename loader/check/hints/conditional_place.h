@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "core/diagnostic.h"
-#include "pack/shader_pack.h"
+#include <orris/core/diagnostic.h>
+#include <orris/pack/shader_pack.h>
 
 namespace orris {
 

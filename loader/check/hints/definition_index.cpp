@@ -1,14 +1,14 @@
-#include "check/hints/definition_index.h"
+#include <orris/check/hints/definition_index.h>
 
 #include <algorithm>
 #include <array>
 #include <set>
 
-#include "core/limits.h"
-#include "core/pack_path.h"
-#include "core/text_file.h"
-#include "glsl/tokens/outline.h"
-#include "pack/files/text.h"
+#include <orris/core/limits.h>
+#include <orris/core/pack_path.h>
+#include <orris/core/text_file.h>
+#include <orris/glsl/tokens/outline.h>
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "pack/shader_pack.h"
+#include <orris/pack/shader_pack.h>
 
 namespace orris {
 

@@ -1,9 +1,9 @@
-#include "check/hints/glsl_functions.h"
+#include <orris/check/hints/glsl_functions.h>
 
 #include <algorithm>
 
-#include "glsl/tokens/text_tokens.h"
-#include "pack/files/text.h"
+#include <orris/glsl/tokens/text_tokens.h>
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

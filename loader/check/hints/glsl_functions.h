@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "glsl/compile/validate.h"
+#include <orris/glsl/compile/validate.h>
 
 namespace orris {
 

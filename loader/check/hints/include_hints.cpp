@@ -1,16 +1,16 @@
-#include "check/hints/include_hints.h"
+#include <orris/check/hints/include_hints.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
 
-#include "check/compile/stage_files.h"
-#include "check/interface/glsl_types.h"
-#include "check/interface/known_names.h"
-#include "check/pack/pack_texts.h"
-#include "glsl/tokens/outline.h"
-#include "pack/files/text.h"
+#include <orris/check/compile/stage_files.h>
+#include <orris/check/interface/glsl_types.h>
+#include <orris/check/interface/known_names.h>
+#include <orris/check/pack/pack_texts.h>
+#include <orris/glsl/tokens/outline.h>
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "check/hints/definition_index.h"
-#include "check/hints/missing_include.h"
+#include <orris/check/hints/definition_index.h>
+#include <orris/check/hints/missing_include.h>
 
 namespace orris {
 

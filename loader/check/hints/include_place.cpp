@@ -1,10 +1,10 @@
-#include "check/hints/include_place.h"
+#include <orris/check/hints/include_place.h>
 
 #include <algorithm>
 #include <map>
 
-#include "core/pack_path.h"
-#include "pack/files/text.h"
+#include <orris/core/pack_path.h>
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

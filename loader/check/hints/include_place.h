@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "check/hints/definition_index.h"
-#include "core/diagnostic.h"
+#include <orris/check/hints/definition_index.h>
+#include <orris/core/diagnostic.h>
 
 namespace orris {
 

@@ -1,11 +1,11 @@
-#include "check/hints/line_trial.h"
+#include <orris/check/hints/line_trial.h>
 
 #include <algorithm>
 #include <map>
 #include <utility>
 
-#include "glsl/compile/validate.h"
-#include "pack/mods/mods.h"
+#include <orris/glsl/compile/validate.h>
+#include <orris/pack/mods/mods.h>
 
 namespace orris {
 namespace {

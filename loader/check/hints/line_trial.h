@@ -3,9 +3,9 @@
 
 #include <optional>
 
-#include "check/compile/program_check.h"
-#include "check/hints/missing_include.h"
-#include "pack/programs/folder_build.h"
+#include <orris/check/compile/program_check.h>
+#include <orris/check/hints/missing_include.h>
+#include <orris/pack/programs/folder_build.h>
 
 namespace orris {
 

@@ -1,12 +1,12 @@
-#include "check/hints/missing_include.h"
+#include <orris/check/hints/missing_include.h>
 
 #include <algorithm>
 #include <map>
 #include <set>
 
-#include "check/hints/include_place.h"
-#include "core/pack_path.h"
-#include "pack/mods/voxy.h"
+#include <orris/check/hints/include_place.h>
+#include <orris/core/pack_path.h>
+#include <orris/pack/mods/voxy.h>
 
 namespace orris {
 namespace {

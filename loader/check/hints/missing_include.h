@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "check/hints/definition_index.h"
+#include <orris/check/hints/definition_index.h>
 
 namespace orris {
 

@@ -1,12 +1,12 @@
-#include "check/ids/block_names.h"
+#include <orris/check/ids/block_names.h>
 
 #include <algorithm>
 #include <set>
 #include <vector>
 
-#include "check/pack/pack_texts.h"
-#include "pack/files/text.h"
-#include "world/blocks/block_data.h"
+#include <orris/check/pack/pack_texts.h>
+#include <orris/pack/files/text.h>
+#include <orris/world/blocks/block_data.h>
 
 namespace orris {
 namespace {

@@ -1,8 +1,8 @@
-#include "check/ids/block_states.h"
+#include <orris/check/ids/block_states.h>
 
 #include <algorithm>
 
-#include "pack/files/text.h"
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

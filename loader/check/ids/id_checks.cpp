@@ -1,4 +1,4 @@
-#include "check/ids/id_checks.h"
+#include <orris/check/ids/id_checks.h>
 
 #include <fmt/format.h>
 
@@ -7,15 +7,15 @@
 #include <map>
 #include <set>
 
-#include "check/ids/block_names.h"
-#include "check/ids/block_states.h"
-#include "check/ids/lost_blocks.h"
-#include "check/pack/pack_texts.h"
-#include "core/limits.h"
-#include "core/text_file.h"
-#include "pack/files/text.h"
-#include "pack/ids/id_lines.h"
-#include "pack/ids/id_map.h"
+#include <orris/check/ids/block_names.h>
+#include <orris/check/ids/block_states.h>
+#include <orris/check/ids/lost_blocks.h>
+#include <orris/check/pack/pack_texts.h>
+#include <orris/core/limits.h>
+#include <orris/core/text_file.h>
+#include <orris/pack/files/text.h>
+#include <orris/pack/ids/id_lines.h>
+#include <orris/pack/ids/id_map.h>
 
 namespace orris {
 namespace {

@@ -1,4 +1,4 @@
-#include "check/ids/lost_blocks.h"
+#include <orris/check/ids/lost_blocks.h>
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-#include "pack/files/text.h"
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

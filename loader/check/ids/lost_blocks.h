@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "core/diagnostic.h"
-#include "pack/files/properties_text.h"
+#include <orris/core/diagnostic.h>
+#include <orris/pack/files/properties_text.h>
 
 namespace orris {
 

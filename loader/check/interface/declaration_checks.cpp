@@ -1,13 +1,13 @@
-#include "check/interface/declaration_checks.h"
+#include <orris/check/interface/declaration_checks.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
 
-#include "check/pack/version_checks.h"
-#include "glsl/compile/compiler_log.h"
-#include "pack/files/text.h"
+#include <orris/check/pack/version_checks.h>
+#include <orris/glsl/compile/compiler_log.h>
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "check/interface/stage_interface.h"
-#include "check/pack/pack_checks.h"
+#include <orris/check/interface/stage_interface.h>
+#include <orris/check/pack/pack_checks.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "check/interface/glsl_types.h"
+#include <orris/check/interface/glsl_types.h>
 
 #include <fmt/format.h>
 

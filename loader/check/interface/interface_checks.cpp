@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <set>
 
-#include "check/interface/declaration_checks.h"
-#include "check/interface/glsl_types.h"
-#include "check/pack/pack_texts.h"
-#include "pack/files/text.h"
+#include <orris/check/interface/declaration_checks.h>
+#include <orris/check/interface/glsl_types.h>
+#include <orris/check/pack/pack_texts.h>
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

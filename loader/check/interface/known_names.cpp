@@ -1,11 +1,11 @@
-#include "check/interface/known_names.h"
+#include <orris/check/interface/known_names.h>
 
 #include <algorithm>
 #include <array>
 #include <map>
 
-#include "plan/uniforms.h"
-#include "plan/gpu_vertex.h"
+#include <orris/plan/uniforms.h>
+#include <orris/plan/gpu_vertex.h>
 
 namespace orris {
 namespace {

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <map>
 
-#include "check/interface/declaration_checks.h"
-#include "check/interface/glsl_types.h"
-#include "check/interface/known_names.h"
-#include "check/interface/sampler_facts.h"
-#include "check/pack/pack_texts.h"
-#include "pack/files/text.h"
+#include <orris/check/interface/declaration_checks.h>
+#include <orris/check/interface/glsl_types.h>
+#include <orris/check/interface/known_names.h>
+#include <orris/check/interface/sampler_facts.h>
+#include <orris/check/pack/pack_texts.h>
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

@@ -6,10 +6,10 @@
 #include <set>
 #include <string_view>
 
-#include "check/compile/text_scanner.h"
-#include "check/interface/declaration_checks.h"
-#include "check/interface/glsl_types.h"
-#include "pack/files/text.h"
+#include <orris/check/compile/text_scanner.h>
+#include <orris/check/interface/declaration_checks.h>
+#include <orris/check/interface/glsl_types.h>
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 
-#include "check/compile/shared_memory.h"
-#include "check/interface/declaration_checks.h"
-#include "check/interface/glsl_types.h"
-#include "pack/files/text.h"
-#include "plan/program_uses.h"
+#include <orris/check/compile/shared_memory.h>
+#include <orris/check/interface/declaration_checks.h>
+#include <orris/check/interface/glsl_types.h>
+#include <orris/pack/files/text.h>
+#include <orris/plan/program_uses.h>
 
 namespace orris {
 namespace {

@@ -1,13 +1,13 @@
-#include "check/interface/sampler_facts.h"
+#include <orris/check/interface/sampler_facts.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <vector>
 
-#include "check/interface/glsl_types.h"
-#include "image/texel_format.h"
-#include "plan/program_uses.h"
+#include <orris/check/interface/glsl_types.h>
+#include <orris/image/texel_format.h>
+#include <orris/plan/program_uses.h>
 
 namespace orris {
 namespace {

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "check/interface/stage_interface.h"
-#include "pack/shader_pack.h"
+#include <orris/check/interface/stage_interface.h>
+#include <orris/pack/shader_pack.h>
 
 namespace orris {
 

@@ -1,12 +1,12 @@
-#include "check/interface/stage_interface.h"
+#include <orris/check/interface/stage_interface.h>
 
 #include <algorithm>
 #include <unordered_map>
 
-#include "check/compile/text_scanner.h"
-#include "check/interface/stage_uses.h"
-#include "glsl/preprocess/condition.h"
-#include "glsl/tokens/outline.h"
+#include <orris/check/compile/text_scanner.h>
+#include <orris/check/interface/stage_uses.h>
+#include <orris/glsl/preprocess/condition.h>
+#include <orris/glsl/tokens/outline.h>
 
 namespace orris {
 namespace {

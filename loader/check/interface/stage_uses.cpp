@@ -1,4 +1,4 @@
-#include "check/interface/stage_uses.h"
+#include <orris/check/interface/stage_uses.h>
 
 #include <algorithm>
 #include <charconv>

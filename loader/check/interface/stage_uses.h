@@ -6,8 +6,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "check/compile/text_scanner.h"
-#include "check/interface/stage_interface.h"
+#include <orris/check/compile/text_scanner.h>
+#include <orris/check/interface/stage_interface.h>
 
 namespace orris {
 

@@ -1,6 +1,6 @@
-#include "check/interface/unused_declarations.h"
+#include <orris/check/interface/unused_declarations.h>
 
-#include "check/compile/text_scanner.h"
+#include <orris/check/compile/text_scanner.h>
 
 namespace orris {
 

@@ -4,7 +4,7 @@
 #include <map>
 #include <string_view>
 
-#include "check/interface/stage_interface.h"
+#include <orris/check/interface/stage_interface.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "check/logs/game_log.h"
+#include <orris/check/logs/game_log.h>
 
 #include <algorithm>
 #include <array>
@@ -8,9 +8,9 @@
 #include <set>
 #include <utility>
 
-#include "core/characters.h"
-#include "glsl/compile/compiler_log.h"
-#include "pack/files/text.h"
+#include <orris/core/characters.h>
+#include <orris/glsl/compile/compiler_log.h>
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

@@ -1,4 +1,4 @@
-#include "check/logs/log_explainer.h"
+#include <orris/check/logs/log_explainer.h>
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <array>
 #include <set>
 
-#include "pack/files/text.h"
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

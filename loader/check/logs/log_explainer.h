@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "check/logs/game_log.h"
-#include "check/logs/log_place.h"
-#include "core/diagnostic.h"
-#include "pack/shader_pack.h"
+#include <orris/check/logs/game_log.h>
+#include <orris/check/logs/log_place.h>
+#include <orris/core/diagnostic.h>
+#include <orris/pack/shader_pack.h>
 
 namespace orris {
 

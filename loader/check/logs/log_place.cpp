@@ -1,4 +1,4 @@
-#include "check/logs/log_place.h"
+#include <orris/check/logs/log_place.h>
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <cctype>
 #include <set>
 
-#include "check/logs/token_alignment.h"
-#include "pack/files/text.h"
+#include <orris/check/logs/token_alignment.h>
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "glsl/compile/compiler_log.h"
-#include "glsl/compile/validate.h"
-#include "glsl/tokens/token.h"
+#include <orris/glsl/compile/compiler_log.h>
+#include <orris/glsl/compile/validate.h>
+#include <orris/glsl/tokens/token.h>
 
 namespace orris {
 

@@ -1,14 +1,14 @@
-#include "check/matrix/configurations.h"
+#include <orris/check/matrix/configurations.h>
 
 #include <algorithm>
 #include <array>
 #include <map>
 #include <set>
 
-#include "check/matrix/covering_array.h"
-#include "check/options/option_checks.h"
-#include "pack/files/text.h"
-#include "pack/programs/folder_build.h"
+#include <orris/check/matrix/covering_array.h>
+#include <orris/check/options/option_checks.h>
+#include <orris/pack/files/text.h>
+#include <orris/pack/programs/folder_build.h>
 
 namespace orris {
 namespace {

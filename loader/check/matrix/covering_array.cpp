@@ -1,4 +1,4 @@
-#include "check/matrix/covering_array.h"
+#include <orris/check/matrix/covering_array.h>
 
 #include <algorithm>
 #include <cstddef>

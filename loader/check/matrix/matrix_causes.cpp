@@ -1,4 +1,4 @@
-#include "check/matrix/matrix_causes.h"
+#include <orris/check/matrix/matrix_causes.h>
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <map>
 #include <set>
 
-#include "check/matrix/minimise.h"
-#include "check/workers/isolated_jobs.h"
+#include <orris/check/matrix/minimise.h>
+#include <orris/check/workers/isolated_jobs.h>
 
 namespace orris {
 namespace {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "check/matrix/matrix_worker.h"
+#include <orris/check/matrix/matrix_worker.h>
 
 namespace orris {
 

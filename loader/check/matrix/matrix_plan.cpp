@@ -1,4 +1,4 @@
-#include "check/matrix/matrix_plan.h"
+#include <orris/check/matrix/matrix_plan.h>
 
 #include <algorithm>
 #include <map>

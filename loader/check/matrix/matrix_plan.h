@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "check/matrix/matrix_run.h"
-#include "pack/programs/folder_build.h"
+#include <orris/check/matrix/matrix_run.h>
+#include <orris/pack/programs/folder_build.h>
 
 namespace orris {
 

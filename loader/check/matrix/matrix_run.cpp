@@ -1,14 +1,14 @@
-#include "check/matrix/matrix_run.h"
+#include <orris/check/matrix/matrix_run.h>
 
 #include <algorithm>
 #include <map>
 #include <set>
 #include <tuple>
 
-#include "check/matrix/matrix_causes.h"
-#include "check/workers/diagnostic_codec.h"
-#include "check/workers/isolated_jobs.h"
-#include "glsl/compile/validate.h"
+#include <orris/check/matrix/matrix_causes.h>
+#include <orris/check/workers/diagnostic_codec.h>
+#include <orris/check/workers/isolated_jobs.h>
+#include <orris/glsl/compile/validate.h>
 
 namespace orris {
 namespace {

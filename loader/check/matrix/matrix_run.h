@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "check/compile/program_check.h"
-#include "check/matrix/configurations.h"
+#include <orris/check/compile/program_check.h>
+#include <orris/check/matrix/configurations.h>
 
 namespace orris {
 

@@ -1,12 +1,12 @@
-#include "check/matrix/matrix_shapes.h"
+#include <orris/check/matrix/matrix_shapes.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
 
-#include "check/compile/program_check.h"
-#include "glsl/tokens/shape.h"
+#include <orris/check/compile/program_check.h>
+#include <orris/glsl/tokens/shape.h>
 
 namespace orris {
 namespace {

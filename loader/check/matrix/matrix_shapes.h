@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "check/matrix/matrix_plan.h"
+#include <orris/check/matrix/matrix_plan.h>
 
 namespace orris {
 

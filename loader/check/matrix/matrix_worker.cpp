@@ -1,11 +1,11 @@
-#include "check/matrix/matrix_worker.h"
+#include <orris/check/matrix/matrix_worker.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "check/workers/diagnostic_codec.h"
-#include "glsl/compile/validate.h"
-#include "glsl/tokens/shape.h"
+#include <orris/check/workers/diagnostic_codec.h>
+#include <orris/glsl/compile/validate.h>
+#include <orris/glsl/tokens/shape.h>
 
 namespace orris {
 namespace {

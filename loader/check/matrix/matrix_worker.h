@@ -10,9 +10,9 @@
 #include <tuple>
 #include <vector>
 
-#include "check/matrix/matrix_plan.h"
-#include "check/matrix/matrix_shapes.h"
-#include "check/workers/shared_hashes.h"
+#include <orris/check/matrix/matrix_plan.h>
+#include <orris/check/matrix/matrix_shapes.h>
+#include <orris/check/workers/shared_hashes.h>
 
 namespace orris {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "pack/options/options.h"
+#include <orris/pack/options/options.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "check/options/language_checks.h"
+#include <orris/check/options/language_checks.h>
 
 #include <fmt/format.h>
 
@@ -9,10 +9,10 @@
 #include <set>
 #include <span>
 
-#include "check/pack/pack_texts.h"
-#include "core/limits.h"
-#include "core/text_file.h"
-#include "pack/files/text.h"
+#include <orris/check/pack/pack_texts.h>
+#include <orris/core/limits.h>
+#include <orris/core/text_file.h>
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

@@ -1,4 +1,4 @@
-#include "check/options/option_checks.h"
+#include <orris/check/options/option_checks.h>
 
 #include <fmt/format.h>
 
@@ -7,10 +7,10 @@
 #include <map>
 #include <set>
 
-#include "check/pack/pack_texts.h"
-#include "core/text_file.h"
-#include "pack/files/text.h"
-#include "pack/options/option_line.h"
+#include <orris/check/pack/pack_texts.h>
+#include <orris/core/text_file.h>
+#include <orris/pack/files/text.h>
+#include <orris/pack/options/option_line.h>
 
 namespace orris {
 namespace {

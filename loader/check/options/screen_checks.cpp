@@ -1,4 +1,4 @@
-#include "check/options/screen_checks.h"
+#include <orris/check/options/screen_checks.h>
 
 #include <fmt/format.h>
 
@@ -6,10 +6,10 @@
 #include <map>
 #include <set>
 
-#include "check/pack/pack_texts.h"
-#include "core/limits.h"
-#include "pack/files/text.h"
-#include "pack/programs/program_id.h"
+#include <orris/check/pack/pack_texts.h>
+#include <orris/core/limits.h>
+#include <orris/pack/files/text.h>
+#include <orris/pack/programs/program_id.h>
 
 namespace orris {
 namespace {

@@ -1,4 +1,4 @@
-#include "check/pack/condition_names.h"
+#include <orris/check/pack/condition_names.h>
 
 #include <fmt/format.h>
 
@@ -7,11 +7,11 @@
 #include <map>
 #include <set>
 
-#include "check/pack/pack_texts.h"
-#include "core/characters.h"
-#include "glsl/preprocess/line_code.h"
-#include "pack/programs/folder_build.h"
-#include "pack/files/text.h"
+#include <orris/check/pack/pack_texts.h>
+#include <orris/core/characters.h>
+#include <orris/glsl/preprocess/line_code.h>
+#include <orris/pack/programs/folder_build.h>
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

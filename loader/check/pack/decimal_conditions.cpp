@@ -1,4 +1,4 @@
-#include "check/pack/decimal_conditions.h"
+#include <orris/check/pack/decimal_conditions.h>
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 #include <map>
 #include <optional>
 
-#include "glsl/tokens/token.h"
-#include "pack/files/text.h"
+#include <orris/glsl/tokens/token.h>
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <span>
 
-#include "core/diagnostic.h"
-#include "pack/shader_pack.h"
+#include <orris/core/diagnostic.h>
+#include <orris/pack/shader_pack.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "check/pack/directive_checks.h"
+#include <orris/check/pack/directive_checks.h>
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 #include <regex>
 #include <set>
 
-#include "check/pack/pack_texts.h"
-#include "pack/files/text.h"
+#include <orris/check/pack/pack_texts.h>
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

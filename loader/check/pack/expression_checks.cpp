@@ -1,7 +1,7 @@
-#include "check/pack/expression_checks.h"
+#include <orris/check/pack/expression_checks.h>
 
-#include "pack/expressions/expression.h"
-#include "plan/uniforms.h"
+#include <orris/pack/expressions/expression.h>
+#include <orris/plan/uniforms.h>
 
 namespace orris {
 

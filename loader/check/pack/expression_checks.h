@@ -1,7 +1,7 @@
 // Checks of the expressions in shaders.properties.
 #pragma once
 
-#include "check/pack/pack_checks.h"
+#include <orris/check/pack/pack_checks.h>
 
 namespace orris {
 

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "pack/shader_pack.h"
+#include <orris/pack/shader_pack.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "check/pack/include_checks.h"
+#include <orris/check/pack/include_checks.h>
 
 #include <fmt/format.h>
 
@@ -6,9 +6,9 @@
 #include <array>
 #include <set>
 
-#include "core/pack_path.h"
-#include "pack/files/include_graph.h"
-#include "pack/files/text.h"
+#include <orris/core/pack_path.h>
+#include <orris/pack/files/include_graph.h>
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

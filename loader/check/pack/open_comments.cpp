@@ -1,18 +1,18 @@
-#include "check/pack/open_comments.h"
+#include <orris/check/pack/open_comments.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
 
-#include "check/hints/compile_hints.h"
-#include "check/hints/glsl_functions.h"
-#include "check/hints/line_trial.h"
-#include "check/pack/pack_texts.h"
-#include "check/workers/diagnostic_codec.h"
-#include "check/workers/isolated_jobs.h"
-#include "pack/files/pack_files.h"
-#include "pack/files/text.h"
+#include <orris/check/hints/compile_hints.h>
+#include <orris/check/hints/glsl_functions.h>
+#include <orris/check/hints/line_trial.h>
+#include <orris/check/pack/pack_texts.h>
+#include <orris/check/workers/diagnostic_codec.h>
+#include <orris/check/workers/isolated_jobs.h>
+#include <orris/pack/files/pack_files.h>
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

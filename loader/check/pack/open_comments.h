@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "check/compile/program_check.h"
-#include "pack/options/options.h"
+#include <orris/check/compile/program_check.h>
+#include <orris/pack/options/options.h>
 
 namespace orris {
 

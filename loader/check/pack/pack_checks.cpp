@@ -1,22 +1,22 @@
-#include "check/pack/pack_checks.h"
+#include <orris/check/pack/pack_checks.h>
 
-#include "check/frame/frame_checks.h"
-#include "check/frame/texture_checks.h"
-#include "check/ids/id_checks.h"
-#include "check/interface/declaration_checks.h"
-#include "check/options/language_checks.h"
-#include "check/options/option_checks.h"
-#include "check/options/screen_checks.h"
-#include "check/pack/condition_names.h"
-#include "check/pack/decimal_conditions.h"
-#include "check/pack/directive_checks.h"
-#include "check/pack/expression_checks.h"
-#include "check/pack/file_name_checks.h"
-#include "check/pack/include_checks.h"
-#include "check/pack/open_comments.h"
-#include "check/pack/property_checks.h"
-#include "check/pack/slip_checks.h"
-#include "check/pack/version_checks.h"
+#include <orris/check/frame/frame_checks.h>
+#include <orris/check/frame/texture_checks.h>
+#include <orris/check/ids/id_checks.h>
+#include <orris/check/interface/declaration_checks.h>
+#include <orris/check/options/language_checks.h>
+#include <orris/check/options/option_checks.h>
+#include <orris/check/options/screen_checks.h>
+#include <orris/check/pack/condition_names.h>
+#include <orris/check/pack/decimal_conditions.h>
+#include <orris/check/pack/directive_checks.h>
+#include <orris/check/pack/expression_checks.h>
+#include <orris/check/pack/file_name_checks.h>
+#include <orris/check/pack/include_checks.h>
+#include <orris/check/pack/open_comments.h>
+#include <orris/check/pack/property_checks.h>
+#include <orris/check/pack/slip_checks.h>
+#include <orris/check/pack/version_checks.h>
 
 namespace orris {
 namespace {

@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "check/compile/target_limits.h"
-#include "core/diagnostic.h"
-#include "pack/shader_pack.h"
-#include "plan/schedule.h"
+#include <orris/check/compile/target_limits.h>
+#include <orris/core/diagnostic.h>
+#include <orris/pack/shader_pack.h>
+#include <orris/plan/schedule.h>
 
 namespace orris {
 

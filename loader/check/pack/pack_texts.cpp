@@ -1,10 +1,10 @@
-#include "check/pack/pack_texts.h"
+#include <orris/check/pack/pack_texts.h>
 
 #include <algorithm>
 
-#include "core/characters.h"
-#include "core/text_file.h"
-#include "pack/files/text.h"
+#include <orris/core/characters.h>
+#include <orris/core/text_file.h>
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

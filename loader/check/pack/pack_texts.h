@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "pack/files/properties_text.h"
-#include "pack/shader_pack.h"
+#include <orris/pack/files/properties_text.h>
+#include <orris/pack/shader_pack.h>
 
 namespace orris {
 

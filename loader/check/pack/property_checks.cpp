@@ -1,15 +1,15 @@
-#include "check/pack/property_checks.h"
+#include <orris/check/pack/property_checks.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
 
-#include "check/pack/pack_texts.h"
-#include "core/text_file.h"
-#include "glsl/preprocess/preprocessor.h"
-#include "pack/files/text.h"
-#include "pack/properties/property_keys.h"
+#include <orris/check/pack/pack_texts.h>
+#include <orris/core/text_file.h>
+#include <orris/glsl/preprocess/preprocessor.h>
+#include <orris/pack/files/text.h>
+#include <orris/pack/properties/property_keys.h>
 
 namespace orris {
 namespace {

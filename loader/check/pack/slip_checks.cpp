@@ -1,11 +1,11 @@
-#include "check/pack/slip_checks.h"
+#include <orris/check/pack/slip_checks.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "check/pack/pack_texts.h"
-#include "pack/files/text.h"
+#include <orris/check/pack/pack_texts.h>
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

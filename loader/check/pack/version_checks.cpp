@@ -1,15 +1,15 @@
-#include "check/pack/version_checks.h"
+#include <orris/check/pack/version_checks.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <optional>
 
-#include "check/interface/glsl_types.h"
-#include "pack/files/properties_text.h"
-#include "pack/files/text.h"
-#include "pack/versions/iris_versions.h"
-#include "plan/program_uses.h"
+#include <orris/check/interface/glsl_types.h>
+#include <orris/pack/files/properties_text.h>
+#include <orris/pack/files/text.h>
+#include <orris/pack/versions/iris_versions.h>
+#include <orris/plan/program_uses.h>
 
 namespace orris {
 namespace {

@@ -2,7 +2,7 @@
 // preprocessor leaves out, guarded by IRIS_VERSION, MC_VERSION or IRIS_FEATURE_*, is none.
 #pragma once
 
-#include "check/interface/declaration_checks.h"
+#include <orris/check/interface/declaration_checks.h>
 
 namespace orris {
 

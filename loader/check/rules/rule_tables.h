@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "check/rules/rules.h"
+#include <orris/check/rules/rules.h>
 
 namespace orris {
 

@@ -1,9 +1,9 @@
-#include "check/rules/rules.h"
+#include <orris/check/rules/rules.h>
 
 #include <algorithm>
 #include <vector>
 
-#include "check/rules/rule_tables.h"
+#include <orris/check/rules/rule_tables.h>
 
 namespace orris {
 namespace {

@@ -5,8 +5,8 @@
 #include <span>
 #include <string_view>
 
-#include "core/diagnostic.h"
-#include "core/exit_status.h"
+#include <orris/core/diagnostic.h>
+#include <orris/core/exit_status.h>
 
 namespace orris {
 

@@ -1,7 +1,7 @@
 // Compiling and linking.
 #include <vector>
 
-#include "check/rules/rule_tables.h"
+#include <orris/check/rules/rule_tables.h>
 
 namespace orris {
 

@@ -1,7 +1,7 @@
 // Packs, files and this machine.
 #include <vector>
 
-#include "check/rules/rule_tables.h"
+#include <orris/check/rules/rule_tables.h>
 
 namespace orris {
 

@@ -1,7 +1,7 @@
 // Names and interfaces of programs.
 #include <vector>
 
-#include "check/rules/rule_tables.h"
+#include <orris/check/rules/rule_tables.h>
 
 namespace orris {
 

@@ -1,7 +1,7 @@
 // Option combinations and the run itself.
 #include <vector>
 
-#include "check/rules/rule_tables.h"
+#include <orris/check/rules/rule_tables.h>
 
 namespace orris {
 

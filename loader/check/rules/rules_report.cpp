@@ -1,7 +1,7 @@
 // Silencing, baselines and logs.
 #include <vector>
 
-#include "check/rules/rule_tables.h"
+#include <orris/check/rules/rule_tables.h>
 
 namespace orris {
 

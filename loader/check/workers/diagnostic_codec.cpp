@@ -1,4 +1,4 @@
-#include "check/workers/diagnostic_codec.h"
+#include <orris/check/workers/diagnostic_codec.h>
 
 #include <nlohmann/json.hpp>
 

@@ -1,4 +1,4 @@
-#include "check/workers/isolated_jobs.h"
+#include <orris/check/workers/isolated_jobs.h>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -18,8 +18,8 @@
 #include <iostream>
 #include <vector>
 
-#include "check/workers/sandbox.h"
-#include "core/read_places.h"
+#include <orris/check/workers/sandbox.h>
+#include <orris/core/read_places.h>
 
 namespace orris {
 namespace {

@@ -1,4 +1,4 @@
-#include "check/workers/sandbox.h"
+#include <orris/check/workers/sandbox.h>
 
 #include <fcntl.h>
 #include <linux/capability.h>
@@ -13,8 +13,8 @@
 #include <filesystem>
 #include <string_view>
 
-#include "check/workers/sandbox_calls.h"
-#include "check/workers/sandbox_files.h"
+#include <orris/check/workers/sandbox_calls.h>
+#include <orris/check/workers/sandbox_files.h>
 
 extern char** environ;
 

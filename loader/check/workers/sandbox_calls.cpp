@@ -1,4 +1,4 @@
-#include "check/workers/sandbox_calls.h"
+#include <orris/check/workers/sandbox_calls.h>
 
 #include <asm/ioctls.h>
 #include <linux/audit.h>

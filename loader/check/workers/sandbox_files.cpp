@@ -1,4 +1,4 @@
-#include "check/workers/sandbox_files.h"
+#include <orris/check/workers/sandbox_files.h>
 
 #include <fcntl.h>
 #include <sys/syscall.h>

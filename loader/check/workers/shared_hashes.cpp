@@ -1,4 +1,4 @@
-#include "check/workers/shared_hashes.h"
+#include <orris/check/workers/shared_hashes.h>
 
 #include <sys/mman.h>
 

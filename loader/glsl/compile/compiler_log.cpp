@@ -1,4 +1,4 @@
-#include "glsl/compile/compiler_log.h"
+#include <orris/glsl/compile/compiler_log.h>
 
 #include <fmt/format.h>
 
@@ -10,9 +10,9 @@
 #include <set>
 #include <utility>
 
-#include "core/characters.h"
-#include "glsl/syntax/syntax_message.h"
-#include "glsl/tokens/text_tokens.h"
+#include <orris/core/characters.h>
+#include <orris/glsl/syntax/syntax_message.h>
+#include <orris/glsl/tokens/text_tokens.h>
 
 namespace orris {
 namespace {

@@ -1,4 +1,4 @@
-#include "glsl/compile/plain_types.h"
+#include <orris/glsl/compile/plain_types.h>
 
 #include <fmt/format.h>
 

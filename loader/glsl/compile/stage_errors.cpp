@@ -1,11 +1,11 @@
-#include "glsl/compile/stage_errors.h"
+#include <orris/glsl/compile/stage_errors.h>
 
 #include <algorithm>
 #include <set>
 #include <string>
 
-#include "core/characters.h"
-#include "core/limits.h"
+#include <orris/core/characters.h>
+#include <orris/core/limits.h>
 
 namespace orris {
 namespace {

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "glsl/compile/compiler_log.h"
+#include <orris/glsl/compile/compiler_log.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "glsl/compile/validate.h"
+#include <orris/glsl/compile/validate.h>
 
 #include <fmt/format.h>
 #include <glslang/Public/ResourceLimits.h>
@@ -9,12 +9,12 @@
 #include <memory>
 #include <string_view>
 
-#include "glsl/compile/compiler_log.h"
-#include "glsl/compile/plain_types.h"
-#include "glsl/compile/stage_errors.h"
-#include "glsl/rewrite/interface_repair.h"
-#include "glsl/syntax/brace_check.h"
-#include "glsl/tokens/text_tokens.h"
+#include <orris/glsl/compile/compiler_log.h>
+#include <orris/glsl/compile/plain_types.h>
+#include <orris/glsl/compile/stage_errors.h>
+#include <orris/glsl/rewrite/interface_repair.h>
+#include <orris/glsl/syntax/brace_check.h>
+#include <orris/glsl/tokens/text_tokens.h>
 
 namespace orris {
 namespace {

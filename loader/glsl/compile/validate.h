@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/diagnostic.h"
-#include "glsl/rewrite/rewrite.h"
+#include <orris/core/diagnostic.h>
+#include <orris/glsl/rewrite/rewrite.h>
 
 namespace orris {
 

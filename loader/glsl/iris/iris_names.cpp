@@ -1,4 +1,4 @@
-#include "glsl/iris/iris_names.h"
+#include <orris/glsl/iris/iris_names.h>
 
 #include <algorithm>
 #include <array>

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "glsl/iris/iris_text.h"
+#include <orris/glsl/iris/iris_text.h>
 
 namespace orris {
 

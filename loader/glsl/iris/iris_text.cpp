@@ -1,9 +1,9 @@
-#include "glsl/iris/iris_text.h"
+#include <orris/glsl/iris/iris_text.h>
 
 #include <algorithm>
 #include <array>
 
-#include "glsl/rewrite/rewrite_rules.h"
+#include <orris/glsl/rewrite/rewrite_rules.h>
 
 namespace orris {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <span>
 
-#include "glsl/rewrite/rewrite.h"
+#include <orris/glsl/rewrite/rewrite.h>
 
 namespace orris {
 

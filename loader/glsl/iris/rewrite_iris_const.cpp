@@ -4,8 +4,8 @@
 #include <unordered_set>
 #include <utility>
 
-#include "glsl/rewrite/rewrite_rules.h"
-#include "glsl/tokens/outline.h"
+#include <orris/glsl/rewrite/rewrite_rules.h>
+#include <orris/glsl/tokens/outline.h>
 
 namespace orris {
 namespace {

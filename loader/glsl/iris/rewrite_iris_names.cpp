@@ -7,9 +7,9 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "glsl/iris/iris_names.h"
-#include "glsl/rewrite/rewrite_rules.h"
-#include "glsl/tokens/outline.h"
+#include <orris/glsl/iris/iris_names.h>
+#include <orris/glsl/rewrite/rewrite_rules.h>
+#include <orris/glsl/tokens/outline.h>
 
 namespace orris {
 namespace {

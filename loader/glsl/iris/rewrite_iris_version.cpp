@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <array>
 
-#include "glsl/rewrite/rewrite_rules.h"
+#include <orris/glsl/rewrite/rewrite_rules.h>
 
 namespace orris {
 namespace {

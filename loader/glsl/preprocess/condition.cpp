@@ -1,4 +1,4 @@
-#include "glsl/preprocess/condition.h"
+#include <orris/glsl/preprocess/condition.h>
 
 #include <fmt/format.h>
 

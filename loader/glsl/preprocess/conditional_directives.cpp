@@ -1,8 +1,8 @@
 // The directives of DirectiveRunner that open and close branches: #if and its kin.
 #include <fmt/format.h>
 
-#include "glsl/preprocess/condition.h"
-#include "glsl/preprocess/directive_runner.h"
+#include <orris/glsl/preprocess/condition.h>
+#include <orris/glsl/preprocess/directive_runner.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "glsl/preprocess/conditionals.h"
+#include <orris/glsl/preprocess/conditionals.h>
 
 #include <algorithm>
 #include <utility>

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "glsl/tokens/source_map.h"
+#include <orris/glsl/tokens/source_map.h>
 
 namespace orris {
 

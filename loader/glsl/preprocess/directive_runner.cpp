@@ -1,4 +1,4 @@
-#include "glsl/preprocess/directive_runner.h"
+#include <orris/glsl/preprocess/directive_runner.h>
 
 #include <fmt/format.h>
 
@@ -6,9 +6,9 @@
 #include <iterator>
 #include <utility>
 
-#include "core/limits.h"
-#include "core/message_limits.h"
-#include "glsl/syntax/directive_slip.h"
+#include <orris/core/limits.h>
+#include <orris/core/message_limits.h>
+#include <orris/glsl/syntax/directive_slip.h>
 
 namespace orris {
 namespace {

@@ -7,10 +7,10 @@
 #include <string_view>
 #include <vector>
 
-#include "glsl/preprocess/conditionals.h"
-#include "glsl/preprocess/line_reader.h"
-#include "glsl/preprocess/macro_expander.h"
-#include "glsl/syntax/conditional_balance.h"
+#include <orris/glsl/preprocess/conditionals.h>
+#include <orris/glsl/preprocess/line_reader.h>
+#include <orris/glsl/preprocess/macro_expander.h>
+#include <orris/glsl/syntax/conditional_balance.h>
 
 namespace orris {
 

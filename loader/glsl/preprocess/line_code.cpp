@@ -1,4 +1,4 @@
-#include "glsl/preprocess/line_code.h"
+#include <orris/glsl/preprocess/line_code.h>
 
 namespace orris {
 

@@ -1,10 +1,10 @@
-#include "glsl/preprocess/line_reader.h"
+#include <orris/glsl/preprocess/line_reader.h>
 
 #include <algorithm>
 #include <cstring>
 #include <iterator>
 
-#include "glsl/tokens/bounded_tokens.h"
+#include <orris/glsl/tokens/bounded_tokens.h>
 
 namespace orris {
 namespace {

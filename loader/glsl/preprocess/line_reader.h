@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/limits.h"
-#include "glsl/tokens/token.h"
+#include <orris/core/limits.h>
+#include <orris/glsl/tokens/token.h>
 
 namespace orris {
 

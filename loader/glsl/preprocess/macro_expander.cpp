@@ -1,4 +1,4 @@
-#include "glsl/preprocess/macro_expander.h"
+#include <orris/glsl/preprocess/macro_expander.h>
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <iterator>
 #include <utility>
 
-#include "core/limits.h"
+#include <orris/core/limits.h>
 
 namespace orris {
 namespace {

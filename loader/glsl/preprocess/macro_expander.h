@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "glsl/preprocess/macro_table.h"
+#include <orris/glsl/preprocess/macro_table.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "glsl/preprocess/macro_table.h"
+#include <orris/glsl/preprocess/macro_table.h>
 
 #include <fmt/format.h>
 

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "glsl/preprocess/name_watch.h"
-#include "glsl/preprocess/preprocessor.h"
-#include "glsl/tokens/token.h"
+#include <orris/glsl/preprocess/name_watch.h>
+#include <orris/glsl/preprocess/preprocessor.h>
+#include <orris/glsl/tokens/token.h>
 
 namespace orris {
 

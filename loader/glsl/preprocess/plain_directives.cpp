@@ -3,7 +3,7 @@
 
 #include <charconv>
 
-#include "glsl/preprocess/directive_runner.h"
+#include <orris/glsl/preprocess/directive_runner.h>
 
 namespace orris {
 

@@ -1,9 +1,9 @@
-#include "glsl/preprocess/preprocessor.h"
+#include <orris/glsl/preprocess/preprocessor.h>
 
 #include <utility>
 
-#include "core/add_diagnostic.h"
-#include "glsl/preprocess/directive_runner.h"
+#include <orris/core/add_diagnostic.h>
+#include <orris/glsl/preprocess/directive_runner.h>
 
 namespace orris {
 

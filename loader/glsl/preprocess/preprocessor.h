@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/diagnostic.h"
-#include "glsl/preprocess/name_watch.h"
-#include "glsl/tokens/token.h"
+#include <orris/core/diagnostic.h>
+#include <orris/glsl/preprocess/name_watch.h>
+#include <orris/glsl/tokens/token.h>
 
 namespace orris {
 

@@ -2,8 +2,8 @@
 #include <array>
 #include <string_view>
 
-#include "glsl/preprocess/directive_runner.h"
-#include "glsl/preprocess/preprocessor.h"
+#include <orris/glsl/preprocess/directive_runner.h>
+#include <orris/glsl/preprocess/preprocessor.h>
 
 namespace orris {
 namespace {

@@ -1,4 +1,4 @@
-#include "glsl/rewrite/core_names.h"
+#include <orris/glsl/rewrite/core_names.h>
 
 #include <algorithm>
 

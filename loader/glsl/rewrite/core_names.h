@@ -5,7 +5,7 @@
 #include <array>
 #include <string_view>
 
-#include "glsl/rewrite/rewrite.h"
+#include <orris/glsl/rewrite/rewrite.h>
 
 namespace orris {
 

@@ -1,13 +1,13 @@
-#include "glsl/rewrite/core_text.h"
+#include <orris/glsl/rewrite/core_text.h>
 
 #include <algorithm>
 #include <string>
 #include <string_view>
 
-#include "glsl/rewrite/core_names.h"
-#include "glsl/rewrite/rewrite_rules.h"
-#include "glsl/rewrite/text_code.h"
-#include "glsl/tokens/text_edits.h"
+#include <orris/glsl/rewrite/core_names.h>
+#include <orris/glsl/rewrite/rewrite_rules.h>
+#include <orris/glsl/rewrite/text_code.h>
+#include <orris/glsl/tokens/text_edits.h>
 
 namespace orris {
 namespace {

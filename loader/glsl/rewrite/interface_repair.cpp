@@ -1,14 +1,14 @@
-#include "glsl/rewrite/interface_repair.h"
+#include <orris/glsl/rewrite/interface_repair.h>
 
 #include <algorithm>
 #include <array>
 #include <string_view>
 
-#include "core/characters.h"
-#include "glsl/tokens/file_scope.h"
-#include "glsl/tokens/outline.h"
-#include "glsl/tokens/text_edits.h"
-#include "glsl/tokens/text_tokens.h"
+#include <orris/core/characters.h>
+#include <orris/glsl/tokens/file_scope.h>
+#include <orris/glsl/tokens/outline.h>
+#include <orris/glsl/tokens/text_edits.h>
+#include <orris/glsl/tokens/text_tokens.h>
 
 namespace orris {
 namespace {

@@ -1,9 +1,9 @@
-#include "glsl/rewrite/rewrite.h"
+#include <orris/glsl/rewrite/rewrite.h>
 
 #include <algorithm>
 #include <array>
 
-#include "glsl/rewrite/rewrite_rules.h"
+#include <orris/glsl/rewrite/rewrite_rules.h>
 
 namespace orris {
 namespace {

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "glsl/tokens/token.h"
+#include <orris/glsl/tokens/token.h>
 
 namespace orris {
 

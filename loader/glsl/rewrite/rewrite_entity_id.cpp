@@ -4,7 +4,7 @@
 #include <optional>
 #include <set>
 
-#include "glsl/rewrite/rewrite_rules.h"
+#include <orris/glsl/rewrite/rewrite_rules.h>
 
 namespace orris {
 namespace {

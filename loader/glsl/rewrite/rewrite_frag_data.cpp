@@ -3,8 +3,8 @@
 #include <charconv>
 #include <set>
 
-#include "glsl/rewrite/rewrite_rules.h"
-#include "glsl/tokens/outline.h"
+#include <orris/glsl/rewrite/rewrite_rules.h>
+#include <orris/glsl/tokens/outline.h>
 
 namespace orris {
 namespace {

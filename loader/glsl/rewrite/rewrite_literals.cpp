@@ -1,8 +1,8 @@
 // "1f": Iris's parser takes it for a float and prints it as 1.0f; GLSL wants the point.
 #include <algorithm>
 
-#include "core/characters.h"
-#include "glsl/rewrite/rewrite_rules.h"
+#include <orris/core/characters.h>
+#include <orris/glsl/rewrite/rewrite_rules.h>
 
 namespace orris {
 namespace {

@@ -8,8 +8,8 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "glsl/rewrite/rewrite_rules.h"
-#include "glsl/tokens/outline.h"
+#include <orris/glsl/rewrite/rewrite_rules.h>
+#include <orris/glsl/tokens/outline.h>
 
 namespace orris {
 namespace {

@@ -1,4 +1,4 @@
-#include "glsl/rewrite/rewrite_rules.h"
+#include <orris/glsl/rewrite/rewrite_rules.h>
 
 #include <algorithm>
 #include <iterator>

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "glsl/iris/iris_text.h"
-#include "glsl/rewrite/rewrite.h"
+#include <orris/glsl/iris/iris_text.h>
+#include <orris/glsl/rewrite/rewrite.h>
 
 namespace orris {
 

@@ -4,7 +4,7 @@
 #include <set>
 #include <utility>
 
-#include "glsl/rewrite/rewrite_rules.h"
+#include <orris/glsl/rewrite/rewrite_rules.h>
 
 namespace orris {
 namespace {

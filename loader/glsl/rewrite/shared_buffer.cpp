@@ -1,12 +1,12 @@
-#include "glsl/rewrite/shared_buffer.h"
+#include <orris/glsl/rewrite/shared_buffer.h>
 
 #include <fmt/format.h>
 
 #include <map>
 
-#include "glsl/rewrite/rewrite_rules.h"
-#include "glsl/rewrite/text_code.h"
-#include "glsl/tokens/text_edits.h"
+#include <orris/glsl/rewrite/rewrite_rules.h>
+#include <orris/glsl/rewrite/text_code.h>
+#include <orris/glsl/tokens/text_edits.h>
 
 namespace orris {
 namespace {

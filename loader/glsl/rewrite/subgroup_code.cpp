@@ -1,4 +1,4 @@
-#include "glsl/rewrite/subgroup_code.h"
+#include <orris/glsl/rewrite/subgroup_code.h>
 
 #include <fmt/format.h>
 

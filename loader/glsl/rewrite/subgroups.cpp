@@ -1,11 +1,11 @@
-#include "glsl/rewrite/subgroups.h"
+#include <orris/glsl/rewrite/subgroups.h>
 
 #include <set>
 
-#include "glsl/rewrite/rewrite_rules.h"
-#include "glsl/rewrite/subgroup_code.h"
-#include "glsl/rewrite/text_code.h"
-#include "glsl/tokens/text_edits.h"
+#include <orris/glsl/rewrite/rewrite_rules.h>
+#include <orris/glsl/rewrite/subgroup_code.h>
+#include <orris/glsl/rewrite/text_code.h>
+#include <orris/glsl/tokens/text_edits.h>
 
 namespace orris {
 namespace {

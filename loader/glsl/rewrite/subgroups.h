@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "glsl/compile/validate.h"
+#include <orris/glsl/compile/validate.h>
 
 namespace orris {
 

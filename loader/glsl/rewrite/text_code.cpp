@@ -1,4 +1,4 @@
-#include "glsl/rewrite/text_code.h"
+#include <orris/glsl/rewrite/text_code.h>
 
 #include <algorithm>
 

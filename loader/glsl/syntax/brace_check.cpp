@@ -1,4 +1,4 @@
-#include "glsl/syntax/brace_check.h"
+#include <orris/glsl/syntax/brace_check.h>
 
 #include <algorithm>
 #include <map>
@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "glsl/syntax/brace_layout.h"
-#include "glsl/syntax/nesting.h"
-#include "glsl/tokens/text_tokens.h"
+#include <orris/glsl/syntax/brace_layout.h>
+#include <orris/glsl/syntax/nesting.h>
+#include <orris/glsl/tokens/text_tokens.h>
 
 namespace orris {
 namespace {

@@ -4,9 +4,9 @@
 #include <optional>
 #include <string_view>
 
-#include "glsl/tokens/source_map.h"
-#include "glsl/tokens/token.h"
-#include "glsl/compile/validate.h"
+#include <orris/glsl/tokens/source_map.h>
+#include <orris/glsl/tokens/token.h>
+#include <orris/glsl/compile/validate.h>
 
 namespace orris {
 

@@ -1,10 +1,10 @@
-#include "glsl/syntax/brace_layout.h"
+#include <orris/glsl/syntax/brace_layout.h>
 
 #include <algorithm>
 #include <map>
 #include <string>
 
-#include "glsl/syntax/brace_check.h"
+#include <orris/glsl/syntax/brace_check.h>
 
 namespace orris {
 namespace {

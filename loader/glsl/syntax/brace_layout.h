@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "glsl/compile/validate.h"
-#include "glsl/tokens/source_map.h"
-#include "glsl/tokens/token.h"
+#include <orris/glsl/compile/validate.h>
+#include <orris/glsl/tokens/source_map.h>
+#include <orris/glsl/tokens/token.h>
 
 namespace orris {
 

@@ -1,8 +1,8 @@
 // Where an author should write a brace that is missing.
 #include <algorithm>
 
-#include "glsl/syntax/brace_check.h"
-#include "glsl/tokens/text_tokens.h"
+#include <orris/glsl/syntax/brace_check.h>
+#include <orris/glsl/tokens/text_tokens.h>
 
 namespace orris {
 namespace {

@@ -1,4 +1,4 @@
-#include "glsl/syntax/branch_room.h"
+#include <orris/glsl/syntax/branch_room.h>
 
 #include <algorithm>
 

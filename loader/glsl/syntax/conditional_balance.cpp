@@ -1,4 +1,4 @@
-#include "glsl/syntax/conditional_balance.h"
+#include <orris/glsl/syntax/conditional_balance.h>
 
 #include <fmt/format.h>
 
@@ -9,12 +9,12 @@
 #include <optional>
 #include <string_view>
 
-#include "core/characters.h"
-#include "glsl/preprocess/line_code.h"
-#include "glsl/syntax/brace_check.h"
-#include "glsl/syntax/branch_room.h"
-#include "glsl/syntax/directive_slip.h"
-#include "glsl/syntax/nesting.h"
+#include <orris/core/characters.h>
+#include <orris/glsl/preprocess/line_code.h>
+#include <orris/glsl/syntax/brace_check.h>
+#include <orris/glsl/syntax/branch_room.h>
+#include <orris/glsl/syntax/directive_slip.h>
+#include <orris/glsl/syntax/nesting.h>
 
 namespace orris {
 namespace {

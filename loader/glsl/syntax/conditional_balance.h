@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/diagnostic.h"
-#include "glsl/tokens/source_map.h"
+#include <orris/core/diagnostic.h>
+#include <orris/glsl/tokens/source_map.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "glsl/syntax/directive_slip.h"
+#include <orris/glsl/syntax/directive_slip.h>
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "glsl/syntax/function_syntax.h"
+#include <orris/glsl/syntax/function_syntax.h>
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <array>
 #include <vector>
 
-#include "glsl/tokens/outline.h"
-#include "glsl/tokens/token.h"
+#include <orris/glsl/tokens/outline.h>
+#include <orris/glsl/tokens/token.h>
 
 namespace orris {
 namespace {

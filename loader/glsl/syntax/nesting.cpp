@@ -1,4 +1,4 @@
-#include "glsl/syntax/nesting.h"
+#include <orris/glsl/syntax/nesting.h>
 
 #include <algorithm>
 #include <cmath>

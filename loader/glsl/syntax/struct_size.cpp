@@ -1,11 +1,11 @@
-#include "glsl/syntax/struct_size.h"
+#include <orris/glsl/syntax/struct_size.h>
 
 #include <fmt/format.h>
 
 #include <map>
 #include <string_view>
 
-#include "core/limits.h"
+#include <orris/core/limits.h>
 
 namespace orris {
 namespace {

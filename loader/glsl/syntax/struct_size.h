@@ -1,8 +1,8 @@
 // Structs within structs whose members double at each level.
 #pragma once
 
-#include "core/diagnostic.h"
-#include "glsl/tokens/token.h"
+#include <orris/core/diagnostic.h>
+#include <orris/glsl/tokens/token.h>
 
 namespace orris {
 

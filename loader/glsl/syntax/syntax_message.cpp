@@ -1,4 +1,4 @@
-#include "glsl/syntax/syntax_message.h"
+#include <orris/glsl/syntax/syntax_message.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,7 +8,7 @@
 #include <cctype>
 #include <vector>
 
-#include "glsl/tokens/text_tokens.h"
+#include <orris/glsl/tokens/text_tokens.h>
 
 namespace orris {
 namespace {

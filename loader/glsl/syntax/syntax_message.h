@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "glsl/tokens/source_map.h"
+#include <orris/glsl/tokens/source_map.h>
 
 namespace orris {
 

@@ -1,10 +1,10 @@
-#include "glsl/tokens/file_scope.h"
+#include <orris/glsl/tokens/file_scope.h>
 
 #include <algorithm>
 
-#include "core/characters.h"
-#include "glsl/rewrite/rewrite_rules.h"
-#include "glsl/tokens/outline.h"
+#include <orris/core/characters.h>
+#include <orris/glsl/rewrite/rewrite_rules.h>
+#include <orris/glsl/tokens/outline.h>
 
 namespace orris {
 namespace {

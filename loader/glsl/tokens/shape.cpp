@@ -1,4 +1,4 @@
-#include "glsl/tokens/shape.h"
+#include <orris/glsl/tokens/shape.h>
 
 #include <algorithm>
 #include <array>
@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/characters.h"
-#include "glsl/rewrite/rewrite_rules.h"
+#include <orris/core/characters.h>
+#include <orris/glsl/rewrite/rewrite_rules.h>
 
 namespace orris {
 namespace {

@@ -6,8 +6,8 @@
 #include <optional>
 #include <string_view>
 
-#include "glsl/rewrite/rewrite.h"
-#include "glsl/tokens/token.h"
+#include <orris/glsl/rewrite/rewrite.h>
+#include <orris/glsl/tokens/token.h>
 
 namespace orris {
 

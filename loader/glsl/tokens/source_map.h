@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/diagnostic.h"
+#include <orris/core/diagnostic.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "glsl/tokens/text_edits.h"
+#include <orris/glsl/tokens/text_edits.h>
 
 #include <algorithm>
 #include <cassert>

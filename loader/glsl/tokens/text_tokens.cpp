@@ -1,4 +1,4 @@
-#include "glsl/tokens/text_tokens.h"
+#include <orris/glsl/tokens/text_tokens.h>
 
 #include <algorithm>
 #include <array>

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "glsl/compile/validate.h"
-#include "glsl/tokens/source_map.h"
-#include "glsl/tokens/token.h"
+#include <orris/glsl/compile/validate.h>
+#include <orris/glsl/tokens/source_map.h>
+#include <orris/glsl/tokens/token.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "glsl/tokens/token.h"
+#include <orris/glsl/tokens/token.h>
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <array>
 #include <cstddef>
 
-#include "glsl/tokens/bounded_tokens.h"
+#include <orris/glsl/tokens/bounded_tokens.h>
 
 namespace orris {
 namespace {

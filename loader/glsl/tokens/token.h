@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "glsl/tokens/source_map.h"
+#include <orris/glsl/tokens/source_map.h>
 
 namespace orris {
 

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "core/diagnostic.h"
-#include "image/encode_png.h"
-#include "image/image.h"
+#include <orris/core/diagnostic.h>
+#include <orris/image/encode_png.h>
+#include <orris/image/image.h>
 
 namespace orris {
 

@@ -3,7 +3,7 @@
 #include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
 
-#include "image/codecs/image_codecs.h"
+#include <orris/image/codecs/image_codecs.h>
 
 namespace orris {
 namespace {

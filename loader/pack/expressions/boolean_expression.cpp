@@ -1,6 +1,6 @@
-#include "pack/expressions/boolean_expression.h"
+#include <orris/pack/expressions/boolean_expression.h>
 
-#include "pack/files/text.h"
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

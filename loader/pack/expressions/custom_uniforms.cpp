@@ -4,10 +4,10 @@
 #include <map>
 #include <set>
 
-#include "pack/expressions/expression.h"
-#include "pack/expressions/expression_program.h"
-#include "pack/files/properties_text.h"
-#include "pack/files/text.h"
+#include <orris/pack/expressions/expression.h>
+#include <orris/pack/expressions/expression_program.h>
+#include <orris/pack/files/properties_text.h>
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

@@ -1,4 +1,4 @@
-#include "pack/expressions/expression_functions.h"
+#include <orris/pack/expressions/expression_functions.h>
 
 #include <algorithm>
 #include <cmath>

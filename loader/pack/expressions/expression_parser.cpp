@@ -1,4 +1,4 @@
-#include "pack/expressions/expression_parser.h"
+#include <orris/pack/expressions/expression_parser.h>
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 #include <charconv>
 #include <numbers>
 
-#include "core/characters.h"
-#include "pack/files/text.h"
+#include <orris/core/characters.h>
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "pack/expressions/expression.h"
+#include <orris/pack/expressions/expression.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "pack/expressions/expression_program.h"
+#include <orris/pack/expressions/expression_program.h>
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "pack/files/text.h"
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

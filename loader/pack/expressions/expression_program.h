@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "pack/expressions/expression_functions.h"
-#include "pack/expressions/expression_parser.h"
+#include <orris/pack/expressions/expression_functions.h>
+#include <orris/pack/expressions/expression_parser.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "pack/files/extended_graph.h"
+#include <orris/pack/files/extended_graph.h>
 
 #include <algorithm>
 

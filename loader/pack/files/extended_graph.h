@@ -1,7 +1,7 @@
 // The include graph of a pack as it would be with one more line.
 #pragma once
 
-#include "pack/programs/folder_build.h"
+#include <orris/pack/programs/folder_build.h>
 
 namespace orris {
 

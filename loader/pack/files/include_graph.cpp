@@ -1,4 +1,4 @@
-#include "pack/files/include_graph.h"
+#include <orris/pack/files/include_graph.h>
 
 #include <fmt/format.h>
 
@@ -6,11 +6,11 @@
 #include <ranges>
 #include <set>
 
-#include "core/limits.h"
-#include "core/message_limits.h"
-#include "core/pack_path.h"
-#include "core/text_file.h"
-#include "pack/files/text.h"
+#include <orris/core/limits.h>
+#include <orris/core/message_limits.h>
+#include <orris/core/pack_path.h>
+#include <orris/core/text_file.h>
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "core/file_source.h"
-#include "glsl/tokens/source_map.h"
-#include "pack/options/options.h"
+#include <orris/core/file_source.h>
+#include <orris/glsl/tokens/source_map.h>
+#include <orris/pack/options/options.h>
 
 namespace orris {
 

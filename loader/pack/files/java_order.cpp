@@ -1,4 +1,4 @@
-#include "pack/files/java_order.h"
+#include <orris/pack/files/java_order.h>
 
 #include <algorithm>
 #include <cstdint>

@@ -1,14 +1,14 @@
-#include "pack/files/pack_files.h"
+#include <orris/pack/files/pack_files.h>
 
 #include <algorithm>
 
-#include "core/text_file.h"
-#include "pack/files/properties_text.h"
-#include "pack/mods/voxy.h"
-#include "pack/options/language.h"
-#include "pack/programs/program_id.h"
-#include "pack/properties/property_keys.h"
-#include "pack/properties/property_limits.h"
+#include <orris/core/text_file.h>
+#include <orris/pack/files/properties_text.h>
+#include <orris/pack/mods/voxy.h>
+#include <orris/pack/options/language.h>
+#include <orris/pack/programs/program_id.h>
+#include <orris/pack/properties/property_keys.h>
+#include <orris/pack/properties/property_limits.h>
 
 namespace orris {
 namespace {

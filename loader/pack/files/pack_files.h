@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "core/file_source.h"
-#include "pack/files/include_graph.h"
-#include "pack/options/options.h"
-#include "pack/programs/dimensions.h"
-#include "pack/properties/shader_properties.h"
+#include <orris/core/file_source.h>
+#include <orris/pack/files/include_graph.h>
+#include <orris/pack/options/options.h>
+#include <orris/pack/programs/dimensions.h>
+#include <orris/pack/properties/shader_properties.h>
 
 namespace orris {
 

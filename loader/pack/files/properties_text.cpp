@@ -1,4 +1,4 @@
-#include "pack/files/properties_text.h"
+#include <orris/pack/files/properties_text.h>
 
 #include <algorithm>
 #include <charconv>
@@ -6,7 +6,7 @@
 #include <map>
 #include <optional>
 
-#include "pack/files/text.h"
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

@@ -1,4 +1,4 @@
-#include "pack/files/reserved_names.h"
+#include <orris/pack/files/reserved_names.h>
 
 #include <fmt/format.h>
 

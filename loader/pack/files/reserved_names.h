@@ -1,8 +1,8 @@
 // Names that Iris keeps to itself.
 #pragma once
 
-#include "core/diagnostic.h"
-#include "glsl/tokens/token.h"
+#include <orris/core/diagnostic.h>
+#include <orris/glsl/tokens/token.h>
 
 namespace orris {
 

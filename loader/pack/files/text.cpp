@@ -1,4 +1,4 @@
-#include "pack/files/text.h"
+#include <orris/pack/files/text.h>
 
 #include <algorithm>
 #include <charconv>

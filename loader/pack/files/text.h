@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/characters.h"
+#include <orris/core/characters.h>
 
 namespace orris {
 

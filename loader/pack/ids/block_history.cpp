@@ -1,9 +1,9 @@
-#include "pack/ids/block_history.h"
+#include <orris/pack/ids/block_history.h>
 
 #include <functional>
 #include <map>
 
-#include "pack/files/text.h"
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {
@@ -13,7 +13,7 @@ struct Change {
   std::string_view added, removed;  ///< names between blanks
 };
 constexpr Change kChanges[] = {
-#include "pack/ids/block_history.inc"
+#include <orris/pack/ids/block_history.inc>
 };
 
 using Lives = std::map<std::string, BlockLife, std::less<>>;

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "pack/versions/iris_versions.h"
+#include <orris/pack/versions/iris_versions.h>
 
 namespace orris {
 

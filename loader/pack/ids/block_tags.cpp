@@ -1,9 +1,9 @@
-#include "pack/ids/block_tags.h"
+#include <orris/pack/ids/block_tags.h>
 
 #include <algorithm>
 #include <array>
 
-#include "pack/files/text.h"
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

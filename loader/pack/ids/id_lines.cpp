@@ -1,11 +1,11 @@
-#include "pack/ids/id_lines.h"
+#include <orris/pack/ids/id_lines.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 
-#include "pack/files/text.h"
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

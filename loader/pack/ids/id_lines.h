@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "pack/files/properties_text.h"
+#include <orris/pack/files/properties_text.h>
 
 namespace orris {
 

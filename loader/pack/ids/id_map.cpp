@@ -1,4 +1,4 @@
-#include "pack/ids/id_map.h"
+#include <orris/pack/ids/id_map.h>
 
 #include <fmt/format.h>
 
@@ -6,10 +6,10 @@
 #include <array>
 #include <optional>
 
-#include "pack/files/properties_text.h"
-#include "pack/files/text.h"
-#include "pack/ids/block_tags.h"
-#include "pack/ids/id_lines.h"
+#include <orris/pack/files/properties_text.h>
+#include <orris/pack/files/text.h>
+#include <orris/pack/ids/block_tags.h>
+#include <orris/pack/ids/id_lines.h>
 
 namespace orris {
 namespace {

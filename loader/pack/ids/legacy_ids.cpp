@@ -1,9 +1,9 @@
-#include "pack/ids/legacy_ids.h"
+#include <orris/pack/ids/legacy_ids.h>
 
 #include <array>
 #include <span>
 
-#include "pack/files/text.h"
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

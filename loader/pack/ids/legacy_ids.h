@@ -2,7 +2,7 @@
 // Contract: idmaps.csv block.default.
 #pragma once
 
-#include "pack/ids/id_map.h"
+#include <orris/pack/ids/id_map.h>
 
 namespace orris {
 

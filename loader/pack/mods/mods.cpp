@@ -1,4 +1,4 @@
-#include "pack/mods/mods.h"
+#include <orris/pack/mods/mods.h>
 
 #include <fmt/format.h>
 

@@ -5,9 +5,9 @@
 #include <span>
 #include <string_view>
 
-#include "core/diagnostic.h"
-#include "glsl/rewrite/rewrite.h"
-#include "pack/programs/program_id.h"
+#include <orris/core/diagnostic.h>
+#include <orris/glsl/rewrite/rewrite.h>
+#include <orris/pack/programs/program_id.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "pack/mods/voxy.h"
+#include <orris/pack/mods/voxy.h>
 
 #include <fmt/format.h>
 

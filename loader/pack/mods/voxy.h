@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "glsl/tokens/token.h"
+#include <orris/glsl/tokens/token.h>
 
 namespace orris {
 

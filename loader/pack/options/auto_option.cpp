@@ -1,4 +1,4 @@
-#include "pack/options/auto_option.h"
+#include <orris/pack/options/auto_option.h>
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "pack/options/auto_properties.h"
+#include <orris/pack/options/auto_properties.h>
 
 #include <fmt/format.h>
 
@@ -6,9 +6,9 @@
 #include <cmath>
 #include <optional>
 
-#include "pack/files/properties_text.h"
-#include "pack/files/text.h"
-#include "pack/versions/features.h"
+#include <orris/pack/files/properties_text.h>
+#include <orris/pack/files/text.h>
+#include <orris/pack/versions/features.h>
 
 namespace orris {
 namespace {

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "core/diagnostic.h"
-#include "glsl/preprocess/preprocessor.h"
-#include "pack/options/auto_option.h"
-#include "pack/options/options.h"
-#include "pack/properties/shader_properties.h"
+#include <orris/core/diagnostic.h>
+#include <orris/glsl/preprocess/preprocessor.h>
+#include <orris/pack/options/auto_option.h>
+#include <orris/pack/options/options.h>
+#include <orris/pack/properties/shader_properties.h>
 
 namespace orris {
 

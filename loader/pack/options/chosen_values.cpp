@@ -1,11 +1,11 @@
-#include "pack/options/chosen_values.h"
+#include <orris/pack/options/chosen_values.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "core/add_diagnostic.h"
-#include "pack/files/text.h"
+#include <orris/core/add_diagnostic.h>
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

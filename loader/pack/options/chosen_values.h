@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "pack/options/options.h"
-#include "pack/shader_pack.h"
+#include <orris/pack/options/options.h>
+#include <orris/pack/shader_pack.h>
 
 namespace orris {
 

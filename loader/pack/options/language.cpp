@@ -1,8 +1,8 @@
-#include "pack/options/language.h"
+#include <orris/pack/options/language.h>
 
-#include "core/text_file.h"
-#include "pack/files/properties_text.h"
-#include "pack/files/text.h"
+#include <orris/core/text_file.h>
+#include <orris/pack/files/properties_text.h>
+#include <orris/pack/files/text.h>
 
 namespace orris {
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "pack/options/options.h"
+#include <orris/pack/options/options.h>
 
 namespace orris {
 

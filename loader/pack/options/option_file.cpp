@@ -1,9 +1,9 @@
 // Option files beside a pack: "NAME=value" lines. Contract: options.csv file.format.
 #include <fmt/format.h>
 
-#include "pack/files/properties_text.h"
-#include "pack/files/text.h"
-#include "pack/options/options.h"
+#include <orris/pack/files/properties_text.h>
+#include <orris/pack/files/text.h>
+#include <orris/pack/options/options.h>
 
 namespace orris {
 namespace {

@@ -1,9 +1,9 @@
-#include "pack/options/option_line.h"
+#include <orris/pack/options/option_line.h>
 
 #include <algorithm>
 #include <set>
 
-#include "pack/files/text.h"
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

@@ -1,4 +1,4 @@
-#include "pack/options/options.h"
+#include <orris/pack/options/options.h>
 
 #include <fmt/format.h>
 
@@ -7,11 +7,11 @@
 #include <tuple>
 #include <utility>
 
-#include "core/limits.h"
-#include "core/message_limits.h"
-#include "pack/files/java_order.h"
-#include "pack/files/text.h"
-#include "pack/options/option_line.h"
+#include <orris/core/limits.h>
+#include <orris/core/message_limits.h>
+#include <orris/pack/files/java_order.h>
+#include <orris/pack/files/text.h>
+#include <orris/pack/options/option_line.h>
 
 namespace orris {
 namespace {

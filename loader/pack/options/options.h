@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/diagnostic.h"
+#include <orris/core/diagnostic.h>
 
 namespace orris {
 

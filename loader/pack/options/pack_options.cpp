@@ -1,12 +1,12 @@
-#include "pack/options/pack_options.h"
+#include <orris/pack/options/pack_options.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
 
-#include "core/named_file.h"
-#include "pack/files/text.h"
+#include <orris/core/named_file.h>
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

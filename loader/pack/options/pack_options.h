@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "pack/shader_pack.h"
-#include "pack/versions/iris_versions.h"
+#include <orris/pack/shader_pack.h>
+#include <orris/pack/versions/iris_versions.h>
 
 namespace orris {
 

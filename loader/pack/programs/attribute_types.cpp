@@ -1,4 +1,4 @@
-#include "pack/programs/attribute_types.h"
+#include <orris/pack/programs/attribute_types.h>
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <array>
 #include <string_view>
 
-#include "glsl/tokens/outline.h"
+#include <orris/glsl/tokens/outline.h>
 
 namespace orris {
 namespace {

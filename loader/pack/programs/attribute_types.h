@@ -1,8 +1,8 @@
 // Types that a vertex attribute cannot have.
 #pragma once
 
-#include "core/diagnostic.h"
-#include "glsl/iris/iris_text.h"
+#include <orris/core/diagnostic.h>
+#include <orris/glsl/iris/iris_text.h>
 
 namespace orris {
 

@@ -1,10 +1,10 @@
-#include "pack/programs/const_line.h"
+#include <orris/pack/programs/const_line.h>
 
 #include <algorithm>
 #include <array>
 #include <optional>
 
-#include "pack/files/text.h"
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "glsl/tokens/token.h"
+#include <orris/glsl/tokens/token.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "pack/programs/dimensions.h"
+#include <orris/pack/programs/dimensions.h>
 
 #include <fmt/format.h>
 
@@ -7,13 +7,13 @@
 #include <optional>
 #include <set>
 
-#include "core/limits.h"
-#include "core/message_limits.h"
-#include "core/pack_path.h"
-#include "core/text_file.h"
-#include "pack/files/properties_text.h"
-#include "pack/files/text.h"
-#include "pack/programs/program_id.h"
+#include <orris/core/limits.h>
+#include <orris/core/message_limits.h>
+#include <orris/core/pack_path.h>
+#include <orris/core/text_file.h>
+#include <orris/pack/files/properties_text.h>
+#include <orris/pack/files/text.h>
+#include <orris/pack/programs/program_id.h>
 
 namespace orris {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/file_source.h"
-#include "glsl/preprocess/preprocessor.h"
+#include <orris/core/file_source.h>
+#include <orris/glsl/preprocess/preprocessor.h>
 
 namespace orris {
 

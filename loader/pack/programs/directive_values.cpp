@@ -1,9 +1,9 @@
-#include "pack/programs/directive_values.h"
+#include <orris/pack/programs/directive_values.h>
 
 #include <algorithm>
 #include <array>
 
-#include "pack/files/text.h"
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

@@ -10,9 +10,9 @@
 #include <string_view>
 #include <vector>
 
-#include "core/diagnostic.h"
-#include "glsl/tokens/token.h"
-#include "pack/programs/const_line.h"
+#include <orris/core/diagnostic.h>
+#include <orris/glsl/tokens/token.h>
+#include <orris/pack/programs/const_line.h>
 
 namespace orris {
 

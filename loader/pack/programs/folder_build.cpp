@@ -1,11 +1,11 @@
-#include "pack/programs/folder_build.h"
+#include <orris/pack/programs/folder_build.h>
 
 #include <algorithm>
 
-#include "pack/expressions/expression_functions.h"
-#include "pack/files/extended_graph.h"
-#include "pack/mods/voxy.h"
-#include "pack/options/chosen_values.h"
+#include <orris/pack/expressions/expression_functions.h>
+#include <orris/pack/files/extended_graph.h>
+#include <orris/pack/mods/voxy.h>
+#include <orris/pack/options/chosen_values.h>
 
 namespace orris {
 namespace {

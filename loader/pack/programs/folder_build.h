@@ -9,10 +9,10 @@
 #include <string_view>
 #include <vector>
 
-#include "pack/mods/mods.h"
-#include "pack/options/live_options.h"
-#include "pack/programs/program_builder.h"
-#include "pack/properties/pack_properties.h"
+#include <orris/pack/mods/mods.h>
+#include <orris/pack/options/live_options.h>
+#include <orris/pack/programs/program_builder.h>
+#include <orris/pack/properties/pack_properties.h>
 
 namespace orris {
 

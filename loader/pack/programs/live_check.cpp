@@ -1,4 +1,4 @@
-#include "pack/programs/live_check.h"
+#include <orris/pack/programs/live_check.h>
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include <set>
 #include <string_view>
 
-#include "pack/options/live_options.h"
-#include "pack/options/option_line.h"
-#include "pack/programs/folder_build.h"
+#include <orris/pack/options/live_options.h>
+#include <orris/pack/options/option_line.h>
+#include <orris/pack/programs/folder_build.h>
 
 namespace orris {
 namespace {

@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "pack/shader_pack.h"
+#include <orris/pack/shader_pack.h>
 
 namespace orris {
 

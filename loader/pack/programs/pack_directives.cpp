@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "pack/files/text.h"
-#include "pack/programs/directive_values.h"
-#include "pack/programs/directives.h"
-#include "pack/properties/texture_format.h"
+#include <orris/pack/files/text.h>
+#include <orris/pack/programs/directive_values.h>
+#include <orris/pack/programs/directives.h>
+#include <orris/pack/properties/texture_format.h>
 
 namespace orris {
 namespace {

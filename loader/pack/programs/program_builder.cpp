@@ -1,13 +1,13 @@
-#include "pack/programs/program_builder.h"
+#include <orris/pack/programs/program_builder.h>
 
 #include <algorithm>
 
-#include "glsl/syntax/struct_size.h"
-#include "pack/files/reserved_names.h"
-#include "pack/files/text.h"
-#include "pack/mods/mods.h"
-#include "pack/mods/voxy.h"
-#include "pack/programs/attribute_types.h"
+#include <orris/glsl/syntax/struct_size.h>
+#include <orris/pack/files/reserved_names.h>
+#include <orris/pack/files/text.h>
+#include <orris/pack/mods/mods.h>
+#include <orris/pack/mods/voxy.h>
+#include <orris/pack/programs/attribute_types.h>
 
 namespace orris {
 namespace {

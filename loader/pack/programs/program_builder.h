@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "glsl/preprocess/preprocessor.h"
-#include "pack/files/include_graph.h"
-#include "pack/options/live_options.h"
-#include "pack/shader_pack.h"
+#include <orris/glsl/preprocess/preprocessor.h>
+#include <orris/pack/files/include_graph.h>
+#include <orris/pack/options/live_options.h>
+#include <orris/pack/shader_pack.h>
 
 namespace orris {
 

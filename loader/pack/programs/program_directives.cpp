@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "pack/files/text.h"
-#include "pack/programs/directive_values.h"
-#include "pack/programs/directives.h"
+#include <orris/pack/files/text.h>
+#include <orris/pack/programs/directive_values.h>
+#include <orris/pack/programs/directives.h>
 
 namespace orris {
 namespace {

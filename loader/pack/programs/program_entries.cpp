@@ -3,8 +3,8 @@
 #include <map>
 #include <tuple>
 
-#include "core/pack_path.h"
-#include "pack/programs/program_builder.h"
+#include <orris/core/pack_path.h>
+#include <orris/pack/programs/program_builder.h>
 
 namespace orris {
 namespace {

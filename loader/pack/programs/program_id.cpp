@@ -1,10 +1,10 @@
-#include "pack/programs/program_id.h"
+#include <orris/pack/programs/program_id.h>
 
 #include <algorithm>
 #include <array>
 
-#include "core/pack_path.h"
-#include "pack/files/text.h"
+#include <orris/core/pack_path.h>
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

@@ -1,11 +1,11 @@
-#include "pack/properties/counter_warning.h"
+#include <orris/pack/properties/counter_warning.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "pack/files/properties_text.h"
-#include "pack/files/text.h"
+#include <orris/pack/files/properties_text.h>
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

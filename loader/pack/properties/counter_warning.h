@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "core/diagnostic.h"
-#include "glsl/preprocess/preprocessor.h"
-#include "pack/properties/shader_properties.h"
+#include <orris/core/diagnostic.h>
+#include <orris/glsl/preprocess/preprocessor.h>
+#include <orris/pack/properties/shader_properties.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "pack/properties/latin_text.h"
+#include <orris/pack/properties/latin_text.h>
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "pack/files/text.h"
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/diagnostic.h"
+#include <orris/core/diagnostic.h>
 
 namespace orris {
 

@@ -1,18 +1,18 @@
-#include "pack/properties/pack_properties.h"
+#include <orris/pack/properties/pack_properties.h>
 
 #include <algorithm>
 #include <set>
 
-#include "core/text_file.h"
-#include "glsl/preprocess/name_watch.h"
-#include "pack/files/text.h"
-#include "pack/ids/legacy_ids.h"
-#include "pack/mods/mods.h"
-#include "pack/options/auto_properties.h"
-#include "pack/properties/counter_warning.h"
-#include "pack/properties/latin_text.h"
-#include "pack/properties/resource_check.h"
-#include "pack/versions/features.h"
+#include <orris/core/text_file.h>
+#include <orris/glsl/preprocess/name_watch.h>
+#include <orris/pack/files/text.h>
+#include <orris/pack/ids/legacy_ids.h>
+#include <orris/pack/mods/mods.h>
+#include <orris/pack/options/auto_properties.h>
+#include <orris/pack/properties/counter_warning.h>
+#include <orris/pack/properties/latin_text.h>
+#include <orris/pack/properties/resource_check.h>
+#include <orris/pack/versions/features.h>
 
 namespace orris {
 namespace {

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "pack/files/pack_files.h"
-#include "pack/ids/id_map.h"
+#include <orris/pack/files/pack_files.h>
+#include <orris/pack/ids/id_map.h>
 
 namespace orris {
 

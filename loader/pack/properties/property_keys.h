@@ -5,9 +5,9 @@
 #include <string>
 #include <string_view>
 
-#include "pack/files/properties_text.h"
-#include "pack/properties/shader_properties.h"
-#include "pack/versions/iris_versions.h"
+#include <orris/pack/files/properties_text.h>
+#include <orris/pack/properties/shader_properties.h>
+#include <orris/pack/versions/iris_versions.h>
 
 namespace orris {
 

@@ -1,11 +1,11 @@
-#include "pack/properties/property_limits.h"
+#include <orris/pack/properties/property_limits.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 
-#include "core/limits.h"
+#include <orris/core/limits.h>
 
 namespace orris {
 namespace {

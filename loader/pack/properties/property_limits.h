@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "pack/files/properties_text.h"
+#include <orris/pack/files/properties_text.h>
 
 namespace orris {
 

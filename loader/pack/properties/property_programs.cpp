@@ -3,11 +3,11 @@
 
 #include <algorithm>
 
-#include "pack/expressions/boolean_expression.h"
-#include "pack/files/text.h"
-#include "pack/programs/program_id.h"
-#include "pack/properties/property_keys.h"
-#include "pack/properties/texture_format.h"
+#include <orris/pack/expressions/boolean_expression.h>
+#include <orris/pack/files/text.h>
+#include <orris/pack/programs/program_id.h>
+#include <orris/pack/properties/property_keys.h>
+#include <orris/pack/properties/texture_format.h>
 
 namespace orris {
 namespace {

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <array>
 
-#include "core/pack_path.h"
-#include "pack/files/text.h"
-#include "pack/properties/property_keys.h"
-#include "pack/properties/texture_format.h"
+#include <orris/core/pack_path.h>
+#include <orris/pack/files/text.h>
+#include <orris/pack/properties/property_keys.h>
+#include <orris/pack/properties/texture_format.h>
 
 namespace orris {
 namespace {

@@ -6,10 +6,10 @@
 #include <set>
 #include <tuple>
 
-#include "core/limits.h"
-#include "pack/files/text.h"
-#include "pack/properties/property_keys.h"
-#include "pack/versions/features.h"
+#include <orris/core/limits.h>
+#include <orris/pack/files/text.h>
+#include <orris/pack/properties/property_keys.h>
+#include <orris/pack/versions/features.h>
 
 namespace orris {
 namespace {

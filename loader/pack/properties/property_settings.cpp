@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "pack/files/text.h"
-#include "pack/programs/directives.h"
-#include "pack/properties/property_keys.h"
-#include "pack/properties/volume_lights.h"
+#include <orris/pack/files/text.h>
+#include <orris/pack/programs/directives.h>
+#include <orris/pack/properties/property_keys.h>
+#include <orris/pack/properties/volume_lights.h>
 
 namespace orris {
 namespace {

@@ -1,12 +1,12 @@
-#include "pack/properties/resource_check.h"
+#include <orris/pack/properties/resource_check.h>
 
 #include <fmt/format.h>
 
-#include "core/message_limits.h"
-#include "core/text_file.h"
-#include "pack/files/pack_files.h"
-#include "pack/files/text.h"
-#include "pack/properties/texture_format.h"
+#include <orris/core/message_limits.h>
+#include <orris/core/text_file.h>
+#include <orris/pack/files/pack_files.h>
+#include <orris/pack/files/text.h>
+#include <orris/pack/properties/texture_format.h>
 
 namespace orris {
 namespace {

@@ -1,8 +1,8 @@
 // Are the files there that shaders.properties names?
 #pragma once
 
-#include "core/file_source.h"
-#include "pack/properties/shader_properties.h"
+#include <orris/core/file_source.h>
+#include <orris/pack/properties/shader_properties.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "pack/properties/shader_properties.h"
+#include <orris/pack/properties/shader_properties.h>
 
 #include <fmt/format.h>
 
@@ -6,12 +6,12 @@
 #include <array>
 #include <tuple>
 
-#include "core/message_limits.h"
-#include "pack/files/text.h"
-#include "pack/programs/directives.h"
-#include "pack/properties/latin_text.h"
-#include "pack/properties/property_keys.h"
-#include "pack/properties/property_limits.h"
+#include <orris/core/message_limits.h>
+#include <orris/pack/files/text.h>
+#include <orris/pack/programs/directives.h>
+#include <orris/pack/properties/latin_text.h>
+#include <orris/pack/properties/property_keys.h>
+#include <orris/pack/properties/property_limits.h>
 
 namespace orris {
 namespace {

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "core/diagnostic.h"
-#include "glsl/preprocess/preprocessor.h"
-#include "pack/expressions/expression.h"
-#include "pack/options/options.h"
-#include "pack/versions/iris_versions.h"
+#include <orris/core/diagnostic.h>
+#include <orris/glsl/preprocess/preprocessor.h>
+#include <orris/pack/expressions/expression.h>
+#include <orris/pack/options/options.h>
+#include <orris/pack/versions/iris_versions.h>
 
 namespace orris {
 

@@ -1,8 +1,8 @@
-#include "pack/properties/texture_format.h"
+#include <orris/pack/properties/texture_format.h>
 
 #include <algorithm>
 
-#include "pack/files/text.h"
+#include <orris/pack/files/text.h>
 
 namespace orris {
 

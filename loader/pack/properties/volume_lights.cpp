@@ -1,9 +1,9 @@
-#include "pack/properties/volume_lights.h"
+#include <orris/pack/properties/volume_lights.h>
 
 #include <charconv>
 #include <vector>
 
-#include "pack/files/text.h"
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

@@ -1,10 +1,10 @@
-#include "pack/versions/features.h"
+#include <orris/pack/versions/features.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "pack/files/text.h"
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

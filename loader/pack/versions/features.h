@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "glsl/preprocess/preprocessor.h"
-#include "pack/properties/property_keys.h"
-#include "pack/shader_pack.h"
+#include <orris/glsl/preprocess/preprocessor.h>
+#include <orris/pack/properties/property_keys.h>
+#include <orris/pack/shader_pack.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "pack/versions/iris_versions.h"
+#include <orris/pack/versions/iris_versions.h>
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "pack/files/text.h"
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "glsl/preprocess/preprocessor.h"
+#include <orris/glsl/preprocess/preprocessor.h>
 
 namespace orris {
 

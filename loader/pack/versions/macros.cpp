@@ -5,8 +5,8 @@
 #include <array>
 #include <iterator>
 
-#include "pack/files/text.h"
-#include "pack/shader_pack.h"
+#include <orris/pack/files/text.h>
+#include <orris/pack/shader_pack.h>
 
 namespace orris {
 namespace {

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plan/lists/content_scene.h"
-#include "plan/lists/list_writer.h"
+#include <orris/plan/lists/content_scene.h>
+#include <orris/plan/lists/list_writer.h>
 
 namespace orris {
 namespace {

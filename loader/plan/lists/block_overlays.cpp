@@ -3,9 +3,9 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "plan/lists/list_writer.h"
-#include "world/content/entity_models.h"
-#include "world/mesh/block_faces.h"
+#include <orris/plan/lists/list_writer.h>
+#include <orris/world/content/entity_models.h>
+#include <orris/world/mesh/block_faces.h>
 
 namespace orris {
 namespace {

@@ -1,10 +1,10 @@
-#include "plan/lists/content_scene.h"
+#include <orris/plan/lists/content_scene.h>
 
 #include <algorithm>
 #include <set>
 
-#include "world/content/entity_models.h"
-#include "world/mesh/block_mesh.h"
+#include <orris/world/content/entity_models.h>
+#include <orris/world/mesh/block_mesh.h>
 
 namespace orris {
 namespace {

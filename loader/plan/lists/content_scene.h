@@ -4,10 +4,10 @@
 #include <map>
 #include <string>
 
-#include "plan/geometry.h"
-#include "world/atlas/block_atlas.h"
-#include "world/blocks/block_facts.h"
-#include "world/world.h"
+#include <orris/plan/geometry.h>
+#include <orris/world/atlas/block_atlas.h>
+#include <orris/world/blocks/block_facts.h>
+#include <orris/world/world.h>
 
 namespace orris {
 

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "plan/geometry.h"
-#include "plan/gpu_vertex.h"
-#include "plan/scene_data.h"
-#include "plan/shapes.h"
+#include <orris/plan/geometry.h>
+#include <orris/plan/gpu_vertex.h>
+#include <orris/plan/scene_data.h>
+#include <orris/plan/shapes.h>
 
 namespace orris {
 

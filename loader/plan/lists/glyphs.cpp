@@ -2,7 +2,7 @@
 #include <cctype>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "plan/lists/list_writer.h"
+#include <orris/plan/lists/list_writer.h>
 
 namespace orris {
 namespace {

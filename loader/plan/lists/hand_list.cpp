@@ -1,7 +1,7 @@
 // Hands of the player with what they hold, in view space.
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "plan/lists/list_writer.h"
+#include <orris/plan/lists/list_writer.h>
 
 namespace orris {
 namespace {

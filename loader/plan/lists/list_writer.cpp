@@ -1,4 +1,4 @@
-#include "plan/lists/list_writer.h"
+#include <orris/plan/lists/list_writer.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <array>
 #include <glm/glm.hpp>
 
-#include "plan/lists/draw_lists.h"
+#include <orris/plan/lists/draw_lists.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "trace/export/export_mesh.h"
+#include <orris/trace/export/export_mesh.h>
 
 #include <algorithm>
 #include <map>

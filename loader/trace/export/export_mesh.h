@@ -6,7 +6,7 @@
 #include <tuple>
 #include <vector>
 
-#include "trace/trace_scene.h"
+#include <orris/trace/trace_scene.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "trace/export/gltf_buffer.h"
+#include <orris/trace/export/gltf_buffer.h>
 
 #include <bit>
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
-#include "trace/export/gltf_scene.h"
+#include <orris/trace/export/gltf_scene.h>
 
 namespace orris {
 namespace {

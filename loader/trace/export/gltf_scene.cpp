@@ -1,14 +1,14 @@
-#include "trace/export/gltf_scene.h"
+#include <orris/trace/export/gltf_scene.h>
 
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 #include <numbers>
 
-#include "core/add_diagnostic.h"
-#include "image/encode_png.h"
-#include "plan/frame_state.h"
-#include "trace/export/export_mesh.h"
-#include "trace/export/gltf_buffer.h"
+#include <orris/core/add_diagnostic.h>
+#include <orris/image/encode_png.h>
+#include <orris/plan/frame_state.h>
+#include <orris/trace/export/export_mesh.h>
+#include <orris/trace/export/gltf_buffer.h>
 
 namespace orris {
 namespace {

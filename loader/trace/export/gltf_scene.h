@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "trace/trace_scene.h"
-#include "world/world.h"
+#include <orris/trace/trace_scene.h>
+#include <orris/world/world.h>
 
 namespace orris {
 

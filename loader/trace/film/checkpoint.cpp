@@ -1,4 +1,4 @@
-#include "trace/film/checkpoint.h"
+#include <orris/trace/film/checkpoint.h>
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include <fstream>
 #include <sstream>
 
-#include "core/add_diagnostic.h"
-#include "core/replace_file.h"
-#include "trace/light/random.h"
+#include <orris/core/add_diagnostic.h>
+#include <orris/core/replace_file.h>
+#include <orris/trace/light/random.h>
 
 namespace orris {
 namespace {

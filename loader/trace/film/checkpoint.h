@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "core/diagnostic.h"
-#include "trace/film/trace_film.h"
-#include "trace/path_tracer.h"
+#include <orris/core/diagnostic.h>
+#include <orris/trace/film/trace_film.h>
+#include <orris/trace/path_tracer.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "trace/film/trace_film.h"
+#include <orris/trace/film/trace_film.h>
 
 #include <algorithm>
 #include <cmath>

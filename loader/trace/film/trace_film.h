@@ -6,7 +6,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "image/image.h"
+#include <orris/image/image.h>
 
 namespace orris {
 

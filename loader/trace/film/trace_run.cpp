@@ -1,4 +1,4 @@
-#include "trace/film/trace_run.h"
+#include <orris/trace/film/trace_run.h>
 
 #include <algorithm>
 #include <atomic>

@@ -1,8 +1,8 @@
 // Samples for a whole picture on several threads.
 #pragma once
 
-#include "trace/film/trace_film.h"
-#include "trace/path_tracer.h"
+#include <orris/trace/film/trace_film.h>
+#include <orris/trace/path_tracer.h>
 
 namespace orris {
 

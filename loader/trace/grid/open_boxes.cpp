@@ -1,4 +1,4 @@
-#include "trace/grid/open_boxes.h"
+#include <orris/trace/grid/open_boxes.h>
 
 #include <algorithm>
 #include <thread>

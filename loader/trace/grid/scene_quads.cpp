@@ -1,11 +1,11 @@
-#include "trace/grid/scene_quads.h"
+#include <orris/trace/grid/scene_quads.h>
 
 #include <algorithm>
 #include <array>
 #include <tuple>
 
-#include "trace/light/pack_lighting.h"
-#include "world/atlas/atlas_levels.h"
+#include <orris/trace/light/pack_lighting.h>
+#include <orris/world/atlas/atlas_levels.h>
 
 namespace orris {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "trace/grid/voxel_grid.h"
-#include "world/mesh/block_mesh.h"
+#include <orris/trace/grid/voxel_grid.h>
+#include <orris/world/mesh/block_mesh.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "trace/grid/voxel_grid.h"
+#include <orris/trace/grid/voxel_grid.h>
 
 #include <algorithm>
 #include <cmath>

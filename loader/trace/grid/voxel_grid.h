@@ -7,9 +7,9 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "trace/grid/open_boxes.h"
-#include "trace/grid/ray.h"
-#include "world/atlas/atlas_levels.h"
+#include <orris/trace/grid/open_boxes.h>
+#include <orris/trace/grid/ray.h>
+#include <orris/world/atlas/atlas_levels.h>
 
 namespace orris {
 

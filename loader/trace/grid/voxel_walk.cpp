@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "trace/grid/voxel_grid.h"
+#include <orris/trace/grid/voxel_grid.h>
 
 namespace orris {
 namespace {

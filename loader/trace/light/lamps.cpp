@@ -1,4 +1,4 @@
-#include "trace/light/lamps.h"
+#include <orris/trace/light/lamps.h>
 
 #include <algorithm>
 #include <bit>

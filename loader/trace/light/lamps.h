@@ -5,7 +5,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "trace/grid/ray.h"
+#include <orris/trace/grid/ray.h>
 
 namespace orris {
 

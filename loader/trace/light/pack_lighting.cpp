@@ -1,4 +1,4 @@
-#include "trace/light/pack_lighting.h"
+#include <orris/trace/light/pack_lighting.h>
 
 #include <algorithm>
 #include <cstdlib>

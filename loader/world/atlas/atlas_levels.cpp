@@ -1,4 +1,4 @@
-#include "world/atlas/atlas_levels.h"
+#include <orris/world/atlas/atlas_levels.h>
 
 #include <algorithm>
 #include <array>

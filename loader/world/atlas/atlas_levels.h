@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "image/image.h"
+#include <orris/image/image.h>
 
 namespace orris {
 

@@ -1,10 +1,10 @@
-#include "world/atlas/block_atlas.h"
+#include <orris/world/atlas/block_atlas.h>
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 
-#include "world/atlas/texture_canvas.h"
+#include <orris/world/atlas/texture_canvas.h>
 
 namespace orris {
 namespace {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "image/image.h"
-#include "world/atlas/tile_animation.h"
+#include <orris/image/image.h>
+#include <orris/world/atlas/tile_animation.h>
 
 namespace orris {
 

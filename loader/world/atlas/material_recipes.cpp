@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "world/atlas/texture_canvas.h"
+#include <orris/world/atlas/texture_canvas.h>
 
 namespace orris {
 namespace {

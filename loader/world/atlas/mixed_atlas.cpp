@@ -1,9 +1,9 @@
-#include "world/atlas/mixed_atlas.h"
+#include <orris/world/atlas/mixed_atlas.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "world/atlas/atlas_levels.h"
+#include <orris/world/atlas/atlas_levels.h>
 
 namespace orris {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/limits.h"
-#include "world/atlas/block_atlas.h"
+#include <orris/core/limits.h>
+#include <orris/world/atlas/block_atlas.h>
 
 namespace orris {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "world/atlas/texture_canvas.h"
+#include <orris/world/atlas/texture_canvas.h>
 
 namespace orris {
 namespace {

@@ -1,4 +1,4 @@
-#include "world/atlas/texture_canvas.h"
+#include <orris/world/atlas/texture_canvas.h>
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "world/blocks/block_data.h"
+#include <orris/world/blocks/block_data.h>
 
 namespace orris {
 

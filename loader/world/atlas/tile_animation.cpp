@@ -1,4 +1,4 @@
-#include "world/atlas/tile_animation.h"
+#include <orris/world/atlas/tile_animation.h>
 
 #include <cmath>
 

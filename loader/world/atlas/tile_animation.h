@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "image/image.h"
+#include <orris/image/image.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "world/blocks/block_data.h"
+#include <orris/world/blocks/block_data.h>
 
 #include <algorithm>
 #include <array>

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "world/blocks/block_facts.h"
+#include <orris/world/blocks/block_facts.h>
 
 namespace orris {
 

@@ -1,10 +1,10 @@
-#include "world/blocks/block_facts.h"
+#include <orris/world/blocks/block_facts.h>
 
 #include <algorithm>
 #include <string_view>
 
-#include "world/blocks/block_data.h"
-#include "world/blocks/block_shape.h"
+#include <orris/world/blocks/block_data.h>
+#include <orris/world/blocks/block_shape.h>
 
 namespace orris {
 namespace {

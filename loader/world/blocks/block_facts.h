@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "world/blocks/block_state.h"
+#include <orris/world/blocks/block_state.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "world/blocks/block_shape.h"
+#include <orris/world/blocks/block_shape.h>
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // From a shape of the data file and a state's properties to boxes with textures.
 #pragma once
 
-#include "world/blocks/block_data.h"
+#include <orris/world/blocks/block_data.h>
 
 namespace orris {
 

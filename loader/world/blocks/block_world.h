@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "world/blocks/block_state.h"
+#include <orris/world/blocks/block_state.h>
 
 namespace orris {
 

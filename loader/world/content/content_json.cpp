@@ -1,4 +1,4 @@
-#include "world/content/content_json.h"
+#include <orris/world/content/content_json.h>
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <map>
 
-#include "core/limits.h"
-#include "world/content/entity_models.h"
+#include <orris/core/limits.h>
+#include <orris/world/content/entity_models.h>
 
 namespace orris {
 namespace {

@@ -1,8 +1,8 @@
 // The members of a world.json that say what is there besides blocks.
 #pragma once
 
-#include "world/files/json_reader.h"
-#include "world/world.h"
+#include <orris/world/files/json_reader.h>
+#include <orris/world/world.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "world/content/entity_models.h"
+#include <orris/world/content/entity_models.h>
 
 #include <algorithm>
 #include <array>

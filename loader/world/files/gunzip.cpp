@@ -1,4 +1,4 @@
-#include "world/files/gunzip.h"
+#include <orris/world/files/gunzip.h>
 
 #include <zlib.h>
 

@@ -1,4 +1,4 @@
-#include "world/files/json_reader.h"
+#include <orris/world/files/json_reader.h>
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/limits.h"
+#include <orris/core/limits.h>
 
 namespace orris {
 namespace {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "core/message_limits.h"
-#include "world/blocks/block_state.h"
-#include "world/files/located_json.h"
+#include <orris/core/message_limits.h>
+#include <orris/world/blocks/block_state.h>
+#include <orris/world/files/located_json.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "world/files/located_json.h"
+#include <orris/world/files/located_json.h>
 
 #include <fmt/core.h>
 
@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <unordered_set>
 
-#include "core/limits.h"
-#include "core/message_limits.h"
+#include <orris/core/limits.h>
+#include <orris/core/message_limits.h>
 
 namespace orris {
 namespace {

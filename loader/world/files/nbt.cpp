@@ -1,4 +1,4 @@
-#include "world/files/nbt.h"
+#include <orris/world/files/nbt.h>
 
 #include <fmt/core.h>
 

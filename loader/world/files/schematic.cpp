@@ -1,14 +1,14 @@
-#include "world/files/schematic.h"
+#include <orris/world/files/schematic.h>
 
 #include <fmt/core.h>
 
 #include <vector>
 
-#include "core/add_diagnostic.h"
-#include "core/limits.h"
-#include "world/files/gunzip.h"
-#include "world/files/nbt.h"
-#include "world/files/tag_builds.h"
+#include <orris/core/add_diagnostic.h>
+#include <orris/core/limits.h>
+#include <orris/world/files/gunzip.h>
+#include <orris/world/files/nbt.h>
+#include <orris/world/files/tag_builds.h>
 
 namespace orris {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "core/diagnostic.h"
-#include "world/blocks/block_world.h"
+#include <orris/core/diagnostic.h>
+#include <orris/world/blocks/block_world.h>
 
 namespace orris {
 

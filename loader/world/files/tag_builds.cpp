@@ -1,13 +1,13 @@
-#include "world/files/tag_builds.h"
+#include <orris/world/files/tag_builds.h>
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <limits>
 
-#include "world/saves/block_palette.h"
-#include "world/saves/legacy_blocks.h"
-#include "world/saves/packed_indices.h"
+#include <orris/world/saves/block_palette.h>
+#include <orris/world/saves/legacy_blocks.h>
+#include <orris/world/saves/packed_indices.h>
 
 namespace orris {
 namespace {

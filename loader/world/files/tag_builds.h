@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "world/blocks/block_world.h"
-#include "world/files/nbt.h"
+#include <orris/world/blocks/block_world.h>
+#include <orris/world/files/nbt.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "world/files/world_json.h"
+#include <orris/world/files/world_json.h>
 
 #include <fmt/core.h>
 
@@ -6,9 +6,9 @@
 #include <cmath>
 #include <set>
 
-#include "core/limits.h"
-#include "world/content/content_json.h"
-#include "world/files/world_json_blocks.h"
+#include <orris/core/limits.h>
+#include <orris/world/content/content_json.h>
+#include <orris/world/files/world_json_blocks.h>
 
 namespace orris {
 namespace {

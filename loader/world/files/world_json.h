@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "world/world.h"
+#include <orris/world/world.h>
 
 namespace orris {
 

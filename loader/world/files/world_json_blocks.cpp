@@ -1,13 +1,13 @@
-#include "world/files/world_json_blocks.h"
+#include <orris/world/files/world_json_blocks.h>
 
 #include <fmt/core.h>
 
 #include <map>
 
-#include "core/limits.h"
-#include "core/pack_path.h"
-#include "world/files/schematic.h"
-#include "world/terrain.h"
+#include <orris/core/limits.h>
+#include <orris/core/pack_path.h>
+#include <orris/world/files/schematic.h>
+#include <orris/world/terrain.h>
 
 namespace orris {
 namespace {

@@ -1,8 +1,8 @@
 // The "blocks" of a world.json: a list of operations, applied in order.
 #pragma once
 
-#include "world/files/json_reader.h"
-#include "world/files/world_json.h"
+#include <orris/world/files/json_reader.h>
+#include <orris/world/files/world_json.h>
 
 namespace orris {
 

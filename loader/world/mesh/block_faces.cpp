@@ -1,4 +1,4 @@
-#include "world/mesh/block_faces.h"
+#include <orris/world/mesh/block_faces.h>
 
 #include <algorithm>
 #include <cmath>

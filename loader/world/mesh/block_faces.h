@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "world/atlas/block_atlas.h"
-#include "world/blocks/block_facts.h"
-#include "world/resources/block_model.h"
+#include <orris/world/atlas/block_atlas.h>
+#include <orris/world/blocks/block_facts.h>
+#include <orris/world/resources/block_model.h>
 
 namespace orris {
 

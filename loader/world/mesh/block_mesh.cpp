@@ -1,4 +1,4 @@
-#include "world/mesh/block_mesh.h"
+#include <orris/world/mesh/block_mesh.h>
 
 #include <fmt/core.h>
 #include <malloc.h>
@@ -9,12 +9,12 @@
 #include <optional>
 #include <set>
 
-#include "core/add_diagnostic.h"
-#include "core/parallel.h"
-#include "world/mesh/face_light.h"
-#include "world/mesh/mesh_states.h"
-#include "world/mesh/model_dice.h"
-#include "world/resources/block_look.h"
+#include <orris/core/add_diagnostic.h>
+#include <orris/core/parallel.h>
+#include <orris/world/mesh/face_light.h>
+#include <orris/world/mesh/mesh_states.h>
+#include <orris/world/mesh/model_dice.h>
+#include <orris/world/resources/block_look.h>
 
 namespace orris {
 namespace {

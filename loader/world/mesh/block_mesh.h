@@ -7,10 +7,10 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "world/atlas/block_atlas.h"
-#include "world/blocks/block_facts.h"
-#include "world/mesh/light.h"
-#include "world/world.h"
+#include <orris/world/atlas/block_atlas.h>
+#include <orris/world/blocks/block_facts.h>
+#include <orris/world/mesh/light.h>
+#include <orris/world/world.h>
 
 namespace orris {
 

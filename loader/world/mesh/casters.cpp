@@ -1,4 +1,4 @@
-#include "world/mesh/casters.h"
+#include <orris/world/mesh/casters.h>
 
 #include <algorithm>
 #include <limits>

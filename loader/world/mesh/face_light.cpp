@@ -1,4 +1,4 @@
-#include "world/mesh/face_light.h"
+#include <orris/world/mesh/face_light.h>
 
 #include <algorithm>
 

@@ -6,8 +6,8 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "world/mesh/block_faces.h"
-#include "world/mesh/light.h"
+#include <orris/world/mesh/block_faces.h>
+#include <orris/world/mesh/light.h>
 
 namespace orris {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "world/blocks/block_world.h"
+#include <orris/world/blocks/block_world.h>
 
 namespace orris {
 

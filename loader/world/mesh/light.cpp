@@ -1,9 +1,9 @@
-#include "world/mesh/light.h"
+#include <orris/world/mesh/light.h>
 
 #include <algorithm>
 #include <array>
 
-#include "core/parallel.h"
+#include <orris/core/parallel.h>
 
 namespace orris {
 namespace {

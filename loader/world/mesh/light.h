@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "world/blocks/block_facts.h"
-#include "world/blocks/block_world.h"
-#include "world/mesh/level_grid.h"
+#include <orris/world/blocks/block_facts.h>
+#include <orris/world/blocks/block_world.h>
+#include <orris/world/mesh/level_grid.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "world/mesh/mesh_lamps.h"
+#include <orris/world/mesh/mesh_lamps.h>
 
 #include <array>
 #include <set>

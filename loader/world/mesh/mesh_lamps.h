@@ -4,7 +4,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "world/mesh/block_mesh.h"
+#include <orris/world/mesh/block_mesh.h>
 
 namespace orris {
 

@@ -1,8 +1,8 @@
-#include "world/mesh/mesh_states.h"
+#include <orris/world/mesh/mesh_states.h>
 
 #include <algorithm>
 
-#include "world/resources/block_look.h"
+#include <orris/world/resources/block_look.h>
 
 namespace orris {
 namespace {

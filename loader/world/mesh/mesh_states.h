@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "world/mesh/block_faces.h"
-#include "world/mesh/block_mesh.h"
-#include "world/resources/block_model.h"
+#include <orris/world/mesh/block_faces.h>
+#include <orris/world/mesh/block_mesh.h>
+#include <orris/world/resources/block_model.h>
 
 namespace orris {
 

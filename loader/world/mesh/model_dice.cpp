@@ -1,4 +1,4 @@
-#include "world/mesh/model_dice.h"
+#include <orris/world/mesh/model_dice.h>
 
 #include <cstdlib>
 #include <numeric>

@@ -1,4 +1,4 @@
-#include "world/mesh/silhouette.h"
+#include <orris/world/mesh/silhouette.h>
 
 #include <algorithm>
 #include <cmath>

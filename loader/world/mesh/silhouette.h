@@ -11,7 +11,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "world/mesh/casters.h"
+#include <orris/world/mesh/casters.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "world/resources/biome_tint.h"
+#include <orris/world/resources/biome_tint.h>
 
 #include <algorithm>
 #include <charconv>

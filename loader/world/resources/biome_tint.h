@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "image/image.h"
-#include "world/blocks/block_facts.h"
-#include "world/world.h"
+#include <orris/image/image.h>
+#include <orris/world/blocks/block_facts.h>
+#include <orris/world/world.h>
 
 namespace orris {
 

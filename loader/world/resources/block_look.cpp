@@ -1,4 +1,4 @@
-#include "world/resources/block_look.h"
+#include <orris/world/resources/block_look.h>
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <numeric>
 
-#include "core/add_diagnostic.h"
-#include "core/limits.h"
-#include "world/atlas/mixed_atlas.h"
-#include "world/mesh/block_mesh.h"
-#include "world/resources/block_models.h"
-#include "world/resources/texture_files.h"
-#include "world/saves/biome_climate.h"
+#include <orris/core/add_diagnostic.h>
+#include <orris/core/limits.h>
+#include <orris/world/atlas/mixed_atlas.h>
+#include <orris/world/mesh/block_mesh.h>
+#include <orris/world/resources/block_models.h>
+#include <orris/world/resources/texture_files.h>
+#include <orris/world/saves/biome_climate.h>
 
 namespace orris {
 namespace {

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "world/atlas/block_atlas.h"
-#include "world/resources/biome_tint.h"
-#include "world/resources/block_model.h"
-#include "world/resources/resource_stack.h"
+#include <orris/world/atlas/block_atlas.h>
+#include <orris/world/resources/biome_tint.h>
+#include <orris/world/resources/block_model.h>
+#include <orris/world/resources/resource_stack.h>
 
 namespace orris {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "world/blocks/block_facts.h"
+#include <orris/world/blocks/block_facts.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "world/resources/block_models.h"
+#include <orris/world/resources/block_models.h>
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <tuple>
 
-#include "core/add_diagnostic.h"
-#include "core/limits.h"
-#include "world/blocks/block_data.h"
-#include "world/files/located_json.h"
+#include <orris/core/add_diagnostic.h>
+#include <orris/core/limits.h>
+#include <orris/world/blocks/block_data.h>
+#include <orris/world/files/located_json.h>
 
 namespace orris {
 namespace {

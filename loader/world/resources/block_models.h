@@ -4,10 +4,10 @@
 #include <map>
 #include <vector>
 
-#include "world/blocks/block_world.h"
-#include "world/resources/block_model.h"
-#include "world/resources/blockstate_json.h"
-#include "world/resources/model_faces.h"
+#include <orris/world/blocks/block_world.h>
+#include <orris/world/resources/block_model.h>
+#include <orris/world/resources/blockstate_json.h>
+#include <orris/world/resources/model_faces.h>
 
 namespace orris {
 

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/diagnostic.h"
-#include "world/resources/resource_stack.h"
+#include <orris/core/diagnostic.h>
+#include <orris/world/resources/resource_stack.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "world/resources/builtin_models.h"
+#include <orris/world/resources/builtin_models.h>
 
 #include <fmt/core.h>
 

@@ -1,4 +1,4 @@
-#include "world/resources/model_faces.h"
+#include <orris/world/resources/model_faces.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // From a model's elements to the quads of a block, turned as its blockstates file says.
 #pragma once
 
-#include "world/resources/block_model.h"
-#include "world/resources/model_library.h"
+#include <orris/world/resources/block_model.h>
+#include <orris/world/resources/model_library.h>
 
 namespace orris {
 

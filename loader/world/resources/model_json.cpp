@@ -1,11 +1,11 @@
-#include "world/resources/model_json.h"
+#include <orris/world/resources/model_json.h>
 
 #include <fmt/core.h>
 
 #include <algorithm>
 
-#include "core/limits.h"
-#include "world/files/json_reader.h"
+#include <orris/core/limits.h>
+#include <orris/world/files/json_reader.h>
 
 namespace orris {
 namespace {

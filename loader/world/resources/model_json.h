@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "core/diagnostic.h"
-#include "world/blocks/block_facts.h"
-#include "world/resources/resource_stack.h"
+#include <orris/core/diagnostic.h>
+#include <orris/world/blocks/block_facts.h>
+#include <orris/world/resources/resource_stack.h>
 
 namespace orris {
 

@@ -1,13 +1,13 @@
-#include "world/resources/model_library.h"
+#include <orris/world/resources/model_library.h>
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <set>
 
-#include "core/add_diagnostic.h"
-#include "core/limits.h"
-#include "world/resources/builtin_models.h"
+#include <orris/core/add_diagnostic.h>
+#include <orris/core/limits.h>
+#include <orris/world/resources/builtin_models.h>
 
 namespace orris {
 namespace {

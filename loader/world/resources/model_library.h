@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "world/resources/model_json.h"
+#include <orris/world/resources/model_json.h>
 
 namespace orris {
 

@@ -1,11 +1,11 @@
-#include "world/resources/resource_stack.h"
+#include <orris/world/resources/resource_stack.h>
 
 #include <fmt/core.h>
 
 #include <algorithm>
 
-#include "core/add_diagnostic.h"
-#include "core/asset_source.h"
+#include <orris/core/add_diagnostic.h>
+#include <orris/core/asset_source.h>
 
 namespace orris {
 namespace {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/file_source.h"
+#include <orris/core/file_source.h>
 
 namespace orris {
 

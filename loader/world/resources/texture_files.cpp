@@ -1,4 +1,4 @@
-#include "world/resources/texture_files.h"
+#include <orris/world/resources/texture_files.h>
 
 #include <fmt/core.h>
 
@@ -7,9 +7,9 @@
 #include <map>
 #include <set>
 
-#include "core/add_diagnostic.h"
-#include "core/limits.h"
-#include "world/resources/texture_meta.h"
+#include <orris/core/add_diagnostic.h>
+#include <orris/core/limits.h>
+#include <orris/world/resources/texture_meta.h>
 
 namespace orris {
 namespace {

@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
-#include "core/limits.h"
-#include "image/image.h"
-#include "world/atlas/block_atlas.h"
-#include "world/resources/resource_stack.h"
+#include <orris/core/limits.h>
+#include <orris/image/image.h>
+#include <orris/world/atlas/block_atlas.h>
+#include <orris/world/resources/resource_stack.h>
 
 namespace orris {
 

@@ -1,10 +1,10 @@
-#include "world/resources/texture_meta.h"
+#include <orris/world/resources/texture_meta.h>
 
 #include <fmt/core.h>
 
 #include <algorithm>
 
-#include "world/files/json_reader.h"
+#include <orris/world/files/json_reader.h>
 
 namespace orris {
 namespace {

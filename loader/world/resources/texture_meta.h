@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "world/atlas/tile_animation.h"
-#include "world/resources/resource_stack.h"
+#include <orris/world/atlas/tile_animation.h>
+#include <orris/world/resources/resource_stack.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "world/saves/anvil_chunk.h"
+#include <orris/world/saves/anvil_chunk.h>
 
 #include <fmt/core.h>
 
@@ -6,11 +6,11 @@
 #include <array>
 #include <map>
 
-#include "world/blocks/block_world.h"
-#include "world/files/nbt.h"
-#include "world/saves/block_palette.h"
-#include "world/saves/legacy_blocks.h"
-#include "world/saves/packed_indices.h"
+#include <orris/world/blocks/block_world.h>
+#include <orris/world/files/nbt.h>
+#include <orris/world/saves/block_palette.h>
+#include <orris/world/saves/legacy_blocks.h>
+#include <orris/world/saves/packed_indices.h>
 
 namespace orris {
 namespace {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "world/blocks/block_state.h"
+#include <orris/world/blocks/block_state.h>
 
 namespace orris {
 

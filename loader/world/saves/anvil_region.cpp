@@ -1,12 +1,12 @@
-#include "world/saves/anvil_region.h"
+#include <orris/world/saves/anvil_region.h>
 
 #include <fmt/core.h>
 
 #include <cstdint>
 
-#include "core/limits.h"
-#include "world/files/gunzip.h"
-#include "world/saves/lz4_blocks.h"
+#include <orris/core/limits.h>
+#include <orris/world/files/gunzip.h>
+#include <orris/world/saves/lz4_blocks.h>
 
 namespace orris {
 namespace {

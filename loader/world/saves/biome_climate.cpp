@@ -1,4 +1,4 @@
-#include "world/saves/biome_climate.h"
+#include <orris/world/saves/biome_climate.h>
 
 #include <string>
 

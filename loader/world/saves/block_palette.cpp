@@ -1,4 +1,4 @@
-#include "world/saves/block_palette.h"
+#include <orris/world/saves/block_palette.h>
 
 #include <fmt/core.h>
 

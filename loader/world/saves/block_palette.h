@@ -7,8 +7,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "world/blocks/block_state.h"
-#include "world/files/nbt.h"
+#include <orris/world/blocks/block_state.h>
+#include <orris/world/files/nbt.h>
 
 namespace orris {
 

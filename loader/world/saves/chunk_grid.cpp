@@ -1,4 +1,4 @@
-#include "world/saves/chunk_grid.h"
+#include <orris/world/saves/chunk_grid.h>
 
 #include <fmt/core.h>
 
@@ -6,10 +6,10 @@
 #include <atomic>
 #include <limits>
 
-#include "core/limits.h"
-#include "core/parallel.h"
-#include "core/read_file.h"
-#include "world/saves/anvil_region.h"
+#include <orris/core/limits.h>
+#include <orris/core/parallel.h>
+#include <orris/core/read_file.h>
+#include <orris/world/saves/anvil_region.h>
 
 namespace orris {
 namespace {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "world/blocks/block_world.h"
-#include "world/saves/anvil_chunk.h"
-#include "world/saves/save_files.h"
+#include <orris/world/blocks/block_world.h>
+#include <orris/world/saves/anvil_chunk.h>
+#include <orris/world/saves/save_files.h>
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "world/saves/legacy_blocks.h"
+#include <orris/world/saves/legacy_blocks.h>
 
 #include <array>
 #include <cstdint>

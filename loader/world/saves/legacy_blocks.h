@@ -1,7 +1,7 @@
 // Numeric block ids of 1.12 and before, as block states.
 #pragma once
 
-#include "world/blocks/block_state.h"
+#include <orris/world/blocks/block_state.h>
 
 namespace orris {
 

@@ -1,12 +1,12 @@
-#include "world/saves/level_data.h"
+#include <orris/world/saves/level_data.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 
-#include "core/limits.h"
-#include "world/files/gunzip.h"
-#include "world/files/nbt.h"
+#include <orris/core/limits.h>
+#include <orris/world/files/gunzip.h>
+#include <orris/world/files/nbt.h>
 
 namespace orris {
 namespace {

@@ -1,4 +1,4 @@
-#include "world/saves/lz4_blocks.h"
+#include <orris/world/saves/lz4_blocks.h>
 
 #include <lz4.h>
 

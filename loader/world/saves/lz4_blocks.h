@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "world/files/gunzip.h"
+#include <orris/world/files/gunzip.h>
 
 namespace orris {
 

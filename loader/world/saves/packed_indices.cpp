@@ -1,4 +1,4 @@
-#include "world/saves/packed_indices.h"
+#include <orris/world/saves/packed_indices.h>
 
 #include <algorithm>
 #include <bit>

@@ -1,4 +1,4 @@
-#include "world/saves/save.h"
+#include <orris/world/saves/save.h>
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
@@ -6,16 +6,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/add_diagnostic.h"
-#include "core/limits.h"
-#include "core/printable.h"
-#include "core/read_file.h"
-#include "world/saves/biome_climate.h"
-#include "world/saves/chunk_grid.h"
-#include "world/saves/level_data.h"
-#include "world/saves/save_biomes.h"
-#include "world/saves/save_files.h"
-#include "world/standing_camera.h"
+#include <orris/core/add_diagnostic.h>
+#include <orris/core/limits.h>
+#include <orris/core/printable.h>
+#include <orris/core/read_file.h>
+#include <orris/world/saves/biome_climate.h>
+#include <orris/world/saves/chunk_grid.h>
+#include <orris/world/saves/level_data.h>
+#include <orris/world/saves/save_biomes.h>
+#include <orris/world/saves/save_files.h>
+#include <orris/world/standing_camera.h>
 
 namespace orris {
 namespace {

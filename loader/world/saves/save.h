@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "world/world.h"
+#include <orris/world/world.h>
 
 namespace orris {
 

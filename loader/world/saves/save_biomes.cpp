@@ -1,4 +1,4 @@
-#include "world/saves/save_biomes.h"
+#include <orris/world/saves/save_biomes.h>
 
 #include <map>
 

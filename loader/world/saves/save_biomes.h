@@ -4,9 +4,9 @@
 #include <memory>
 #include <vector>
 
-#include "world/blocks/biome_grid.h"
-#include "world/blocks/block_world.h"
-#include "world/saves/chunk_grid.h"
+#include <orris/world/blocks/biome_grid.h>
+#include <orris/world/blocks/block_world.h>
+#include <orris/world/saves/chunk_grid.h>
 
 namespace orris {
 

@@ -1,11 +1,11 @@
-#include "world/saves/save_files.h"
+#include <orris/world/saves/save_files.h>
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <string_view>
 
-#include "core/limits.h"
+#include <orris/core/limits.h>
 
 namespace orris {
 namespace {

@@ -3,12 +3,12 @@
 #include <iostream>
 #include <memory>
 
-#include "core/file_source.h"
-#include "gl/context.h"
-#include "render/render_session.h"
-#include "report/report_format.h"
-#include "validate/validate_pack.h"
-#include "world/world.h"
+#include <orris/core/file_source.h>
+#include <orris/gl/context.h>
+#include <orris/render/render_session.h>
+#include <orris/report/report_format.h>
+#include <orris/validate/validate_pack.h>
+#include <orris/world/world.h>
 
 namespace {
 
