@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <orris/orris.h>
-#include <orris/render/engine_geometry.h>
+#include <orris/render/scene/engine_geometry.h>
 
 /// A pass during its callback.
 struct OrrisDraw {

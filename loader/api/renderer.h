@@ -6,7 +6,7 @@
 
 #include <orris/api/context.h>
 #include <orris/api/geometry.h>
-#include <orris/render/render_session.h>
+#include <orris/render/session/render_session.h>
 
 struct OrrisRenderer {
   static constexpr const char* kKind = "OrrisRenderer";

@@ -4,7 +4,7 @@
 
 #include <orris/api/renderer.h>
 #include <orris/gl/functions.h>
-#include <orris/plan/program_uses.h>
+#include <orris/plan/schedule/program_uses.h>
 
 namespace orris::api {
 namespace {

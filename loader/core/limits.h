@@ -16,10 +16,10 @@ constexpr std::size_t kMessageNotes = 32;
 constexpr std::size_t kMessageIncludes = 32;
 constexpr std::size_t kPrintedOfAKind = 100;
 
-// Folders of a pack (core/file_source.h, whose PackLimits has bytes and files).
+// Folders of a pack (core/files/file_source.h, whose PackLimits has bytes and files).
 constexpr std::size_t kPackFolders = 4'096;
 
-// Text files of a pack (core/text_file.h).
+// Text files of a pack (core/files/text_file.h).
 constexpr std::size_t kTextFileBytes = std::size_t{4} << 20;
 constexpr std::size_t kTextFileLines = 100'000;
 constexpr std::size_t kPropertyLines = 20'000;
@@ -70,7 +70,7 @@ constexpr std::size_t kRegionBytes = std::size_t{256} << 20;
 constexpr std::size_t kChunkBytes = std::size_t{16} << 20;
 constexpr std::size_t kSaveBytes = std::size_t{1} << 30;
 
-// Resource packs (world/resources, core/asset_source.h).
+// Resource packs (world/resources, core/files/asset_source.h).
 constexpr std::size_t kResourceJsonBytes = std::size_t{4} << 20;
 constexpr std::size_t kModelDepth = 64;
 constexpr std::size_t kModelElements = 4'096;

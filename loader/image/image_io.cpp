@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include <orris/core/add_diagnostic.h>
-#include <orris/core/replace_file.h>
+#include <orris/core/files/replace_file.h>
 #include <orris/image/codecs/image_codecs.h>
 #include <orris/image/image.h>
 #include <orris/image/image_size.h>

@@ -6,7 +6,7 @@
 #include <functional>
 #include <thread>
 
-#include <orris/core/text_file.h>
+#include <orris/core/files/text_file.h>
 #include <orris/core/work_stage.h>
 #include <orris/pack/files/text.h>
 #include <orris/pack/options/chosen_values.h>

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include <orris/core/file_source.h>
+#include <orris/core/files/file_source.h>
 #include <orris/glsl/compile/validate.h>
 #include <orris/pack/ids/id_map.h>
 #include <orris/pack/programs/directives.h>

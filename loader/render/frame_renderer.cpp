@@ -12,11 +12,11 @@
 #include <orris/core/work_record.h>
 #include <orris/gl/functions.h>
 #include <orris/pack/options/live_options.h>
-#include <orris/plan/builtin_program.h>
-#include <orris/plan/frustum.h>
-#include <orris/render/loaded_pack.h>
-#include <orris/render/pass_state.h>
-#include <orris/render/vertex_layout.h>
+#include <orris/plan/schedule/builtin_program.h>
+#include <orris/plan/frame/frustum.h>
+#include <orris/render/session/loaded_pack.h>
+#include <orris/render/draw/pass_state.h>
+#include <orris/render/scene/vertex_layout.h>
 
 namespace orris {
 namespace {

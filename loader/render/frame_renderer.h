@@ -11,11 +11,11 @@
 #include <orris/gl/context.h>
 #include <orris/image/image.h>
 #include <orris/render/gpu_program.h>
-#include <orris/render/gpu_scene.h>
+#include <orris/render/scene/gpu_scene.h>
 #include <orris/render/pack_resources.h>
 #include <orris/render/render_targets.h>
-#include <orris/render/sampler_binder.h>
-#include <orris/render/shadow_volumes.h>
+#include <orris/render/draw/sampler_binder.h>
+#include <orris/render/scene/shadow_volumes.h>
 
 namespace orris {
 

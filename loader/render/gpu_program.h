@@ -8,8 +8,8 @@
 #include <orris/gl/buffer.h>
 #include <orris/gl/program.h>
 #include <orris/pack/shader_pack.h>
-#include <orris/plan/program_uses.h>
-#include <orris/plan/uniforms.h>
+#include <orris/plan/schedule/program_uses.h>
+#include <orris/plan/frame/uniforms.h>
 
 namespace orris {
 

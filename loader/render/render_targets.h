@@ -8,7 +8,7 @@
 
 #include <orris/gl/framebuffer.h>
 #include <orris/gl/texture.h>
-#include <orris/plan/schedule.h>
+#include <orris/plan/schedule/schedule.h>
 
 namespace orris {
 

@@ -9,7 +9,7 @@
 
 #include <orris/core/limits.h>
 #include <orris/core/message_limits.h>
-#include <orris/core/text_file.h>
+#include <orris/core/files/text_file.h>
 #include <orris/pack/files/text.h>
 #include <orris/report/ignore_comments.h>
 #include <orris/report/text_style.h>

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include <orris/check/rules/rules.h>
-#include <orris/core/text_file.h>
+#include <orris/core/files/text_file.h>
 #include <orris/pack/files/text.h>
 
 namespace orris {

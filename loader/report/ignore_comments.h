@@ -9,7 +9,7 @@
 #include <vector>
 
 #include <orris/core/diagnostic.h>
-#include <orris/core/file_source.h>
+#include <orris/core/files/file_source.h>
 
 namespace orris {
 

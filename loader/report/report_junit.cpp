@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include <orris/core/pack_path.h>
+#include <orris/core/files/pack_path.h>
 #include <orris/core/printable.h>
 #include <orris/report/report_format.h>
 

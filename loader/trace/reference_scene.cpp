@@ -2,8 +2,8 @@
 
 #include <cstdlib>
 
-#include <orris/plan/celestial.h>
-#include <orris/plan/scene_data.h>
+#include <orris/plan/frame/celestial.h>
+#include <orris/plan/scene/scene_data.h>
 
 namespace orris {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <orris/render/render_session.h>
+#include <orris/render/session/render_session.h>
 #include <orris/validate/driver_check.h>
 #include <orris/world/files/world_json.h>
 

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include <orris/core/diagnostic.h>
-#include <orris/core/file_source.h>
+#include <orris/core/files/file_source.h>
 #include <orris/gl/context.h>
 #include <orris/pack/shader_pack.h>
 

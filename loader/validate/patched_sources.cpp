@@ -6,8 +6,8 @@
 #include <functional>
 #include <set>
 
-#include <orris/core/named_file.h>
-#include <orris/core/read_file.h>
+#include <orris/core/files/named_file.h>
+#include <orris/core/files/read_file.h>
 
 namespace orris {
 namespace {

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include <orris/check/workers/diagnostic_codec.h>
-#include <orris/core/read_file.h>
-#include <orris/core/replace_file.h>
+#include <orris/core/files/read_file.h>
+#include <orris/core/files/replace_file.h>
 
 namespace orris {
 namespace {

@@ -14,9 +14,9 @@
 #include <orris/check/rules/rules.h>
 #include <orris/core/work_stage.h>
 #include <orris/pack/files/text.h>
-#include <orris/plan/auto_choices.h>
-#include <orris/plan/uniforms.h>
-#include <orris/render/render_session.h>
+#include <orris/plan/schedule/auto_choices.h>
+#include <orris/plan/frame/uniforms.h>
+#include <orris/render/session/render_session.h>
 #include <orris/validate/consequences.h>
 #include <orris/validate/draw_check.h>
 #include <orris/validate/patched_sources.h>

@@ -8,8 +8,8 @@
 
 #include <orris/core/add_diagnostic.h>
 #include <orris/core/limits.h>
-#include <orris/core/read_file.h>
-#include <orris/core/text_file.h>
+#include <orris/core/files/read_file.h>
+#include <orris/core/files/text_file.h>
 #include <orris/core/work_stage.h>
 #include <orris/world/blocks/block_facts.h>
 #include <orris/world/files/schematic.h>

@@ -1,6 +1,6 @@
 #include "cache_scene.h"
 
-#include <orris/render/loaded_pack.h>
+#include <orris/render/session/loaded_pack.h>
 
 namespace orris {
 namespace {

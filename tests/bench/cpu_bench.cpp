@@ -3,9 +3,9 @@
 
 #include <memory>
 
-#include <orris/core/file_source.h>
+#include <orris/core/files/file_source.h>
 #include <orris/pack/shader_pack.h>
-#include <orris/render/gpu_scene.h>
+#include <orris/render/scene/gpu_scene.h>
 #include <orris/world/world.h>
 
 namespace {

@@ -10,7 +10,7 @@
 
 #include <orris/chart/measure/setting_session.h>
 #include <orris/chart/measure/statistics.h>
-#include <orris/core/file_source.h>
+#include <orris/core/files/file_source.h>
 #include <orris/gl/context.h>
 #include <orris/world/world.h>
 

@@ -16,10 +16,10 @@
 #include <string>
 #include <vector>
 
-#include <orris/core/file_source.h>
+#include <orris/core/files/file_source.h>
 #include <orris/gl/context.h>
 #include <orris/gl/functions.h>
-#include <orris/render/render_session.h>
+#include <orris/render/session/render_session.h>
 #include <orris/world/world.h>
 
 namespace {

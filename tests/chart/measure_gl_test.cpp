@@ -4,7 +4,7 @@
 
 #include <orris/chart/measure/measure.h>
 #include <orris/chart/study/study_key.h>
-#include <orris/core/file_source.h>
+#include <orris/core/files/file_source.h>
 
 namespace orris {
 namespace {

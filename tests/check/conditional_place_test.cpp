@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include <orris/core/file_source.h>
+#include <orris/core/files/file_source.h>
 #include <orris/pack/shader_pack.h>
 #include "text_fixture.h"
 

@@ -7,9 +7,9 @@
 #include <sstream>
 
 #include "check/contract_page.h"
-#include <orris/plan/program_uses.h>
-#include <orris/plan/uniforms.h>
-#include <orris/render/vertex_layout.h>
+#include <orris/plan/schedule/program_uses.h>
+#include <orris/plan/frame/uniforms.h>
+#include <orris/render/scene/vertex_layout.h>
 #include <orris/image/texel_format.h>
 #include <orris/pack/programs/directives.h>
 #include <orris/pack/expressions/expression_functions.h>
@@ -142,7 +142,7 @@ TEST(ContractUniforms, are_those_of_the_table) {
   Names known;
   for (const UniformRow& row : uniformTable()) known.emplace_back(row.name);
   EXPECT_THAT(without(known, words), IsEmpty());
-  for (const std::string& name : namesIn("Uniforms", "loader/plan/uniforms.cpp"))
+  for (const std::string& name : namesIn("Uniforms", "loader/plan/frame/uniforms.cpp"))
     EXPECT_NE(findUniform(name), nullptr) << name;
 }
 
@@ -166,7 +166,7 @@ TEST(ContractUniforms, the_player_is_that_of_the_world) {
 
 TEST(ContractAttributes, are_those_of_the_layout) {
   EXPECT_THAT(without(attributeNames(), wordsOfSection("Vertex attributes")), IsEmpty());
-  Names generic = namesIn("Vertex attributes", "loader/render/vertex_layout.cpp");
+  Names generic = namesIn("Vertex attributes", "loader/render/scene/vertex_layout.cpp");
   std::erase_if(generic, [](const std::string& name) { return name.starts_with("gl_"); });
   EXPECT_THAT(without(generic, asSet(attributeNames())), IsEmpty());
 }
@@ -184,7 +184,7 @@ TEST(ContractBuffers, are_those_of_the_code) {
   EXPECT_EQ(known.size(), 2u * kColorTargets + 3 + 2 + 8 + 8);
   EXPECT_THAT(without(known, words), IsEmpty());
   for (const std::string& name :
-       namesIn("Buffers, samplers and images", "loader/render/sampler_binder.cpp")) {
+       namesIn("Buffers, samplers and images", "loader/render/draw/sampler_binder.cpp")) {
     const bool named = name == "gtexture" || name == "lightmap" || name == "normals" ||
                        name == "specular" || name.starts_with("dhDepthTex");
     EXPECT_TRUE(named || parseBufferName(name, false)) << name;

@@ -20,8 +20,8 @@
 #include <thread>
 
 #include <orris/check/workers/isolated_jobs.h>
-#include <orris/core/file_source.h>
-#include <orris/core/read_places.h>
+#include <orris/core/files/file_source.h>
+#include <orris/core/files/read_places.h>
 
 namespace orris {
 namespace {

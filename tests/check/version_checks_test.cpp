@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include <orris/core/file_source.h>
+#include <orris/core/files/file_source.h>
 
 namespace orris {
 namespace {

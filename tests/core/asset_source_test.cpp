@@ -1,4 +1,4 @@
-#include <orris/core/asset_source.h>
+#include <orris/core/files/asset_source.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include <orris/core/file_source.h>
+#include <orris/core/files/file_source.h>
 
 #include <gmock/gmock.h>
 

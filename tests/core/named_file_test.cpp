@@ -1,4 +1,4 @@
-#include <orris/core/named_file.h>
+#include <orris/core/files/named_file.h>
 
 #include <gtest/gtest.h>
 

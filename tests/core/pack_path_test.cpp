@@ -1,4 +1,4 @@
-#include <orris/core/pack_path.h>
+#include <orris/core/files/pack_path.h>
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include <orris/core/read_file.h>
+#include <orris/core/files/read_file.h>
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>

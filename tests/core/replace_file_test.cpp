@@ -1,4 +1,4 @@
-#include <orris/core/replace_file.h>
+#include <orris/core/files/replace_file.h>
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>

@@ -1,4 +1,4 @@
-#include <orris/core/text_file.h>
+#include <orris/core/files/text_file.h>
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // IncludeGraph.
 #include <gmock/gmock.h>
 
-#include <orris/core/file_source.h>
+#include <orris/core/files/file_source.h>
 #include <orris/pack/files/include_graph.h>
 
 namespace orris {

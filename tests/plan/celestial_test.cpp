@@ -1,11 +1,11 @@
-#include <orris/plan/celestial.h>
+#include <orris/plan/frame/celestial.h>
 
 #include <gtest/gtest.h>
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <optional>
 
-#include <orris/plan/frame_state.h>
+#include <orris/plan/frame/frame_state.h>
 
 namespace orris {
 namespace {

@@ -1,4 +1,4 @@
-#include <orris/plan/clouds.h>
+#include <orris/plan/frame/clouds.h>
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include <orris/plan/scene_data.h>
+#include <orris/plan/scene/scene_data.h>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What options choose by is what a scene has.
-#include <orris/plan/scene_quantities.h>
+#include <orris/plan/scene/scene_quantities.h>
 
 #include <gtest/gtest.h>
 

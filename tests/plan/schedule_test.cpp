@@ -1,12 +1,12 @@
-#include <orris/plan/schedule.h>
+#include <orris/plan/schedule/schedule.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include <orris/core/file_source.h>
-#include <orris/plan/program_uses.h>
+#include <orris/core/files/file_source.h>
+#include <orris/plan/schedule/program_uses.h>
 #include "support/memory_pack.h"
 
 namespace orris {

@@ -1,4 +1,4 @@
-#include <orris/plan/uniforms.h>
+#include <orris/plan/frame/uniforms.h>
 
 #include <gtest/gtest.h>
 

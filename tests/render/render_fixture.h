@@ -7,8 +7,8 @@
 #include <memory>
 #include <string>
 
-#include <orris/core/file_source.h>
-#include <orris/render/render_session.h>
+#include <orris/core/files/file_source.h>
+#include <orris/render/session/render_session.h>
 
 namespace orris {
 

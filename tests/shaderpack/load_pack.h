@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include <orris/core/file_source.h>
+#include <orris/core/files/file_source.h>
 #include <orris/pack/shader_pack.h>
 
 namespace orris::test {

@@ -8,7 +8,7 @@
 #include <string>
 
 #include <orris/gl/context.h>
-#include <orris/render/render_session.h>
+#include <orris/render/session/render_session.h>
 
 namespace orris::test {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "pack_session.h"
-#include <orris/render/counters.h>
+#include <orris/render/inspect/counters.h>
 
 namespace orris::test {
 namespace {

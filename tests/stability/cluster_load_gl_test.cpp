@@ -6,7 +6,7 @@
 
 #include "cluster_lab.h"
 #include "lab.h"
-#include <orris/plan/frame_state.h>
+#include <orris/plan/frame/frame_state.h>
 
 namespace orris::test {
 namespace {

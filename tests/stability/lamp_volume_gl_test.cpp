@@ -3,7 +3,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include <orris/render/lamp_volumes.h>
+#include <orris/render/scene/lamp_volumes.h>
 #include "volume_lab.h"
 
 namespace orris::test {

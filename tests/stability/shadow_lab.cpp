@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "lab.h"
-#include <orris/plan/celestial.h>
+#include <orris/plan/frame/celestial.h>
 
 namespace orris::test {
 namespace {

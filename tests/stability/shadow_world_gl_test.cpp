@@ -9,7 +9,7 @@
 #include <iterator>
 #include <sstream>
 
-#include <orris/plan/celestial.h>
+#include <orris/plan/frame/celestial.h>
 #include "shadow_lab.h"
 #include <orris/trace/shadow_mask.h>
 

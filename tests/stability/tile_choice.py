@@ -11,7 +11,7 @@ import tempfile
 import host_kill_list
 
 TESTS = "tests/stability/test_volume_path_gl"
-FILE = "loader/render/shadow_volumes.cpp"
+FILE = "loader/render/scene/shadow_volumes.cpp"
 # Either way of every rule adds one.
 EDITS = [("_WRAP", ""), ("GL_DECR", "GL_INCR")]
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include <orris/render/shadow_volumes.h>
+#include <orris/render/scene/shadow_volumes.h>
 #include <orris/world/mesh/silhouette.h>
 
 namespace orris {

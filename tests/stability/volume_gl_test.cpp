@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <orris/plan/schedule.h>
+#include <orris/plan/schedule/schedule.h>
 #include "volume_lab.h"
 
 namespace orris::test {

@@ -5,8 +5,8 @@ For host_kill_list.py --table: name, tests, file, what is replaced by what.
 
 SILHOUETTE = "loader/world/mesh/silhouette.cpp"
 CASTERS = "loader/world/mesh/casters.cpp"
-VOLUMES = "loader/render/shadow_volumes.cpp"
-LAMPS = "loader/render/lamp_volumes.cpp"
+VOLUMES = "loader/render/scene/shadow_volumes.cpp"
+LAMPS = "loader/render/scene/lamp_volumes.cpp"
 
 MUTANTS = [
     ("D1 z-pass for z-fail", "D1.only*", VOLUMES,
@@ -21,7 +21,7 @@ MUTANTS = [
      "glm::vec4(-glm::vec3(light_), 0)", "glm::vec4(-glm::vec3(light_) * 9.0f, 1)"),
     ("D2 a far end of lamps' volumes", "D1.crossings*", SILHOUETTE,
      "glm::vec4(corner - glm::vec3(light_), 0)", "glm::vec4(corner * 2.0f - glm::vec3(light_), 1)"),
-    ("D2 no depth clamp", "D2.volumes_at*", "loader/render/draw_shadow_volumes.cpp",
+    ("D2 no depth clamp", "D2.volumes_at*", "loader/render/draw/draw_shadow_volumes.cpp",
      "  gl::Enable(GL_DEPTH_CLAMP);\n", ""),
     ("D3 caps where they are seen", "D3.*", VOLUMES,
      "constexpr float kBehind = 4, kBehindSlope = 1.0f / 256;", "constexpr float kBehind = 0, kBehindSlope = 0;"),

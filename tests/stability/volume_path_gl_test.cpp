@@ -6,7 +6,7 @@
 
 #include "../shaderpack/pack_session.h"
 #include <orris/image/mask_compare.h>
-#include <orris/plan/frame_state.h>
+#include <orris/plan/frame/frame_state.h>
 #include <orris/trace/reference_scene.h>
 #include <orris/trace/shadow_mask.h>
 

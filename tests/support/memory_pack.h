@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include <orris/core/file_source.h>
+#include <orris/core/files/file_source.h>
 #include <orris/pack/shader_pack.h>
 
 namespace orris {

@@ -7,7 +7,7 @@
 
 #include <orris/check/logs/log_explainer.h>
 #include <orris/check/rules/rules.h>
-#include <orris/core/named_file.h>
+#include <orris/core/files/named_file.h>
 
 namespace orris {
 namespace {

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <orris/pack/files/text.h>
-#include <orris/render/buffer_view.h>
+#include <orris/render/inspect/buffer_view.h>
 
 namespace orris {
 namespace {

@@ -11,8 +11,8 @@
 
 #include "app/commands/render_output.h"
 #include "app/input/shown_buffer.h"
-#include <orris/render/finite_check.h>
-#include <orris/render/pixel_probe.h>
+#include <orris/render/inspect/finite_check.h>
+#include <orris/render/inspect/pixel_probe.h>
 
 namespace orris {
 

@@ -13,7 +13,7 @@
 #include "app/commands/option_tree.h"
 #include "app/input/inputs.h"
 #include <orris/pack/programs/live_check.h>
-#include <orris/plan/auto_choices.h>
+#include <orris/plan/schedule/auto_choices.h>
 
 namespace orris {
 namespace {

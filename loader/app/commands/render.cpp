@@ -14,8 +14,8 @@
 #include "app/input/inputs.h"
 #include "app/report/progress.h"
 #include <orris/check/compile/program_check.h>
-#include <orris/render/counters.h>
-#include <orris/render/render_session.h>
+#include <orris/render/inspect/counters.h>
+#include <orris/render/session/render_session.h>
 #include <orris/validate/patched_sources.h>
 
 namespace orris {

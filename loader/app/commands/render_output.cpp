@@ -11,7 +11,7 @@
 #include "app/input/inputs.h"
 #include <orris/image/image.h>
 #include <orris/pack/files/text.h>
-#include <orris/render/counters.h>
+#include <orris/render/inspect/counters.h>
 
 namespace orris {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "app/input/shown_buffer.h"
 #include "app/report/report.h"
-#include <orris/render/render_session.h>
+#include <orris/render/session/render_session.h>
 
 namespace orris {
 

@@ -9,7 +9,7 @@
 #include "app/report/progress.h"
 #include "app/report/report_output.h"
 #include "app/validate/validate_flags.h"
-#include <orris/core/pack_search.h>
+#include <orris/core/files/pack_search.h>
 #include <orris/validate/result_cache.h>
 #include <orris/validate/validate_pack.h>
 

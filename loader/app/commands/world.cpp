@@ -9,7 +9,7 @@
 #include "app/commands/commands.h"
 #include "app/commands/world_export.h"
 #include "app/input/inputs.h"
-#include <orris/plan/scene_data.h>
+#include <orris/plan/scene/scene_data.h>
 
 namespace orris {
 namespace {

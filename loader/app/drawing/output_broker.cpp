@@ -11,8 +11,8 @@
 #include <cstring>
 #include <filesystem>
 
-#include <orris/core/read_file.h>
-#include <orris/core/replace_file.h>
+#include <orris/core/files/read_file.h>
+#include <orris/core/files/replace_file.h>
 
 namespace orris {
 namespace {

@@ -18,7 +18,7 @@
 #include <iostream>
 
 #include <orris/check/workers/sandbox.h>
-#include <orris/core/read_places.h>
+#include <orris/core/files/read_places.h>
 #include <orris/core/work_record.h>
 #include <orris/image/codecs/image_codecs.h>
 #include <orris/validate/driver_check.h>

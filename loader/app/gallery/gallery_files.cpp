@@ -8,7 +8,7 @@
 #include "app/input/inputs.h"
 #include <orris/chart/measure/setting.h>
 #include <orris/chart/study/digest.h>
-#include <orris/core/read_file.h>
+#include <orris/core/files/read_file.h>
 #include <orris/image/encode_png.h>
 #include <orris/world/random_room.h>
 

@@ -9,8 +9,8 @@
 #include "app/input/shipped_worlds.h"
 #include <orris/check/workers/diagnostic_codec.h>
 #include <orris/check/workers/isolated_jobs.h>
-#include <orris/core/read_file.h>
-#include <orris/core/read_places.h>
+#include <orris/core/files/read_file.h>
+#include <orris/core/files/read_places.h>
 #include <orris/pack/files/text.h>
 #include <orris/validate/driver_check.h>
 #include <orris/world/random_room.h>

@@ -8,7 +8,7 @@
 #include "app/gallery/gallery_options.h"
 #include "app/report/report.h"
 #include <orris/chart/gallery/gallery_set.h>
-#include <orris/core/file_source.h>
+#include <orris/core/files/file_source.h>
 #include <orris/gl/context.h>
 
 namespace orris {

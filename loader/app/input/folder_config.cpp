@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include <orris/core/read_file.h>
+#include <orris/core/files/read_file.h>
 #include <orris/pack/files/text.h>
 
 namespace orris {

@@ -12,7 +12,7 @@
 #include <sstream>
 
 #include "app/input/shipped_worlds.h"
-#include <orris/core/named_file.h>
+#include <orris/core/files/named_file.h>
 #include <orris/pack/files/text.h>
 #include <orris/world/resources/resource_stack.h>
 

@@ -7,7 +7,7 @@
 
 #include "app/input/common.h"
 #include "app/report/report.h"
-#include <orris/core/file_source.h>
+#include <orris/core/files/file_source.h>
 #include <orris/pack/shader_pack.h>
 #include <orris/world/world.h>
 

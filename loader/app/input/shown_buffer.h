@@ -7,7 +7,7 @@
 #include <string>
 
 #include <orris/image/value_picture.h>
-#include <orris/render/buffer_view.h>
+#include <orris/render/inspect/buffer_view.h>
 
 namespace orris {
 

@@ -6,8 +6,8 @@
 #include <system_error>
 
 #include <orris/core/limits.h>
-#include <orris/core/read_file.h>
-#include <orris/core/replace_file.h>
+#include <orris/core/files/read_file.h>
+#include <orris/core/files/replace_file.h>
 #include <orris/pack/files/text.h>
 
 namespace orris {

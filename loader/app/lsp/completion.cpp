@@ -13,7 +13,7 @@
 #include <orris/pack/programs/directives.h>
 #include <orris/pack/programs/program_id.h>
 #include <orris/pack/properties/property_keys.h>
-#include <orris/plan/uniforms.h>
+#include <orris/plan/frame/uniforms.h>
 #include <orris/world/blocks/block_data.h>
 
 namespace orris {

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include <orris/core/read_file.h>
+#include <orris/core/files/read_file.h>
 #include <orris/core/characters.h>
 #include <orris/pack/files/text.h>
 

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/lsp/features.h"
-#include <orris/core/pack_path.h>
+#include <orris/core/files/pack_path.h>
 #include <orris/glsl/tokens/outline.h>
 #include <orris/glsl/tokens/token.h>
 #include <orris/core/characters.h>

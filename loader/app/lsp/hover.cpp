@@ -9,7 +9,7 @@
 #include <orris/check/interface/known_names.h>
 #include <orris/core/characters.h>
 #include <orris/pack/files/text.h>
-#include <orris/plan/uniforms.h>
+#include <orris/plan/frame/uniforms.h>
 #include <orris/world/blocks/block_data.h>
 
 namespace orris {

@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include <orris/core/file_source.h>
+#include <orris/core/files/file_source.h>
 
 namespace orris {
 

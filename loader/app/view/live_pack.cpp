@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "app/input/inputs.h"
-#include <orris/core/read_file.h>
-#include <orris/core/replace_file.h>
+#include <orris/core/files/read_file.h>
+#include <orris/core/files/replace_file.h>
 #include <orris/pack/programs/folder_build.h>
 #include <orris/pack/programs/live_check.h>
 #include <orris/report/problem_list.h>

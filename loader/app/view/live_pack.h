@@ -15,7 +15,7 @@
 #include "app/input/common.h"
 #include "app/report/report.h"
 #include <orris/gl/context.h>
-#include <orris/render/render_session.h>
+#include <orris/render/session/render_session.h>
 
 namespace orris {
 

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include <orris/core/file_source.h>
+#include <orris/core/files/file_source.h>
 
 namespace orris {
 

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <system_error>
 
-#include <orris/core/read_file.h>
-#include <orris/core/replace_file.h>
+#include <orris/core/files/read_file.h>
+#include <orris/core/files/replace_file.h>
 
 namespace orris {
 namespace {

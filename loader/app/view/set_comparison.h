@@ -14,7 +14,7 @@
 #include <orris/gl/framebuffer.h>
 #include <orris/gl/texture.h>
 #include <orris/image/image.h>
-#include <orris/render/render_session.h>
+#include <orris/render/session/render_session.h>
 
 namespace orris {
 

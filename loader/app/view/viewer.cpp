@@ -14,7 +14,7 @@
 #include "app/view/hidden_surface.h"
 #include "app/view/view_window.h"
 #include <orris/gl/functions.h>
-#include <orris/render/counters.h>
+#include <orris/render/inspect/counters.h>
 
 namespace orris {
 namespace {

@@ -19,7 +19,7 @@
 #include "app/view/view_surface.h"
 #include "app/window/panels.h"
 #include <orris/gl/context.h>
-#include <orris/render/render_session.h>
+#include <orris/render/session/render_session.h>
 
 namespace orris {
 

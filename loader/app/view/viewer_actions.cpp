@@ -13,7 +13,7 @@
 #include <orris/gl/functions.h>
 #include <orris/image/image.h>
 #include <orris/pack/programs/live_check.h>
-#include <orris/render/counters.h>
+#include <orris/render/inspect/counters.h>
 
 namespace orris {
 namespace {

@@ -13,7 +13,7 @@
 #include "app/input/shown_buffer.h"
 #include "app/view/live_pack.h"
 #include "app/window/interface.h"
-#include <orris/render/pixel_probe.h>
+#include <orris/render/inspect/pixel_probe.h>
 
 namespace orris {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <orris/chart/gallery/gallery_picture.h>
-#include <orris/core/file_source.h>
+#include <orris/core/files/file_source.h>
 
 namespace orris {
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include <orris/render/render_session.h>
+#include <orris/render/session/render_session.h>
 
 namespace orris {
 

@@ -9,7 +9,7 @@
 namespace orris {
 namespace {
 
-/// As many as frameCounter has values (plan/frame_state.cpp); a run begins at one of them.
+/// As many as frameCounter has values (plan/frame/frame_state.cpp); a run begins at one of them.
 constexpr std::uint64_t kFrameNumbers = 720720;
 
 /// The first frame of a run: far apart and without order, so that no sequence over frames goes on from run to run.

@@ -9,7 +9,7 @@
 #include <orris/chart/measure/display.h>
 #include <orris/chart/measure/measure.h>
 #include <orris/chart/study/study_key.h>
-#include <orris/core/named_file.h>
+#include <orris/core/files/named_file.h>
 #include <orris/image/image.h>
 #include <orris/pack/files/text.h>
 

@@ -6,8 +6,8 @@
 
 #include <orris/chart/measure/setting.h>
 #include <orris/core/add_diagnostic.h>
-#include <orris/core/named_file.h>
-#include <orris/core/read_file.h>
+#include <orris/core/files/named_file.h>
+#include <orris/core/files/read_file.h>
 
 namespace orris {
 bool StudyFiles::create(Diagnostics& diagnostics) const {

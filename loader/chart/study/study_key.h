@@ -5,7 +5,7 @@
 
 #include <orris/chart/measure/measure.h>
 #include <orris/chart/study/digest.h>
-#include <orris/core/file_source.h>
+#include <orris/core/files/file_source.h>
 
 namespace orris {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include <orris/core/text_file.h>
+#include <orris/core/files/text_file.h>
 #include <orris/pack/files/text.h>
 #include <orris/pack/programs/directive_values.h>
 

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include <orris/pack/shader_pack.h>
-#include <orris/plan/program_uses.h>
+#include <orris/plan/schedule/program_uses.h>
 
 namespace orris {
 

@@ -4,7 +4,7 @@
 #include <array>
 
 #include <orris/check/interface/stage_interface.h>
-#include <orris/plan/schedule_targets.h>
+#include <orris/plan/schedule/schedule_targets.h>
 
 namespace orris {
 namespace {

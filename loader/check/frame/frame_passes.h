@@ -7,8 +7,8 @@
 #include <vector>
 
 #include <orris/pack/shader_pack.h>
-#include <orris/plan/program_uses.h>
-#include <orris/plan/schedule.h>
+#include <orris/plan/schedule/program_uses.h>
+#include <orris/plan/schedule/schedule.h>
 
 namespace orris {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <orris/pack/shader_pack.h>
-#include <orris/plan/schedule.h>
+#include <orris/plan/schedule/schedule.h>
 
 namespace orris {
 

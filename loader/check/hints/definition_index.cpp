@@ -5,8 +5,8 @@
 #include <set>
 
 #include <orris/core/limits.h>
-#include <orris/core/pack_path.h>
-#include <orris/core/text_file.h>
+#include <orris/core/files/pack_path.h>
+#include <orris/core/files/text_file.h>
 #include <orris/glsl/tokens/outline.h>
 #include <orris/pack/files/text.h>
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include <orris/core/pack_path.h>
+#include <orris/core/files/pack_path.h>
 #include <orris/pack/files/text.h>
 
 namespace orris {

@@ -5,7 +5,7 @@
 #include <set>
 
 #include <orris/check/hints/include_place.h>
-#include <orris/core/pack_path.h>
+#include <orris/core/files/pack_path.h>
 #include <orris/pack/mods/voxy.h>
 
 namespace orris {

@@ -12,7 +12,7 @@
 #include <orris/check/ids/lost_blocks.h>
 #include <orris/check/pack/pack_texts.h>
 #include <orris/core/limits.h>
-#include <orris/core/text_file.h>
+#include <orris/core/files/text_file.h>
 #include <orris/pack/files/text.h>
 #include <orris/pack/ids/id_lines.h>
 #include <orris/pack/ids/id_map.h>

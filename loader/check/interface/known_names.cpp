@@ -4,8 +4,8 @@
 #include <array>
 #include <map>
 
-#include <orris/plan/uniforms.h>
-#include <orris/plan/gpu_vertex.h>
+#include <orris/plan/frame/uniforms.h>
+#include <orris/plan/scene/gpu_vertex.h>
 
 namespace orris {
 namespace {

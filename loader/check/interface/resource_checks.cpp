@@ -7,7 +7,7 @@
 #include <orris/check/interface/declaration_checks.h>
 #include <orris/check/interface/glsl_types.h>
 #include <orris/pack/files/text.h>
-#include <orris/plan/program_uses.h>
+#include <orris/plan/schedule/program_uses.h>
 
 namespace orris {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <orris/check/interface/glsl_types.h>
 #include <orris/image/texel_format.h>
-#include <orris/plan/program_uses.h>
+#include <orris/plan/schedule/program_uses.h>
 
 namespace orris {
 namespace {

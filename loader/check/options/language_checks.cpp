@@ -11,7 +11,7 @@
 
 #include <orris/check/pack/pack_texts.h>
 #include <orris/core/limits.h>
-#include <orris/core/text_file.h>
+#include <orris/core/files/text_file.h>
 #include <orris/pack/files/text.h>
 
 namespace orris {

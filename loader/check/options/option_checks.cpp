@@ -8,7 +8,7 @@
 #include <set>
 
 #include <orris/check/pack/pack_texts.h>
-#include <orris/core/text_file.h>
+#include <orris/core/files/text_file.h>
 #include <orris/pack/files/text.h>
 #include <orris/pack/options/option_line.h>
 

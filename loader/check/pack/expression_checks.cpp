@@ -1,7 +1,7 @@
 #include <orris/check/pack/expression_checks.h>
 
 #include <orris/pack/expressions/expression.h>
-#include <orris/plan/uniforms.h>
+#include <orris/plan/frame/uniforms.h>
 
 namespace orris {
 

@@ -7,7 +7,7 @@
 #include <set>
 
 #include <orris/check/pack/pack_texts.h>
-#include <orris/core/pack_path.h>
+#include <orris/core/files/pack_path.h>
 #include <orris/pack/files/text.h>
 #include <orris/pack/programs/program_id.h>
 

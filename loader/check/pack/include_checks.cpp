@@ -6,7 +6,7 @@
 #include <array>
 #include <set>
 
-#include <orris/core/pack_path.h>
+#include <orris/core/files/pack_path.h>
 #include <orris/pack/files/include_graph.h>
 #include <orris/pack/files/text.h>
 

@@ -8,7 +8,7 @@
 #include <orris/check/compile/target_limits.h>
 #include <orris/core/diagnostic.h>
 #include <orris/pack/shader_pack.h>
-#include <orris/plan/schedule.h>
+#include <orris/plan/schedule/schedule.h>
 
 namespace orris {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include <orris/core/characters.h>
-#include <orris/core/text_file.h>
+#include <orris/core/files/text_file.h>
 #include <orris/pack/files/text.h>
 
 namespace orris {

@@ -6,7 +6,7 @@
 #include <map>
 
 #include <orris/check/pack/pack_texts.h>
-#include <orris/core/text_file.h>
+#include <orris/core/files/text_file.h>
 #include <orris/glsl/preprocess/preprocessor.h>
 #include <orris/pack/files/text.h>
 #include <orris/pack/properties/property_keys.h>

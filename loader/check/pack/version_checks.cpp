@@ -9,7 +9,7 @@
 #include <orris/pack/files/properties_text.h>
 #include <orris/pack/files/text.h>
 #include <orris/pack/versions/iris_versions.h>
-#include <orris/plan/program_uses.h>
+#include <orris/plan/schedule/program_uses.h>
 
 namespace orris {
 namespace {

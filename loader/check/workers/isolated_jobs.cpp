@@ -19,7 +19,7 @@
 #include <vector>
 
 #include <orris/check/workers/sandbox.h>
-#include <orris/core/read_places.h>
+#include <orris/core/files/read_places.h>
 
 namespace orris {
 namespace {

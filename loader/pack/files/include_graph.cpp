@@ -8,8 +8,8 @@
 
 #include <orris/core/limits.h>
 #include <orris/core/message_limits.h>
-#include <orris/core/pack_path.h>
-#include <orris/core/text_file.h>
+#include <orris/core/files/pack_path.h>
+#include <orris/core/files/text_file.h>
 #include <orris/pack/files/text.h>
 
 namespace orris {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include <orris/core/file_source.h>
+#include <orris/core/files/file_source.h>
 #include <orris/glsl/tokens/source_map.h>
 #include <orris/pack/options/options.h>
 

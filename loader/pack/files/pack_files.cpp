@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include <orris/core/text_file.h>
+#include <orris/core/files/text_file.h>
 #include <orris/pack/files/properties_text.h>
 #include <orris/pack/mods/voxy.h>
 #include <orris/pack/options/language.h>

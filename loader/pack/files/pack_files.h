@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include <orris/core/file_source.h>
+#include <orris/core/files/file_source.h>
 #include <orris/pack/files/include_graph.h>
 #include <orris/pack/options/options.h>
 #include <orris/pack/programs/dimensions.h>

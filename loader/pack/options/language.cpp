@@ -1,6 +1,6 @@
 #include <orris/pack/options/language.h>
 
-#include <orris/core/text_file.h>
+#include <orris/core/files/text_file.h>
 #include <orris/pack/files/properties_text.h>
 #include <orris/pack/files/text.h>
 

@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include <orris/core/file_source.h>
+#include <orris/core/files/file_source.h>
 
 namespace orris {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include <orris/core/named_file.h>
+#include <orris/core/files/named_file.h>
 #include <orris/pack/files/text.h>
 
 namespace orris {

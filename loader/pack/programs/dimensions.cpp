@@ -9,8 +9,8 @@
 
 #include <orris/core/limits.h>
 #include <orris/core/message_limits.h>
-#include <orris/core/pack_path.h>
-#include <orris/core/text_file.h>
+#include <orris/core/files/pack_path.h>
+#include <orris/core/files/text_file.h>
 #include <orris/pack/files/properties_text.h>
 #include <orris/pack/files/text.h>
 #include <orris/pack/programs/program_id.h>

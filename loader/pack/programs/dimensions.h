@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <orris/core/file_source.h>
+#include <orris/core/files/file_source.h>
 #include <orris/glsl/preprocess/preprocessor.h>
 
 namespace orris {

@@ -3,7 +3,7 @@
 #include <map>
 #include <tuple>
 
-#include <orris/core/pack_path.h>
+#include <orris/core/files/pack_path.h>
 #include <orris/pack/programs/program_builder.h>
 
 namespace orris {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include <orris/core/text_file.h>
+#include <orris/core/files/text_file.h>
 #include <orris/glsl/preprocess/name_watch.h>
 #include <orris/pack/files/text.h>
 #include <orris/pack/ids/legacy_ids.h>

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include <orris/core/pack_path.h>
+#include <orris/core/files/pack_path.h>
 #include <orris/pack/files/text.h>
 #include <orris/pack/properties/property_keys.h>
 #include <orris/pack/properties/texture_format.h>

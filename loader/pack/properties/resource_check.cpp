@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <orris/core/message_limits.h>
-#include <orris/core/text_file.h>
+#include <orris/core/files/text_file.h>
 #include <orris/pack/files/pack_files.h>
 #include <orris/pack/files/text.h>
 #include <orris/pack/properties/texture_format.h>

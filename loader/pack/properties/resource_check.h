@@ -1,7 +1,7 @@
 // Are the files there that shaders.properties names?
 #pragma once
 
-#include <orris/core/file_source.h>
+#include <orris/core/files/file_source.h>
 #include <orris/pack/properties/shader_properties.h>
 
 namespace orris {

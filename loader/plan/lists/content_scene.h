@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include <orris/plan/geometry.h>
+#include <orris/plan/schedule/geometry.h>
 #include <orris/world/atlas/block_atlas.h>
 #include <orris/world/blocks/block_facts.h>
 #include <orris/world/world.h>

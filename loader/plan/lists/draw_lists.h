@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include <orris/plan/geometry.h>
-#include <orris/plan/gpu_vertex.h>
-#include <orris/plan/scene_data.h>
-#include <orris/plan/shapes.h>
+#include <orris/plan/schedule/geometry.h>
+#include <orris/plan/scene/gpu_vertex.h>
+#include <orris/plan/scene/scene_data.h>
+#include <orris/plan/scene/shapes.h>
 
 namespace orris {
 

@@ -6,7 +6,7 @@
 
 #include <orris/core/add_diagnostic.h>
 #include <orris/image/encode_png.h>
-#include <orris/plan/frame_state.h>
+#include <orris/plan/frame/frame_state.h>
 #include <orris/trace/export/export_mesh.h>
 #include <orris/trace/export/gltf_buffer.h>
 

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include <orris/core/add_diagnostic.h>
-#include <orris/core/replace_file.h>
+#include <orris/core/files/replace_file.h>
 #include <orris/trace/light/random.h>
 
 namespace orris {

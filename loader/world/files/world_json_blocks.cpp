@@ -5,7 +5,7 @@
 #include <map>
 
 #include <orris/core/limits.h>
-#include <orris/core/pack_path.h>
+#include <orris/core/files/pack_path.h>
 #include <orris/world/files/schematic.h>
 #include <orris/world/terrain.h>
 

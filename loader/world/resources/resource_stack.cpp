@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include <orris/core/add_diagnostic.h>
-#include <orris/core/asset_source.h>
+#include <orris/core/files/asset_source.h>
 
 namespace orris {
 namespace {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include <orris/core/file_source.h>
+#include <orris/core/files/file_source.h>
 
 namespace orris {
 

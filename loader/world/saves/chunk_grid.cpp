@@ -8,7 +8,7 @@
 
 #include <orris/core/limits.h>
 #include <orris/core/parallel.h>
-#include <orris/core/read_file.h>
+#include <orris/core/files/read_file.h>
 #include <orris/world/saves/anvil_region.h>
 
 namespace orris {

@@ -9,7 +9,7 @@
 #include <orris/core/add_diagnostic.h>
 #include <orris/core/limits.h>
 #include <orris/core/printable.h>
-#include <orris/core/read_file.h>
+#include <orris/core/files/read_file.h>
 #include <orris/world/saves/biome_climate.h>
 #include <orris/world/saves/chunk_grid.h>
 #include <orris/world/saves/level_data.h>

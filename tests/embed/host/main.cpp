@@ -3,9 +3,9 @@
 #include <iostream>
 #include <memory>
 
-#include <orris/core/file_source.h>
+#include <orris/core/files/file_source.h>
 #include <orris/gl/context.h>
-#include <orris/render/render_session.h>
+#include <orris/render/session/render_session.h>
 #include <orris/report/report_format.h>
 #include <orris/validate/validate_pack.h>
 #include <orris/world/world.h>

@@ -1,0 +1,99 @@
+#include <orris/core/files/read_file.h>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <filesystem>
+
+namespace orris {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::optional<std::string> refuseFile(ReadFault why, ReadFault& fault) {
+  fault = why;
+  return std::nullopt;
+}
+
+std::optional<std::string> readAll(int file, std::size_t limit, ReadFault& fault) {
+  std::string bytes;
+  std::array<char, 1 << 16> block;
+  for (;;) {
+    const ssize_t got = ::read(file, block.data(), block.size());
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) return refuseFile(ReadFault::Unreadable, fault);
+    if (got == 0) return bytes;
+    bytes.append(block.data(), static_cast<std::size_t>(got));
+    // The file may have grown, and what /proc shows has no size.
+    if (bytes.size() > limit) return refuseFile(ReadFault::TooLarge, fault);
+  }
+}
+
+std::optional<std::string> readOpened(const std::string& path, int flags, bool any,
+                                      std::size_t limit, ReadFault& fault) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | flags);
+  if (file < 0) {
+    const bool missing = errno == ENOENT || errno == ENOTDIR;
+    return refuseFile(missing ? ReadFault::Missing : ReadFault::Unreadable, fault);
+  }
+  struct stat facts {};
+  const bool known = ::fstat(file, &facts) == 0;
+  std::optional<std::string> bytes;
+  if (!known || !(S_ISREG(facts.st_mode) || (any && !S_ISDIR(facts.st_mode))))
+    fault = ReadFault::NoFile;
+  else if (S_ISREG(facts.st_mode) && static_cast<std::size_t>(facts.st_size) > limit)
+    fault = ReadFault::TooLarge;
+  else
+    bytes = readAll(file, limit, fault);
+  ::close(file);
+  return bytes;
+}
+
+}  // namespace
+
+const char* describe(ReadFault fault) {
+  switch (fault) {
+    case ReadFault::Missing:
+      return "cannot be read: there is no such file";
+    case ReadFault::NoFile:
+      return "is a folder, device or pipe, not a file";
+    case ReadFault::TooLarge:
+      return "is too large";
+    case ReadFault::Outside:
+      return "is a symbolic link that leads out of its folder; it is not followed";
+    case ReadFault::Unreadable:
+      break;
+  }
+  return "cannot be read";
+}
+
+std::optional<std::string> readFile(const std::string& path, std::size_t limit, ReadFault& fault) {
+  const bool any = path.starts_with("/dev/");
+  return readOpened(path, any ? 0 : O_NONBLOCK, any, limit, fault);
+}
+
+std::optional<std::string> readFileBelow(const std::string& folder, const std::string& path,
+                                         std::size_t limit, ReadFault& fault) {
+  std::error_code error;
+  const fs::path named = fs::path(folder) / path;
+  if (fs::symlink_status(named, error).type() == fs::file_type::not_found)
+    return refuseFile(ReadFault::Missing, fault);
+  const fs::path file = fs::canonical(named, error);
+  if (error || !liesBelow(folder, file)) return refuseFile(ReadFault::Outside, fault);
+  return readOpened(file.string(), O_NONBLOCK | O_NOFOLLOW, false, limit, fault);
+}
+
+bool liesBelow(const std::string& folder, const std::string& path) {
+  std::error_code error;
+  const fs::path root = fs::canonical(folder, error);
+  if (error) return false;
+  const fs::path place = fs::canonical(path, error);
+  if (error) return false;
+  return std::mismatch(root.begin(), root.end(), place.begin(), place.end()).first == root.end();
+}
+
+}  // namespace orris

@@ -1,0 +1,27 @@
+// Fixed-function state of one step: matrices, blending, alpha test, culling, fog.
+// Contract: README "Fullscreen geometry", programs.csv default_blend and default_alpha_test.
+#pragma once
+
+#include <orris/plan/frame/frame_state.h>
+#include <orris/plan/schedule/schedule.h>
+#include <orris/plan/frame/uniforms.h>
+
+namespace orris {
+
+/// State for a fullscreen program.
+void setFullscreenState(const ProgramSource* program, DrawState& draw);
+/// State for geometry; `program` null: the built-in shader. Fills blend and alpha facts of `draw`.
+void setGeometryState(const Step& step, const ProgramSource* program, DrawState& draw);
+/// The matrices of `draw` and those of the light's texture coordinates: GL's own, which compatibility
+/// shaders read. In a core context uniforms hold them (plan/frame/core_uniforms.h).
+void loadMatrices(DrawState& draw, bool lightmapMatrix);
+void loadModelView(const glm::mat4& modelView);
+void setFog(const FrameState& state);
+void unsetAlphaTest();
+
+/// The projection of fullscreen programs: the 0..1 quad to clip space, z row zero.
+glm::mat4 fullscreenProjection();
+/// Value of MC_RENDER_STAGE_* for what a step draws.
+int renderStageOf(Geometry geometry);
+
+}  // namespace orris

@@ -1,0 +1,260 @@
+#include <orris/render/scene/gpu_scene.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <orris/gl/functions.h>
+#include <orris/plan/scene/shapes.h>
+#include <orris/world/atlas/atlas_levels.h>
+
+namespace orris {
+namespace {
+
+gl::Texture uploadImage(const Image8& image, int levels, const std::string& label) {
+  gl::Texture texture =
+      gl::createTexture(2, *findFormat("RGBA8"), image.width, image.height, 1, levels, label);
+  gl::upload(texture, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
+  return texture;
+}
+
+// Box-filtered levels: tiles are powers of two, so no tile bleeds into another.
+gl::Texture uploadColors(const Image8& image, const std::string& label) {
+  gl::Texture texture = uploadImage(image, kAtlasLevels, label);
+  const std::vector<Image8> levels = atlasLevels(image, kAtlasLevels);
+  for (std::size_t i = 1; i < levels.size(); ++i)
+    gl::TextureSubImage2D(texture.id(), GLint(i), 0, 0, levels[i].width, levels[i].height, GL_RGBA,
+                          GL_UNSIGNED_BYTE, levels[i].pixels.data());
+  gl::setParameters(texture, {.linear = false, .repeat = false, .mipmaps = true});
+  return texture;
+}
+
+// The same for data, as they are stored.
+gl::Texture uploadData(const Image8& image, const std::string& label) {
+  gl::Texture texture = uploadImage(image, kAtlasLevels, label);
+  gl::generateMipmaps(texture);
+  gl::setParameters(texture, {.linear = false, .repeat = false, .mipmaps = true});
+  return texture;
+}
+
+void appendQuad(std::uint32_t first, std::vector<std::uint32_t>& indices) {
+  for (const std::uint32_t corner : {0u, 1u, 2u, 2u, 3u, 0u}) indices.push_back(first + corner);
+}
+
+// The game's brightness curve of a light level 0..15.
+float levelBrightness(int level) {
+  const float f = static_cast<float>(level) / 15;
+  return f / (4 - 3 * f);
+}
+
+}  // namespace
+
+GpuScene::GpuScene(const SceneData& scene, const std::vector<int>& blockIds,
+                   const VertexStyle& style) {
+  atlas_ = uploadColors(scene.atlas.albedo, "atlas");
+  normals_ = uploadData(scene.atlas.normal, "normals");
+  specular_ = uploadData(scene.atlas.specular, "specular");
+  animated_ = AnimatedTiles(scene.atlas.animations);
+  lightmap_ = gl::createTexture(2, *findFormat("RGBA8"), 16, 16, 1, 1, "lightmap");
+  Image8 white(1, 1, 4);
+  std::fill(white.pixels.begin(), white.pixels.end(), std::uint8_t{255});
+  white_ = uploadImage(white, 1, "white");
+  celestial_ = uploadImage(celestialImage(), 1, "celestial");
+  gl::setParameters(celestial_, {.linear = false});
+  buildShapes();
+  buildContent(scene.content, scene.contents().content);
+  uploadMesh(scene, blockIds, style);
+}
+
+void GpuScene::buildContent(const ContentScene& content, GeometrySet kinds) {
+  struct NamedSheet {
+    Sheet sheet;
+    Geometry geometry;
+    const char* texture;
+  };
+  constexpr NamedSheet kSheets[] = {{Sheet::Glint, Geometry::Glint, "glint"},
+                                    {Sheet::Glint, Geometry::HandGlint, "glint"},
+                                    {Sheet::Rain, Geometry::Rain, "rain"},
+                                    {Sheet::Snow, Geometry::Snow, "snow_flakes"},
+                                    {Sheet::Beam, Geometry::BeamCore, "beacon_beam"},
+                                    {Sheet::Border, Geometry::Border, "world_border"}};
+  for (const NamedSheet& row : kSheets)
+    if ((kinds & bitOf(row.geometry)) != 0)
+      sheets_[row.sheet] = uploadImage(textureImage(row.texture), 1, row.texture);
+  if (kinds == 0) return;
+  // What has no such maps, as lines, reads these: flat and rough.
+  const bool own = content.atlas.albedo.width > 0;
+  const BlockAtlas& atlas = own ? content.atlas : buildAtlas({});
+  contentAtlas_ = uploadColors(atlas.albedo, "content atlas");
+  contentNormals_ = uploadData(atlas.normal, "content normals");
+  contentSpecular_ = uploadData(atlas.specular, "content specular");
+}
+
+const gl::Texture& GpuScene::sheet(Sheet sheet) const {
+  if (sheet == Sheet::Content) return contentAtlas_;
+  const auto found = sheets_.find(sheet);
+  return found == sheets_.end() ? white_ : found->second;
+}
+
+void GpuScene::uploadLists(const DrawLists& lists) {
+  lists_ = gl::createBuffer(lists.vertices.size() * sizeof(GpuVertex), lists.vertices.data(),
+                            "draw lists");
+  for (const ContentDraw& draw : lists.draws) needIndices(draw.range.quads);
+}
+
+void GpuScene::buildShapes() {
+  ShapeList shapes;
+  shapes.quad({{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}}, kUnitUv);
+  fullscreen = shapes.since(0);
+  horizon = addHorizon(shapes);
+  skyDisc = addSkyDisc(shapes);
+  stars = addStars(shapes);
+  sun = addCelestialQuad(shapes, 100, 30, 0);
+  moon = addCelestialQuad(shapes, -100, 20, 0.5f);
+  shapes_ = gl::createBuffer(shapes.vertices.size() * sizeof(GpuVertex), shapes.vertices.data(),
+                             "shapes");
+}
+
+const CloudLayer& GpuScene::clouds(bool fancy) {
+  if (clouds_ && clouds_->fancy == fancy) return *clouds_;
+  const CloudMesh mesh = buildClouds(fancy);
+  clouds_ = {
+      fancy, mesh.parts,
+      gl::createBuffer(mesh.vertices.size() * sizeof(GpuVertex), mesh.vertices.data(), "clouds")};
+  for (const CloudPart& part : mesh.parts) needIndices(part.range.quads);
+  return *clouds_;
+}
+
+void GpuScene::needIndices(unsigned quads) {
+  if (quads <= indexedQuads_) return;
+  indexedQuads_ = quads;
+  std::vector<std::uint32_t> indices;
+  indices.reserve(size_t{quads} * 6);
+  for (std::uint32_t i = 0; i < quads; ++i) appendQuad(i * 4, indices);
+  indices_ =
+      gl::createBuffer(indices.size() * sizeof(std::uint32_t), indices.data(), "quad indices");
+}
+
+void GpuScene::uploadMesh(const SceneData& scene, const std::vector<int>& blockIds,
+                          const VertexStyle& style) {
+  sections_ = scene.mesh.sections;
+  const size_t count = scene.mesh.vertexCount();
+  terrain_ = gl::createUnfilledBuffer(std::max<size_t>(1, count) * sizeof(GpuVertex), "terrain");
+  // By sections: a copy of all vertices at once would be hundreds of megabytes for a save.
+  for (const MeshSection& section : sections_) {
+    const std::vector<GpuVertex> vertices = packVertices(scene.mesh, section, blockIds, style);
+    gl::upload(terrain_, section.first * sizeof(GpuVertex), vertices.size() * sizeof(GpuVertex),
+               vertices.data());
+  }
+  blockIds_ = blockIds;
+  unsigned most = stars.quads;
+  for (const MeshSection& section : sections_) most = std::max(most, section.count / 4);
+  needIndices(most);
+  collectTranslucent(scene.mesh);
+}
+
+// Sections come sorted by layer, so the translucent vertices are one run at the end.
+void GpuScene::collectTranslucent(const BlockMesh& mesh) {
+  sortedFor_.reset();
+  translucentCenters_.clear();
+  const auto first = std::find_if(sections_.begin(), sections_.end(), [](const MeshSection& s) {
+    return s.layer == RenderLayer::Translucent;
+  });
+  if (first == sections_.end()) return;
+  firstTranslucent_ = first->first;
+  for (size_t v = firstTranslucent_; v < mesh.vertexCount(); v += 4) {
+    const std::array<BlockVertex, 4> quad = mesh.quad(v);
+    translucentCenters_.push_back((quad[0].position + quad[2].position) * 0.5f);
+  }
+}
+
+void GpuScene::sortTranslucent(const glm::dvec3& eye) {
+  if (translucentCenters_.empty() || sortedFor_ == eye) return;
+  sortedFor_ = eye;
+  std::vector<std::uint32_t> indices;
+  indices.reserve(translucentCenters_.size() * 6);
+  for (const MeshSection& section : sections_) {
+    if (section.layer != RenderLayer::Translucent) continue;
+    const glm::vec3 local(eye - glm::dvec3(section.origin));
+    std::vector<std::pair<float, std::uint32_t>> quads;
+    for (std::uint32_t v = section.first; v < section.first + section.count; v += 4) {
+      const glm::vec3 d = translucentCenters_[(v - firstTranslucent_) / 4] - local;
+      quads.emplace_back(-glm::dot(d, d), v);
+    }
+    std::sort(quads.begin(), quads.end());
+    for (const auto& [distance, v] : quads) appendQuad(v, indices);
+  }
+  sortedIndices_ =
+      gl::createBuffer(indices.size() * sizeof(std::uint32_t), indices.data(), "sorted quads");
+}
+
+void GpuScene::drawSorted(const MeshSection& section, bool patches) const {
+  gl::BindBuffer(GL_ELEMENT_ARRAY_BUFFER, sortedIndices_.id());
+  if (patches) gl::PatchParameteri(GL_PATCH_VERTICES, 3);
+  const size_t offset = size_t{section.first - firstTranslucent_} / 4 * 6 * sizeof(std::uint32_t);
+  gl::DrawElements(patches ? GL_PATCHES : GL_TRIANGLES, static_cast<int>(section.count / 4 * 6),
+                   GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset));
+}
+
+void GpuScene::animate(const FrameState& state) {
+  animated_.show(double(state.frameTimeCounter), atlas_, normals_, specular_);
+}
+
+void GpuScene::updateLightmap(const FrameState& state) {
+  const float height = std::cos(state.skyAngle * 2 * 3.14159265f) * 2 + 0.5f;
+  const float day = std::clamp(height, 0.0f, 1.0f) * 0.95f + 0.05f;
+  std::array<std::uint8_t, 16 * 16 * 4> pixels{};
+  for (int sky = 0; sky < 16; ++sky)
+    for (int block = 0; block < 16; ++block) {
+      const float s = levelBrightness(sky) * day, b = levelBrightness(block) * 1.4f;
+      // Torches are warm: green and blue fall faster than red, as in the game.
+      const float rgb[3] = {b + s, b * ((b * 0.6f + 0.4f) * 0.6f + 0.4f) + s,
+                            b * (b * b * 0.6f + 0.4f) + s};
+      for (int c = 0; c < 3; ++c)
+        pixels[(sky * 16 + block) * 4 + c] = static_cast<std::uint8_t>(
+            std::lround(std::clamp(rgb[c] * 0.96f + 0.03f, 0.0f, 1.0f) * 255));
+      pixels[(sky * 16 + block) * 4 + 3] = 255;
+    }
+  gl::upload(lightmap_, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+  gl::setParameters(lightmap_, {.linear = true});
+}
+
+void GpuScene::bindTerrain() const {
+  gl::BindBuffer(GL_ARRAY_BUFFER, terrain_.id());
+  gl::BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
+}
+
+void GpuScene::bindLists() const {
+  gl::BindBuffer(GL_ARRAY_BUFFER, lists_.id());
+  gl::BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
+}
+
+void GpuScene::bindIndices() const { gl::BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id()); }
+
+void GpuScene::bindClouds() const {
+  gl::BindBuffer(GL_ARRAY_BUFFER, clouds_->buffer.id());
+  gl::BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
+}
+
+void GpuScene::bindShapes() const {
+  gl::BindBuffer(GL_ARRAY_BUFFER, shapes_.id());
+  gl::BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
+}
+
+void GpuScene::drawQuads(const QuadRange& range, bool patches) const {
+  if (patches) gl::PatchParameteri(GL_PATCH_VERTICES, 3);
+  gl::DrawElementsBaseVertex(patches ? GL_PATCHES : GL_TRIANGLES, static_cast<int>(range.quads * 6),
+                             GL_UNSIGNED_INT, nullptr, static_cast<int>(range.firstVertex));
+}
+
+gl::Texture makeNoiseTexture(int resolution) {
+  Image8 image(resolution, resolution, 4);
+  for (size_t i = 0; i < image.pixels.size(); ++i)
+    image.pixels[i] =
+        i % 4 == 3 ? 255 : static_cast<std::uint8_t>(mixBits(static_cast<std::uint32_t>(i)));
+  gl::Texture texture = uploadImage(image, 1, "noisetex");
+  gl::setParameters(texture, {.linear = true, .repeat = true});
+  return texture;
+}
+
+}  // namespace orris

@@ -1,0 +1,34 @@
+#include <orris/render/session/background_load.h>
+
+#include <chrono>
+#include <utility>
+
+namespace orris {
+
+namespace {
+
+void settle(const AutoChoices& guess, BackgroundLoad::Result& result) {
+  if (!result.pack || guess.all().empty()) return;
+  auto pack = rebuildShaderPack(*result.pack, guess.applied(result.request), result.settledProblems);
+  if (pack && !hasErrors(result.settledProblems))
+    result.settled = std::make_shared<const ShaderPack>(std::move(*pack));
+}
+
+}  // namespace
+
+BackgroundLoad::BackgroundLoad(LoadRequest request, PackLoader load, AutoChoices guess)
+    : result_(std::async(std::launch::async, [request = std::move(request), load = std::move(load),
+                                              guess = std::move(guess)]() mutable {
+        Result result;
+        result.pack = load(request, result.problems);
+        if (hasErrors(result.problems)) result.pack = nullptr;
+        result.request = std::move(request);
+        settle(guess, result);
+        return result;
+      })) {}
+
+bool BackgroundLoad::ready() const {
+  return result_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+}
+
+}  // namespace orris
