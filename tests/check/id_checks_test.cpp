@@ -22,11 +22,14 @@ TEST(IdTwice, a_block_under_a_second_id_is_reported_at_the_word) {
 }
 
 TEST(IdBlock, a_slip_of_a_block_is_reported) {
-  EXPECT_THAT(blocks("block.1=stone minecraft:oak_leafs\nblock.2=spruce_stairss:half=top\n"),
+  EXPECT_THAT(blocks("block.1=stone minecraft:oak_leafs\nblock.2=spruce_stairss:half=top\n"
+                     "block.3=minecraft:quarzt_ore\n"),
               ElementsAre("id-block /block.properties:1:15: warning: the game has no block "
                           "minecraft:oak_leafs | did you mean oak_leaves?",
                           "id-block /block.properties:2:9: warning: the game has no block "
-                          "minecraft:spruce_stairss | did you mean spruce_stairs?"));
+                          "minecraft:spruce_stairss | did you mean spruce_stairs?",
+                          "id-block /block.properties:3:9: warning: the game has no block "
+                          "minecraft:quarzt_ore | did you mean quartz_ore?"));
 }
 
 TEST(IdBlock, blocks_of_mods_and_of_other_versions_are_left_alone) {

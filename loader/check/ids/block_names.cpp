@@ -27,18 +27,14 @@ constexpr std::string_view kOld =
     "web wooden_button wooden_door wooden_pressure_plate wooden_slab wool yellow_flower "
     "carpet concrete concrete_powder";
 
+/// A list for several versions of the game may misspell a name of any.
 const std::vector<std::string>& knownBlocks() {
   static const std::vector<std::string> kNames = [] {
-    std::vector<std::string> names;
+    std::vector<std::string> names = splitBlanks(kOld);
     for (const auto& [name, definition] : blockData().blocks) names.push_back(name);
     return names;
   }();
   return kNames;
-}
-
-bool isOld(std::string_view name) {
-  static const std::vector<std::string> kNames = splitBlanks(kOld);
-  return std::ranges::find(kNames, name) != kNames.end();
 }
 
 }  // namespace
@@ -48,7 +44,7 @@ std::string meantBlock(std::string_view name) {
   constexpr std::size_t kShortest = 5;
   const std::vector<std::string>& known = knownBlocks();
   const bool exists = std::ranges::find(known, name) != known.end();
-  return exists || isOld(name) || name.size() < kShortest ? "" : likelyMeant(name, known);
+  return exists || name.size() < kShortest ? "" : likelyMeant(name, known);
 }
 
 }  // namespace orris
