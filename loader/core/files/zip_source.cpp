@@ -70,21 +70,48 @@ Archive openArchive(const std::string& path, const std::string& bytes, Diagnosti
   return archive;
 }
 
+struct ZipEntry {
+  std::string path;  ///< "/MyPack/shaders/final.fsh"
+  zip_uint64_t index = 0;
+  bool folder = false;
+  std::uint64_t size = 0;  ///< as the archive says; 0 where it does not
+};
+
+/// In the order of the archive. Names that leave it are left out.
+std::vector<ZipEntry> listEntries(zip_t* archive) {
+  std::vector<ZipEntry> entries;
+  const auto count = static_cast<zip_uint64_t>(zip_get_num_entries(archive, 0));
+  for (zip_uint64_t i = 0; i < count; ++i) {
+    const char* name = zip_get_name(archive, i, 0);
+    auto path = name ? resolvePackPath("/", std::string("/") + name) : std::nullopt;
+    if (!path) continue;
+    zip_stat_t stat;
+    const bool sized = zip_stat_index(archive, i, 0, &stat) == 0 && (stat.valid & ZIP_STAT_SIZE);
+    const bool folder = std::string_view(name).ends_with('/');
+    entries.push_back({std::move(*path) + (folder ? "/" : ""), i, folder, sized ? stat.size : 0});
+  }
+  return entries;
+}
+
 /// `folder` at the top wins over the first one found deeper. nullopt: there is none.
-std::optional<std::string> findRoot(zip_t* archive, zip_int64_t count,
+std::optional<std::string> findRoot(const std::vector<ZipEntry>& entries,
                                     const std::string& folder = "/shaders") {
   const std::string inside = folder + "/";
   std::optional<std::string> deeper;
-  for (zip_int64_t i = 0; i < count; ++i) {
-    const char* name = zip_get_name(archive, static_cast<zip_uint64_t>(i), 0);
-    if (!name) continue;
-    const std::string path = std::string("/") + name;
-    if (!resolvePackPath("/", path)) continue;
-    const size_t at = path.find(inside);
+  for (const ZipEntry& entry : entries) {
+    const size_t at = entry.path.find(inside);
     if (at == 0) return folder;
-    if (at != std::string::npos && !deeper) deeper = path.substr(0, at) + folder;
+    if (at != std::string::npos && !deeper) deeper = entry.path.substr(0, at) + folder;
   }
   return deeper;
+}
+
+bool tooManyFiles(zip_t* archive, const std::string& zip, const PackLimits& limits,
+                  Diagnostics& diagnostics) {
+  if (zip_get_num_entries(archive, 0) <= static_cast<zip_int64_t>(limits.files)) return false;
+  addError(diagnostics, "pack-too-large", {zip},
+           fmt::format("the zip has more than {} files", limits.files));
+  return true;
 }
 
 struct EntryText {
@@ -130,9 +157,16 @@ EntryText readEntry(zip_t* archive, zip_uint64_t index, size_t limit, bool keep 
 /// The archive stays open; its entries are read when they are asked for.
 class LazyZip : public FileSource {
  public:
-  LazyZip(Archive archive, std::string root, const PackLimits& limits)
+  /// Of two entries with one name the first counts.
+  LazyZip(Archive archive, const std::vector<ZipEntry>& entries, std::string root,
+          const PackLimits& limits)
       : archive_(std::move(archive)), root_(std::move(root)), limits_(limits) {
-    list();
+    for (const ZipEntry& entry : entries) {
+      if (!entry.folder) index_.emplace(entry.path, entry.index);
+    }
+    for (const auto& [path, index] : index_) {
+      if (path.starts_with(root_ + "/")) paths_.push_back(path.substr(root_.size()));
+    }
   }
 
   std::optional<std::string> read(std::string_view path) const override {
@@ -157,21 +191,6 @@ class LazyZip : public FileSource {
   mutable std::mutex mutex_;  ///< of libzip's place in the archive
 
  private:
-  /// Names that leave the archive are left out; of two with one name the first counts.
-  void list() {
-    const std::string inside = root_ + "/";
-    const zip_int64_t count = zip_get_num_entries(archive_.get(), 0);
-    for (zip_int64_t i = 0; i < count; ++i) {
-      const char* name = zip_get_name(archive_.get(), static_cast<zip_uint64_t>(i), 0);
-      if (!name || std::string_view(name).ends_with('/')) continue;
-      const auto path = resolvePackPath("/", std::string("/") + name);
-      if (path) index_.emplace(*path, static_cast<zip_uint64_t>(i));
-    }
-    for (const auto& [path, index] : index_) {
-      if (path.starts_with(inside)) paths_.push_back(path.substr(root_.size()));
-    }
-  }
-
   std::map<std::string, zip_uint64_t> index_;  ///< by the path in the archive
   std::vector<std::string> paths_;
   mutable std::size_t total_ = 0;  ///< bytes read so far
@@ -180,9 +199,9 @@ class LazyZip : public FileSource {
 /// A shader pack in memory as it is compressed: workers that are forked share no place in a file.
 class PackZip : public LazyZip {
  public:
-  PackZip(std::unique_ptr<const std::string> bytes, Archive archive, std::string root,
-          const PackLimits& limits)
-      : LazyZip(std::move(archive), std::move(root), limits), bytes_(std::move(bytes)) {}
+  PackZip(std::unique_ptr<const std::string> bytes, Archive archive,
+          const std::vector<ZipEntry>& entries, std::string root, const PackLimits& limits)
+      : LazyZip(std::move(archive), entries, std::move(root), limits), bytes_(std::move(bytes)) {}
   ~PackZip() override { archive_.reset(); }
 
   std::optional<std::string> read(std::string_view path) const override {
@@ -197,52 +216,37 @@ class PackZip : public LazyZip {
   }
 
   /// Can each file below the root be read, and are they no more than a pack may have?
-  bool check(const std::string& zip, Diagnostics& diagnostics) const {
-    const zip_int64_t count = zip_get_num_entries(archive_.get(), 0);
-    const bool small = declaredBytes(count) <= limits_.totalBytes;
+  bool check(const std::string& zip, std::vector<ZipEntry> entries, Diagnostics& diagnostics) const {
+    std::erase_if(entries, [&](const ZipEntry& entry) {
+      return entry.folder || !entry.path.starts_with(root_ + "/");
+    });
+    if (declaredBytes(entries) > limits_.totalBytes) return tooLarge(zip, diagnostics);
     std::set<std::string> known;
     size_t total = 0;
-    for (zip_int64_t i = 0; small && i < count; ++i) {
-      const auto inside = nameBelowRoot(i);
-      if (!inside) continue;
-      if (known.size() >= limits_.files) return tooLarge(zip, diagnostics);
-      const EntryText entry =
-          readEntry(archive_.get(), static_cast<zip_uint64_t>(i), limits_.fileBytes, false);
-      if (!entry.bytes)
-        return refuse(zip, *inside + " in the zip " + entry.problem, entry.hint, diagnostics);
-      total += entry.size;
+    for (const ZipEntry& entry : entries) {
+      const EntryText text = readEntry(archive_.get(), entry.index, limits_.fileBytes, false);
+      if (!text.bytes)
+        return refuse(zip, entry.path + " in the zip " + text.problem, text.hint, diagnostics);
+      total += text.size;
       if (total > limits_.totalBytes) return tooLarge(zip, diagnostics);
-      if (!known.insert(*inside).second)
-        return refuse(zip, *inside + " is twice in the zip", kTwiceHint, diagnostics);
+      if (!known.insert(entry.path).second)
+        return refuse(zip, entry.path + " is twice in the zip", kTwiceHint, diagnostics);
     }
-    return small || tooLarge(zip, diagnostics);
+    return true;
   }
 
  private:
-  std::optional<std::string> nameBelowRoot(zip_int64_t i) const {
-    const char* name = zip_get_name(archive_.get(), static_cast<zip_uint64_t>(i), 0);
-    if (!name || std::string_view(name).ends_with('/')) return std::nullopt;
-    auto inside = resolvePackPath("/", std::string("/") + name);
-    return inside && inside->starts_with(root_ + "/") ? inside : std::nullopt;
-  }
-
-  /// As the archive says; reading stops at the limit of a file, whatever it says.
-  std::uint64_t declaredBytes(zip_int64_t count) const {
+  /// Reading stops at the limit of a file, whatever the archive says.
+  std::uint64_t declaredBytes(const std::vector<ZipEntry>& entries) const {
     std::uint64_t total = 0;
-    for (zip_int64_t i = 0; i < count; ++i) {
-      zip_stat_t stat;
-      if (!nameBelowRoot(i) || zip_stat_index(archive_.get(), zip_uint64_t(i), 0, &stat) != 0 ||
-          !(stat.valid & ZIP_STAT_SIZE))
-        continue;
-      total += std::min<std::uint64_t>(stat.size, limits_.totalBytes + 1);
-    }
+    for (const ZipEntry& entry : entries)
+      total += std::min<std::uint64_t>(entry.size, limits_.totalBytes + 1);
     return total;
   }
 
   bool tooLarge(const std::string& zip, Diagnostics& diagnostics) const {
     return addError(diagnostics, "pack-too-large", {zip},
-                    fmt::format("the pack has more than {} bytes or {} files", limits_.totalBytes,
-                                limits_.files));
+                    fmt::format("the pack has more than {} bytes", limits_.totalBytes));
   }
 
   static bool refuse(const std::string& zip, std::string message, std::string hint,
@@ -258,16 +262,12 @@ class PackZip : public LazyZip {
 std::unique_ptr<FileSource> openZipBelow(const std::string& path, const std::string& folder,
                                          const PackLimits& limits, Diagnostics& diagnostics) {
   Archive archive = openArchive(path, diagnostics);
-  if (!archive) return nullptr;
-  const zip_int64_t count = zip_get_num_entries(archive.get(), 0);
-  if (count > static_cast<zip_int64_t>(limits.files)) {
-    addError(diagnostics, "pack-too-large", {path}, fmt::format("the zip has more than {} files", limits.files));
-    return nullptr;
-  }
-  const auto root = findRoot(archive.get(), count, folder);
+  if (!archive || tooManyFiles(archive.get(), path, limits, diagnostics)) return nullptr;
+  const std::vector<ZipEntry> entries = listEntries(archive.get());
+  const auto root = findRoot(entries, folder);
   if (!root) return memorySource({});
   addReadPlace(path);
-  return std::make_unique<LazyZip>(std::move(archive), *root, limits);
+  return std::make_unique<LazyZip>(std::move(archive), entries, *root, limits);
 }
 
 std::unique_ptr<FileSource> openPackZip(const std::string& path, const PackLimits& limits,
@@ -283,21 +283,23 @@ std::unique_ptr<FileSource> openPackZip(const std::string& path, const PackLimit
   }
   auto bytes = std::make_unique<const std::string>(std::move(*file));
   Archive archive = openArchive(path, *bytes, diagnostics);
-  if (!archive) return nullptr;
-  const auto root = findRoot(archive.get(), zip_get_num_entries(archive.get(), 0));
+  if (!archive || tooManyFiles(archive.get(), path, limits, diagnostics)) return nullptr;
+  std::vector<ZipEntry> entries = listEntries(archive.get());
+  const auto root = findRoot(entries);
   if (!root) {
     addError(diagnostics, "pack-unreadable", {path}, "no shader pack: the zip has no folder named shaders",
              "zip the folder that holds shaders/");
     return nullptr;
   }
-  auto source = std::make_unique<PackZip>(std::move(bytes), std::move(archive), *root, limits);
-  return source->check(path, diagnostics) ? std::move(source) : nullptr;
+  auto source =
+      std::make_unique<PackZip>(std::move(bytes), std::move(archive), entries, *root, limits);
+  return source->check(path, std::move(entries), diagnostics) ? std::move(source) : nullptr;
 }
 
 bool isPackZip(const std::string& path) {
   Diagnostics ignored;
   const Archive archive = openArchive(path, ignored);
-  return archive && findRoot(archive.get(), zip_get_num_entries(archive.get(), 0));
+  return archive && findRoot(listEntries(archive.get()));
 }
 
 }  // namespace orris
