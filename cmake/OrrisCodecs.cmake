@@ -1,4 +1,4 @@
-# The module of picture codecs, which orris_image loads at the first picture. Programs find it by their
+# The module of picture codecs, which orris_image loads at the first picture that is no PNG. Programs find it by their
 # run path: in the build tree, installed, and those of others that link the installed libraries.
 set(codecs_dir ${CMAKE_INSTALL_LIBDIR}/orris)
 set(codecs_file orris-image-codecs.so)

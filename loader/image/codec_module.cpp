@@ -1,6 +1,9 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
+#include <filesystem>
+#include <vector>
+
 #include <orris/core/add_diagnostic.h>
 #include <orris/image/codecs/image_codecs.h>
 
@@ -28,6 +31,23 @@ LoadedCodecs loadCodecs() {
 }
 
 }  // namespace
+
+std::string imageCodecsFile() {
+  // The folders in which dlopen() looks.
+  void* program = dlopen(nullptr, RTLD_LAZY);
+  Dl_serinfo size{};
+  if (!program || dlinfo(program, RTLD_DI_SERINFOSIZE, &size) != 0) return "";
+  std::vector<std::max_align_t> memory(size.dls_size / sizeof(std::max_align_t) + 1);
+  auto* info = reinterpret_cast<Dl_serinfo*>(memory.data());
+  *info = size;
+  if (dlinfo(program, RTLD_DI_SERINFO, info) != 0) return "";
+  for (unsigned i = 0; i < info->dls_cnt; ++i) {
+    const auto file = std::filesystem::path(info->dls_serpath[i].dls_name) / ORRIS_CODECS_MODULE;
+    std::error_code error;
+    if (std::filesystem::is_regular_file(file, error)) return file.string();
+  }
+  return "";
+}
 
 const ImageCodecs* imageCodecs(const std::string& picture, Diagnostics& diagnostics) {
   static const LoadedCodecs loaded = loadCodecs();

@@ -1,7 +1,7 @@
 #include <orris/image/encode_png.h>
 
 #include <orris/core/add_diagnostic.h>
-#include <orris/image/codecs/image_codecs.h>
+#include <orris/image/png_file.h>
 
 namespace orris {
 namespace {
@@ -9,13 +9,10 @@ namespace {
 template <class Image>
 std::optional<std::string> encodeAny(const Image& image, const std::string& file,
                                      Diagnostics& diagnostics) {
-  const ImageCodecs* codecs = imageCodecs(file, diagnostics);
-  if (!codecs) return std::nullopt;
-  std::string bytes;
-  const auto reason = codecs->encode(".png", image, bytes);
-  if (!reason) return bytes;
-  addError(diagnostics, "image-write", {file}, "cannot make a PNG of its picture: " + *reason);
-  return std::nullopt;
+  std::string reason;
+  auto bytes = pngOf(image, reason);
+  if (!bytes) addError(diagnostics, "image-write", {file}, "cannot make a PNG of its picture: " + reason);
+  return bytes;
 }
 
 }  // namespace

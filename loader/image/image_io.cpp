@@ -11,6 +11,7 @@
 #include <orris/image/codecs/image_codecs.h>
 #include <orris/image/image.h>
 #include <orris/image/image_size.h>
+#include <orris/image/png_file.h>
 
 namespace orris {
 namespace {
@@ -36,7 +37,7 @@ std::string formatOf(std::string_view bytes, std::string_view name) {
   return name.ends_with(".tga") || name.ends_with(".TGA") ? "targa" : "";
 }
 
-/// Walks the chunks to the end mark. libpng would print its own message about a cut file.
+/// Walks the chunks to the end mark: a cut file has one message wherever it ends.
 bool isWholePng(std::string_view bytes) {
   constexpr size_t kSignature = 8, kFrame = 12;  // length, type and checksum around each chunk
   size_t at = kSignature;
@@ -50,9 +51,10 @@ bool isWholePng(std::string_view bytes) {
   return false;
 }
 
-bool sizeAllowed(const PictureReader& picture, const std::string& name, Diagnostics& diagnostics) {
-  const bool allowed = picture.width > 0 && picture.height > 0 && picture.depth <= 1 &&
-                       picture.width <= kMaxSide && picture.height <= kMaxSide &&
+/// `picture` has a width, a height and channels: a PictureReader or a PngHeader.
+bool sizeAllowed(const auto& picture, const std::string& name, Diagnostics& diagnostics) {
+  const bool allowed = picture.width > 0 && picture.height > 0 && picture.width <= kMaxSide &&
+                       picture.height <= kMaxSide &&
                        std::int64_t(picture.width) * picture.height <= kMaxFilePixels &&
                        picture.channels > 0 && picture.channels <= kMaxChannels;
   if (allowed) return true;
@@ -60,6 +62,11 @@ bool sizeAllowed(const PictureReader& picture, const std::string& name, Diagnost
                   fmt::format("image of {}x{} with {} channels is outside the limits",
                               picture.width, picture.height, picture.channels),
                   fmt::format("at most {0}x{0}, {1} pixels in all", kMaxSide, kMaxFilePixels));
+}
+
+bool isFlat(const PictureReader& picture, const std::string& name, Diagnostics& diagnostics) {
+  if (picture.depth <= 1) return sizeAllowed(picture, name, diagnostics);
+  return addError(diagnostics, "image-size", {name}, "the image has layers", "save one of them");
 }
 
 Image8 toRgba(const Image8& source) {
@@ -92,6 +99,43 @@ bool storesBytes(const std::string& extension, bool fromBytes) {
   return fromBytes && !floatOnly;
 }
 
+bool reportUnwritten(const std::string& path, const std::error_code& error,
+                     const std::string& problem, Diagnostics& diagnostics) {
+  return addError(
+      diagnostics, "image-write", {path},
+      fmt::format("cannot write the image: {}", problem.empty() ? error.message() : problem),
+      "check that the folder exists and is writable");
+}
+
+Image8 toBytes(const ImageF& image) {
+  Image8 bytes(image.width, image.height, image.channels);
+  for (std::size_t i = 0; i < bytes.pixels.size(); ++i) {
+    const float value = image.pixels[i];
+    // NaN becomes 0.
+    bytes.pixels[i] = value > 0 ? std::uint8_t(std::min(value, 1.0f) * 255 + 0.5f) : std::uint8_t(0);
+  }
+  return bytes;
+}
+
+bool writePng(const std::string& path, const Image8& image, Diagnostics& diagnostics) {
+  std::string reason;
+  const auto bytes = pngOf(image, reason);
+  if (!bytes) return reportUnwritten(path, {}, reason, diagnostics);
+  const std::error_code error = replaceFile(path, *bytes);
+  return !error || reportUnwritten(path, error, outputProblem(path), diagnostics);
+}
+
+std::optional<Image8> readPng(const std::string& bytes, const std::string& name,
+                              Diagnostics& diagnostics) {
+  std::string reason;
+  const auto header = readPngHeader(bytes, reason);
+  if (header && !sizeAllowed(*header, name, diagnostics)) return std::nullopt;
+  auto picture = header ? decodePng(bytes, reason) : std::nullopt;
+  if (!picture)
+    addError(diagnostics, "image-decode", {name}, fmt::format("cannot read the image: {}", reason));
+  return picture;
+}
+
 bool writePicture(const std::string& path, PictureToWrite picture, Diagnostics& diagnostics) {
   const ImageCodecs* codecs = imageCodecs(path, diagnostics);
   if (!codecs) return false;
@@ -107,12 +151,26 @@ bool writePicture(const std::string& path, PictureToWrite picture, Diagnostics& 
     reason = codecs->write(partial, extension, picture);
     return !reason;
   });
-  if (!error) return true;
-  const std::string problem = reason.value_or(outputProblem(path));
-  return addError(
-      diagnostics, "image-write", {path},
-      fmt::format("cannot write the image: {}", problem.empty() ? error.message() : problem),
-      "check that the folder exists and is writable");
+  return !error ||
+         reportUnwritten(path, error, reason.value_or(outputProblem(path)), diagnostics);
+}
+
+std::optional<Image8> decodeByModule(const std::string& bytes, const std::string& format,
+                                     const std::string& name, Diagnostics& diagnostics) {
+  const ImageCodecs* codecs = imageCodecs(name, diagnostics);
+  if (!codecs) return std::nullopt;
+  std::string reason;
+  const auto picture = codecs->open(bytes, format, reason);
+  if (!picture) {
+    addError(diagnostics, "image-decode", {name}, fmt::format("cannot read the image: {}", reason));
+    return std::nullopt;
+  }
+  if (!isFlat(*picture, name, diagnostics)) return std::nullopt;
+  Image8 stored(picture->width, picture->height, picture->channels);
+  const auto failure = picture->read(stored.pixels.data());
+  if (!failure) return stored;
+  addError(diagnostics, "image-decode", {name}, fmt::format("cannot read the image: {}", *failure));
+  return std::nullopt;
 }
 
 }  // namespace
@@ -130,22 +188,10 @@ std::optional<Image8> decodeImage(const std::string& bytes, const std::string& n
              "save the image again");
     return std::nullopt;
   }
-  const ImageCodecs* codecs = imageCodecs(name, diagnostics);
-  if (!codecs) return std::nullopt;
-  std::string reason;
-  const auto picture = codecs->open(bytes, format, reason);
-  if (!picture) {
-    addError(diagnostics, "image-decode", {name}, fmt::format("cannot read the image: {}", reason));
-    return std::nullopt;
-  }
-  if (!sizeAllowed(*picture, name, diagnostics)) return std::nullopt;
-  Image8 stored(picture->width, picture->height, picture->channels);
-  if (const auto failure = picture->read(stored.pixels.data())) {
-    addError(diagnostics, "image-decode", {name},
-             fmt::format("cannot read the image: {}", *failure));
-    return std::nullopt;
-  }
-  return stored.channels == 4 ? std::move(stored) : toRgba(stored);
+  auto stored = format == "png" ? readPng(bytes, name, diagnostics)
+                                : decodeByModule(bytes, format, name, diagnostics);
+  if (!stored || stored->channels == 4) return stored;
+  return toRgba(*stored);
 }
 
 std::optional<ImageF> readImage(const std::string& path, Diagnostics& diagnostics) {
@@ -158,7 +204,7 @@ std::optional<ImageF> readImage(const std::string& path, Diagnostics& diagnostic
              "give an existing PNG, EXR or other image file");
     return std::nullopt;
   }
-  if (!sizeAllowed(*picture, path, diagnostics)) return std::nullopt;
+  if (!isFlat(*picture, path, diagnostics)) return std::nullopt;
   ImageF image(picture->width, picture->height, picture->channels);
   if (const auto failure = picture->read(image.pixels.data())) {
     addError(diagnostics, "image-read", {path}, fmt::format("cannot read the image: {}", *failure));
@@ -168,6 +214,7 @@ std::optional<ImageF> readImage(const std::string& path, Diagnostics& diagnostic
 }
 
 bool writeImage(const std::string& path, const Image8& image, Diagnostics& diagnostics) {
+  if (lowerExtension(path) == ".png") return writePng(path, image, diagnostics);
   return writePicture(path,
                       {.width = image.width,
                        .height = image.height,
@@ -182,6 +229,7 @@ bool writeImage(const std::string& path, const ImageF& image, Diagnostics& diagn
 
 bool writeImage(const std::string& path, const ImageF& image,
                 const std::vector<std::string>& channelNames, Diagnostics& diagnostics) {
+  if (lowerExtension(path) == ".png") return writePng(path, toBytes(image), diagnostics);
   return writePicture(path,
                       {.width = image.width,
                        .height = image.height,

@@ -270,9 +270,8 @@ void confineDrawing() {
   if (brokerSocket < 0) return;
   requestOutputsFrom(brokerSocket);
   const std::string cache = prepareDriverCache();
-  // Wherever the run path of the program leads to: the sandbox knows only where it is installed.
-  Diagnostics reportedWhenUsed;
-  imageCodecs("", reportedWhenUsed);
+  // For pictures that are no PNG. The sandbox knows only where it is installed.
+  if (const std::string module = imageCodecsFile(); !module.empty()) addReadPlace(module);
   closeOpenFiles(brokerSocket);
   enterSandbox(readPlaces(), cache);
 }

@@ -1,5 +1,6 @@
 // What the module of picture codecs offers. OpenImageIO stays inside of the module: its 260 shared
-// libraries take a fifth of a second to load, and most commands read and write no picture.
+// libraries take a fifth of a second to load and tens of megabytes, and most commands read and write no
+// picture but PNG (image/png_file.h).
 #pragma once
 
 #include <cstdint>
@@ -9,7 +10,6 @@
 #include <vector>
 
 #include <orris/core/diagnostic.h>
-#include <orris/image/encode_png.h>
 #include <orris/image/image.h>
 
 namespace orris {
@@ -57,17 +57,15 @@ class ImageCodecs {
   /// Writes `path` as the format of `extension`. Returns the reason on failure.
   virtual std::optional<std::string> write(const std::string& path, const std::string& extension,
                                            const PictureToWrite& picture) const = 0;
-  /// Puts a picture of 16 or 8 bits a channel into `bytes`, a file of the format of `extension`. Returns the reason on failure.
-  virtual std::optional<std::string> encode(const std::string& extension, const Image16& picture,
-                                            std::string& bytes) const = 0;
-  virtual std::optional<std::string> encode(const std::string& extension, const Image8& picture,
-                                            std::string& bytes) const = 0;
   /// Both pictures have the same size and channels.
   virtual PictureComparison compare(const ImageF& a, const ImageF& b, float threshold) const = 0;
 };
 
 /// The name of the one function that the module exports: `const ImageCodecs* orrisImageCodecs()`.
 inline constexpr const char* kImageCodecsFunction = "orrisImageCodecs";
+
+/// The file of the module, which a process must be able to read until it has loaded it; "" when there is none.
+std::string imageCodecsFile();
 
 /// The codecs, loaded at the first call of the process. nullptr and a diagnostic that names `picture`
 /// when the module cannot be loaded.

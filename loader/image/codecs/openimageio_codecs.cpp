@@ -115,35 +115,10 @@ class OiioCodecs : public ImageCodecs {
       return std::nullopt;
     return firstLine(output->geterror());
   }
-  std::optional<std::string> encode(const std::string& extension, const Image16& picture,
-                                    std::string& bytes) const override {
-    return encodeAs(OIIO::TypeDesc::UINT16, extension, picture, bytes);
-  }
-  std::optional<std::string> encode(const std::string& extension, const Image8& picture,
-                                    std::string& bytes) const override {
-    return encodeAs(OIIO::TypeDesc::UINT8, extension, picture, bytes);
-  }
   PictureComparison compare(const ImageF& a, const ImageF& b, float threshold) const override {
     const OIIO::ImageBufAlgo::CompareResults found =
         OIIO::ImageBufAlgo::compare(wrap(a), wrap(b), threshold, threshold, OIIO::ROI(), 1);
     return {found.rms_error, found.maxerror, std::uint64_t(found.nfail)};
-  }
-
- private:
-  template <class Image>
-  static std::optional<std::string> encodeAs(OIIO::TypeDesc type, const std::string& extension,
-                                             const Image& picture, std::string& bytes) {
-    const auto output = outputFor(extension);
-    if (!output) return "no such format";
-    OIIO::ImageSpec spec(picture.width, picture.height, picture.channels, type);
-    spec.attribute("oiio:UnassociatedAlpha", 1);
-    OIIO::Filesystem::IOVecOutput memory;
-    if (!output->supports("ioproxy") || !output->set_ioproxy(&memory) ||
-        !output->open("memory" + extension, spec) ||
-        !output->write_image(type, picture.pixels.data()) || !output->close())
-      return firstLine(output->geterror());
-    bytes.assign(memory.buffer().begin(), memory.buffer().end());
-    return std::nullopt;
   }
 };
 
