@@ -639,7 +639,32 @@ layout(r32ui) uniform uimage2D count;
 void main() { imageAtomicAdd(count, ivec2(1, 0), 1u); }
 """
 SMALL = "-o out.png --size 16x16"
+# Twice as bright every ten frames, from nearly black.
+BRIGHTER = VERSION + """uniform int frameCounter;
+void main() { gl_FragColor = vec4(exp2(float(frameCounter) / 10.0 - 8.0)); }
+"""
+LATE_EVENT = """{"size": [4, 4, 4], "cameras": [{"name": "c", "position": [2, 3, 8], "target": [2, 1, 0]}],
+"events": [{"frame": 40, "camera": "c"}]}"""
+# One red texel.
+TGA = struct.pack("<3B5x4H2B3B", 0, 0, 2, 0, 0, 1, 1, 24, 0, 0, 0, 255)
 OUTPUTS = [
+    Case("a_picture_is_drawn_until_it_settles", [f"render pack {CORNELL} {SMALL}", f"render pack {CORNELL} {SMALL} --frames auto"],
+         0, PACK, stdout=[r"^wrote out.png \(16x16, 32 frames until it settled, "], creates=["out.png"]),
+    Case("a_picture_that_does_not_settle_ends", [f"render pack {CORNELL} {SMALL} --frames auto:70"], 0, pack({"final.fsh": BRIGHTER}),
+         stdout=[r"^wrote out.png \(16x16, 70 frames, not settled, "], creates=["out.png"]),
+    Case("a_picture_settles_when_white", [f"render pack {CORNELL} {SMALL} --json"], 0, pack({"final.fsh": BRIGHTER}),
+         stdout=[r'"frames": 256,', r'"settled": true'], creates=["out.png"]),
+    Case("frames_are_counted_from_the_last_event", [f"render pack world {SMALL}"], 0, {**PACK, "world/world.json": LATE_EVENT},
+         stdout=["72 frames until it settled"], creates=["out.png"]),
+    Case("as_many_frames_as_asked_for", [f"render pack {CORNELL} {SMALL} --frames 3"], 0, PACK,
+         stdout=[r"^wrote out.png \(16x16, 3 frames, \d"], creates=["out.png"]),
+    Case("frames_are_a_number_or_auto", [f"render pack {CORNELL} {SMALL} --frames {count}"
+                                         for count in ("0", "-1", "many", "auto:", "auto:0", "auto5", "3.5", "1000001")],
+         2, PACK, ["--frames: expected 1 to 1000000, auto, or auto:N for at most N: "]),
+    Case("a_texture_that_is_no_png_is_read_inside_the_sandbox", [f"render pack {CORNELL} {SMALL} --frames 1 --probe 3,3"], 0,
+         pack({"red.tga": TGA, "shaders.properties": "texture.composite.colortex5 = red.tga\n",
+               "final.fsh": VERSION + "uniform sampler2D colortex5;\nvoid main() { gl_FragColor = texture(colortex5, vec2(0.5)); }\n"}),
+         stdout=[r"screen.* 1 0 0"], creates=["out.png"]),
     Case("render_writes_what_is_asked",
          [f"render pack {CORNELL} {SMALL} --frames 2 --dump colortex0=a.exr depthtex0=b.png "
           "--timings t.csv --patched final"], 0, PACK,

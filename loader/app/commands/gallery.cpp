@@ -44,6 +44,7 @@ void addGalleryCommand(CLI::App& app, int& status) {
   addPackFlags(*command, options->pack);
   addVersionFlags(*command, options->pack.versions);
   addImageFlags(*command, options->image);
+  addFramesFlag(*command, options->image.frames);
   addLimitFlags(*command, options->limits);
   addBudgetFlag(*command, options->budget, "end after this time, 90s or 10m; what is not drawn then is a gap");
   addShardFlag(*command, options->shard, "draw only part I of N; copy the folders' files together and run without: I/N");

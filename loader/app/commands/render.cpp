@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/commands.h"
+#include "app/commands/frame_end.h"
 #include "app/commands/frame_probe.h"
 #include "app/commands/render_output.h"
 #include "app/drawing/supervised_run.h"
@@ -25,6 +26,7 @@ struct RenderOptions {
   PackOptions pack;
   SceneOptions scene;
   ImageOptions image;
+  FramesWanted frames;
   OutputOptions output;
   RenderOutputs outputs;
   WorkLimits limits;
@@ -70,15 +72,18 @@ bool showSources(const RenderOptions& options, const SessionRequest& request,
   return false;
 }
 
-std::vector<FrameStepTime> drawFrames(RenderSession& session, int frames, FrameProbe& probe,
-                                      Report& report) {
+std::vector<FrameStepTime> drawFrames(RenderSession& session, const FramesWanted& wanted, FrameEnd& end,
+                                      FrameProbe& probe, Report& report) {
   std::vector<FrameStepTime> times;
-  Progress progress("rendering", frames, report.output());
-  for (int frame = 0; frame < frames; ++frame) {
+  Progress progress("rendering", wanted.most, report.output());
+  bool last = false;
+  for (int frame = 0; !last; ++frame) {
     Diagnostics diagnostics;
-    probe.begin(frame, frame + 1 == frames);
+    last = end.isLast(frame);
+    probe.begin(frame, last);
     session.renderFrame(diagnostics);
     report.add(diagnostics);
+    end.drawn(frame, session.renderer());
     for (const StepTime& step : session.renderer().stepTimes()) times.push_back({frame, step});
     progress.advance();
   }
@@ -87,7 +92,13 @@ std::vector<FrameStepTime> drawFrames(RenderSession& session, int frames, FrameP
 
 using Clock = std::chrono::steady_clock;
 
-void sayRendered(const RenderOptions& options, RenderSession& session,
+std::string framesText(int count, std::optional<bool> settled) {
+  std::string text = fmt::format("{} frame{}", count, count == 1 ? "" : "s");
+  if (settled) text += *settled ? " until it settled" : ", not settled";
+  return text;
+}
+
+void sayRendered(const RenderOptions& options, RenderSession& session, std::optional<bool> settled,
                  const gl::DriverInfo& driver, Clock::time_point began) {
   std::vector<std::string> paths = {options.outputs.picture};
   for (const auto& [buffer, path] : options.outputs.dumps) paths.push_back(path);
@@ -95,9 +106,8 @@ void sayRendered(const RenderOptions& options, RenderSession& session,
   paths.push_back(options.outputs.timings);
   const double seconds = std::chrono::duration<double>(Clock::now() - began).count();
   sayWritten(options.output, paths,
-             fmt::format("{}x{}, {} frame{}, {:.1f} s, {}", options.image.width,
-                         options.image.height, session.frame(), session.frame() == 1 ? "" : "s",
-                         seconds, driver.renderer.substr(0, driver.renderer.find(" ("))));
+             fmt::format("{}x{}, {}, {:.1f} s, {}", options.image.width, options.image.height,
+                         framesText(session.frame(), settled), seconds, driver.renderer.substr(0, driver.renderer.find(" ("))));
 }
 
 /// The closing line of a picture that lacks something.
@@ -147,8 +157,10 @@ int runRender(const RenderOptions& options, Report& report, nlohmann::json& resu
   if (!checkBuffers(options.outputs, session->renderer(), report)) return report.status();
 
   FrameProbe probe(options.outputs, session->renderer());
-  const auto times = drawFrames(*session, options.image.frames, probe, report);
+  FrameEnd end(options.frames, session->scene().world);
+  const auto times = drawFrames(*session, options.frames, end, probe, report);
   result = describe(*session, context->driver());
+  if (end.settled()) result["settled"] = *end.settled();
   if (!options.outputs.probe.empty()) result["probe"] = probe.json();
   if (!options.outputs.shows.empty()) result["shown"] = shownJson(probe);
   if (!options.output.json && !options.output.quiet) printText(probe.text());
@@ -164,7 +176,7 @@ int runRender(const RenderOptions& options, Report& report, nlohmann::json& resu
     if (show.view)
       written &= writeShown(options.outputs.shows.at(text), show.asked, *show.view, report);
   if (written)
-    sayRendered(options, *session, context->driver(), began);
+    sayRendered(options, *session, end.settled(), context->driver(), began);
   Diagnostics notFinite = probe.findings();
   report.add(notFinite);
   sayLeftOut(session->renderer(), options.outputs.allowMissing, report);
@@ -236,6 +248,7 @@ void addRenderCommand(CLI::App& app, int& status) {
   addVersionFlags(*command, options->pack.versions);
   addSceneFlags(*command, options->scene);
   addImageFlags(*command, options->image);
+  addSettlingFramesFlag(*command, options->frames);
   addLimitFlags(*command, options->limits);
   addOutputFlags(*command, options->output);
   command->callback([options, &status] {

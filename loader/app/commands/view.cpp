@@ -27,6 +27,7 @@ void addViewCommand(CLI::App& app, int& status) {
   addVersionFlags(*command, options->pack.versions);
   addSceneFlags(*command, options->scene);
   addImageFlags(*command, options->image);
+  addFramesFlag(*command, options->image.frames);
   command->add_option("--screenshot", options->screenshot, "picture to write at the end")
       ->type_name("FILE");
   command

@@ -175,11 +175,14 @@ void addSizeFlag(CLI::App& command, ImageOptions& options) {
       ->type_name("WxH");
 }
 
-void addImageFlags(CLI::App& command, ImageOptions& options) {
-  addSizeFlag(command, options);
-  command.add_option("--frames", options.frames, "frames to draw; the last one is the picture")
+void addFramesFlag(CLI::App& command, int& frames) {
+  command.add_option("--frames", frames, "frames to draw; the last one is the picture")
       ->capture_default_str()
       ->check(CLI::Range(1, 1000000));
+}
+
+void addImageFlags(CLI::App& command, ImageOptions& options) {
+  addSizeFlag(command, options);
   addBackendFlag(command, options.backend);
   command
       .add_option_function<std::string>(

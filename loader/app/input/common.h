@@ -33,7 +33,7 @@ struct SceneOptions {
 /// How much to draw, and on what.
 struct ImageOptions {
   int width = 640, height = 360;
-  int frames = 32;
+  int frames = 0;  ///< of commands that have addFramesFlag()
   gl::Backend backend = gl::Backend::Auto;
   gl::ContextProfile context = gl::ContextProfile::Auto;
 };
@@ -51,7 +51,8 @@ void addVersionRangeFlags(CLI::App& command, std::optional<VersionRange>& range)
 void addSceneFlags(CLI::App& command, SceneOptions& options);  ///< all but the path
 void addSavePartFlags(CLI::App& command, SavePart& part);  ///< of addSceneFlags
 void addResourcesFlag(CLI::App& command, std::vector<std::string>& packs);  ///< of addSceneFlags
-void addImageFlags(CLI::App& command, ImageOptions& options);
+void addImageFlags(CLI::App& command, ImageOptions& options);  ///< all but the frames
+void addFramesFlag(CLI::App& command, int& frames);
 void addSizeFlag(CLI::App& command, ImageOptions& options);  ///< of addImageFlags
 void addBackendFlag(CLI::App& command, gl::Backend& backend);
 void addOutputFlags(CLI::App& command, OutputOptions& options);

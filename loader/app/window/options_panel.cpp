@@ -1,4 +1,5 @@
 // The pack's own options screens.
+#include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include <fmt/format.h>

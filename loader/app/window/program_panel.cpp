@@ -1,4 +1,5 @@
 // The final source of a program beside the author's lines, and what made it.
+#include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include <fmt/format.h>
