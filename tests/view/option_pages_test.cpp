@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "app/view/open_editor.h"
+#include "app/view/files/open_editor.h"
 #include "app/window/rich_text.h"
 
 namespace orris {

@@ -1,11 +1,11 @@
-#include "app/view/view_controls.h"
+#include "app/view/surface/view_controls.h"
 
 #include <gmock/gmock.h>
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include "app/view/view_script.h"
+#include "app/view/script/view_script.h"
 
 #include <nlohmann/json.hpp>
 

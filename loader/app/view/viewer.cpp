@@ -11,8 +11,8 @@
 
 #include "app/input/inputs.h"
 #include "app/input/world_shelf.h"
-#include "app/view/hidden_surface.h"
-#include "app/view/view_window.h"
+#include "app/view/surface/hidden_surface.h"
+#include "app/view/surface/view_window.h"
 #include <orris/gl/functions.h>
 #include <orris/render/inspect/counters.h>
 

@@ -9,14 +9,14 @@
 
 #include "app/input/common.h"
 #include "app/report/report.h"
-#include "app/view/background_watch.h"
-#include "app/view/buffer_inspector.h"
-#include "app/view/live_pack.h"
-#include "app/view/program_text.h"
-#include "app/view/script_player.h"
-#include "app/view/set_comparison.h"
-#include "app/view/view_controls.h"
-#include "app/view/view_surface.h"
+#include "app/view/files/background_watch.h"
+#include "app/view/pack/buffer_inspector.h"
+#include "app/view/pack/live_pack.h"
+#include "app/view/pack/program_text.h"
+#include "app/view/script/script_player.h"
+#include "app/view/pack/set_comparison.h"
+#include "app/view/surface/view_controls.h"
+#include "app/view/surface/view_surface.h"
 #include "app/window/panels.h"
 #include <orris/gl/context.h>
 #include <orris/render/session/render_session.h>

@@ -8,7 +8,7 @@
 
 #include "app/commands/render_output.h"
 #include "app/input/inputs.h"
-#include "app/view/plain_pack.h"
+#include "app/view/pack/plain_pack.h"
 #include "app/view/viewer.h"
 #include <orris/gl/functions.h>
 #include <orris/image/image.h>

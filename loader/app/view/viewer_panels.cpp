@@ -8,7 +8,7 @@
 
 #include "app/input/shipped_worlds.h"
 #include "app/input/world_shelf.h"
-#include "app/view/open_editor.h"
+#include "app/view/files/open_editor.h"
 #include "app/view/viewer.h"
 
 namespace orris {

@@ -6,7 +6,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "app/view/buffer_inspector.h"
+#include "app/view/pack/buffer_inspector.h"
 #include "app/window/panel_parts.h"
 #include "app/window/panels.h"
 

@@ -1,7 +1,7 @@
 // Two option sets beside each other: how they are shown, what they cost, where their values differ.
 #include <fmt/format.h>
 
-#include "app/view/set_comparison.h"
+#include "app/view/pack/set_comparison.h"
 #include "app/window/panel_parts.h"
 #include "app/window/panels.h"
 

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "app/view/script_player.h"
-#include "app/view/view_controls.h"
-#include "app/view/view_event.h"
+#include "app/view/script/script_player.h"
+#include "app/view/surface/view_controls.h"
+#include "app/view/surface/view_event.h"
 
 namespace orris {
 

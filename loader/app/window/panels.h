@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "app/input/shown_buffer.h"
-#include "app/view/live_pack.h"
+#include "app/view/pack/live_pack.h"
 #include "app/window/interface.h"
 #include <orris/render/inspect/pixel_probe.h>
 

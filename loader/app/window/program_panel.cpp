@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "app/view/program_text.h"
+#include "app/view/pack/program_text.h"
 #include "app/window/panel_parts.h"
 #include "app/window/panels.h"
 

@@ -1,7 +1,7 @@
 // A surface without a display, for scripts: a texture in place of a window.
 #pragma once
 
-#include "app/view/view_surface.h"
+#include "app/view/surface/view_surface.h"
 #include <orris/gl/framebuffer.h>
 #include <orris/gl/texture.h>
 

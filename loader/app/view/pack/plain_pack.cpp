@@ -1,4 +1,4 @@
-#include "app/view/plain_pack.h"
+#include "app/view/pack/plain_pack.h"
 
 namespace orris {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/view/view_event.h"
+#include "app/view/surface/view_event.h"
 
 namespace orris {
 

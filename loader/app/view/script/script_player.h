@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "app/view/view_event.h"
-#include "app/view/view_script.h"
+#include "app/view/surface/view_event.h"
+#include "app/view/script/view_script.h"
 
 namespace orris {
 

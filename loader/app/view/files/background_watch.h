@@ -5,7 +5,7 @@
 #include <stop_token>
 #include <thread>
 
-#include "app/view/file_watch.h"
+#include "app/view/files/file_watch.h"
 
 namespace orris {
 

@@ -4,9 +4,9 @@
 #include <set>
 #include <vector>
 
-#include "app/view/fly_camera.h"
-#include "app/view/view_event.h"
-#include "app/view/view_keys.h"
+#include "app/view/surface/fly_camera.h"
+#include "app/view/surface/view_event.h"
+#include "app/view/surface/view_keys.h"
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "app/view/program_text.h"
+#include "app/view/pack/program_text.h"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "app/view/view_script.h"
+#include "app/view/script/view_script.h"
 
 namespace orris {
 

@@ -1,4 +1,4 @@
-#include "app/view/open_editor.h"
+#include "app/view/files/open_editor.h"
 
 #include <fmt/format.h>
 #include <spawn.h>

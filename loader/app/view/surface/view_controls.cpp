@@ -1,4 +1,4 @@
-#include "app/view/view_controls.h"
+#include "app/view/surface/view_controls.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>

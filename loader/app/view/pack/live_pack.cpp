@@ -1,4 +1,4 @@
-#include "app/view/live_pack.h"
+#include "app/view/pack/live_pack.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,4 +1,4 @@
-#include "app/view/file_watch.h"
+#include "app/view/files/file_watch.h"
 
 #include <sys/stat.h>
 

@@ -1,12 +1,12 @@
-#include "app/view/script_player.h"
+#include "app/view/script/script_player.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "app/view/script_files.h"
-#include "app/view/view_keys.h"
+#include "app/view/script/script_files.h"
+#include "app/view/surface/view_keys.h"
 
 namespace orris {
 namespace {

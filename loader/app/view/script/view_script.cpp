@@ -1,4 +1,4 @@
-#include "app/view/view_script.h"
+#include "app/view/script/view_script.h"
 
 #include <fmt/format.h>
 

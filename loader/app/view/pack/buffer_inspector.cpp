@@ -1,4 +1,4 @@
-#include "app/view/buffer_inspector.h"
+#include "app/view/pack/buffer_inspector.h"
 
 #include <nlohmann/json.hpp>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "app/view/view_window.h"
+#include "app/view/surface/view_window.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>

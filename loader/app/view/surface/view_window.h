@@ -1,7 +1,7 @@
 // The window of `orris view`.
 #pragma once
 
-#include "app/view/view_surface.h"
+#include "app/view/surface/view_surface.h"
 
 struct GLFWwindow;
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-#include "app/view/view_surface.h"
+#include "app/view/surface/view_surface.h"
 #include <orris/gl/framebuffer.h>
 #include <orris/gl/texture.h>
 #include <orris/image/image.h>

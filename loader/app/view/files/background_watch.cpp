@@ -1,4 +1,4 @@
-#include "app/view/background_watch.h"
+#include "app/view/files/background_watch.h"
 
 #include <poll.h>
 #include <sys/eventfd.h>

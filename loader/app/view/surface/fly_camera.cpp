@@ -1,4 +1,4 @@
-#include "app/view/fly_camera.h"
+#include "app/view/surface/fly_camera.h"
 
 #include <algorithm>
 #include <cmath>

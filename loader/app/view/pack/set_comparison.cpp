@@ -1,4 +1,4 @@
-#include "app/view/set_comparison.h"
+#include "app/view/pack/set_comparison.h"
 
 #include <algorithm>
 #include <chrono>

@@ -1,4 +1,4 @@
-#include "app/view/script_files.h"
+#include "app/view/script/script_files.h"
 
 #include <fmt/format.h>
 

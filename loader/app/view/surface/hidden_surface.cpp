@@ -1,4 +1,4 @@
-#include "app/view/hidden_surface.h"
+#include "app/view/surface/hidden_surface.h"
 
 #include <algorithm>
 
