@@ -193,7 +193,11 @@ INSTANTIATE_TEST_SUITE_P(
                          R"("position": [6, 4, 8.5], "target": [2, 3.5, 5], "fov": 30)", .1308, .03},
                     Spot{"side_of_leaves_below_a_lamp",
                          R"({"block": "oak_leaves", "at": [5, 2, 4]}, {"block": "glowstone", "at": [5, 7, 4]})",
-                         R"("position": [5.5, 2.6, 7.5], "target": [5.5, 2.5, 5], "fov": 16)", .00702, .1}),
+                         R"("position": [5.5, 2.6, 7.5], "target": [5.5, 2.5, 5], "fov": 16)", .00702, .1},
+                    Spot{"behind_stained_panes",
+                         R"({"box": "red_stained_glass_pane[east=true,west=true]", "min": [2, 2, 4], "max": [8, 6, 4]},
+                            {"block": "glowstone", "at": [5, 7, 3]})",
+                         R"("position": [5.5, 4, 5.5], "target": [5.5, 2, 7], "fov": 60)", .0002045, .06}),
     [](const auto& tested) { return std::string(tested.param.name); });
 
 // Two places of one side of a block of glass: .01956 and .02129 in green by orris trace --noise 0.005; with one value a

@@ -9,6 +9,7 @@ GI = "program/gi/gather.glsl"
 HIT = "include/gi/hit.glsl"
 OCTANTS = "include/voxels/octants.glsl"
 VOXEL = "include/voxels/voxel.glsl"
+TRACE = "include/voxels/trace.glsl"
 SHADOW = "program/shadow/shadow.glsl"
 TINT = "include/sun/sun_tint.glsl"
 SUN = "include/sun/sun_visibility.glsl"
@@ -44,5 +45,8 @@ MUTANTS = [
     ("glass is nothing to shadow volumes", GLASS, [(SUN, "lit *= open_share(player, normal, light);", "")]),
     ("lava green", CAVE, [("include/blocks.glsl", "vec3(1.0, 0.34, 0.06));  // 9", "vec3(0.34, 1.0, 0.06));  // 9")]),
     ("lamp levels linear", CAVE, [(VOXEL, "EMISSION_STRENGTH * share * share", "EMISSION_STRENGTH * share")]),
-    ("stained panes stop rays", CHAPEL, [(SHADOW, "id == block_translucent || id == block_tinted_pane;", "id == block_translucent;")]),
+    ("stained panes stop rays", CHAPEL, [(SHADOW, "voxel_tinted_pane + int(abs(normal.z) > 0.5)", "voxel_solid")]),
+    ("stained panes tint by the distance in their cell", "ReferenceSpot.*behind_stained_panes", [(TRACE, "return is_tinted_pane(code) ? crossed :", "return false ? crossed :")]),
+    ("one value for both sides of a stained pane", "ReferenceSpot.*behind_stained_panes", [(TRACE, "return beside && dot(hit.position - cell, axis) > 0.5;", "return false;")]),
+    ("stained panes tint across the other axis", "ReferenceSpot.*behind_stained_panes", [(VOXEL, "code == voxel_tinted_pane ? vec3(1.0, 0.0, 0.0)", "code != voxel_tinted_pane ? vec3(1.0, 0.0, 0.0)")]),
 ]

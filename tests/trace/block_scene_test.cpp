@@ -141,6 +141,24 @@ TEST(Translucent, panes_tint_as_their_faces_do) {
   EXPECT_GT(red.r, 3 * red.b);
 }
 
+// Within a wall of panes it passes from one to the next, and meets neither edges nor ends.
+TEST(Translucent, panes_tint_once_however_aslant_light_crosses_them) {
+  const char* pane = "red_stained_glass_pane[east=true,west=true]";
+  const BlockScene scene = test::blockScene(
+      tunnel(pane), {{"minecraft:sea_lantern", kWhiteLamp}, {"minecraft:red_stained_glass_pane", 25}},
+      lampsOf("1"));
+  const float straight = passed(pane, 25).b;
+  SampleRandom random(1, 2, 3);
+  for (int i = 0; i < 4000; ++i) {
+    const glm::vec2 from = 1.01f + 2.98f * random.pair(), to = 1.01f + 2.98f * random.pair();
+    Ray ray;
+    ray.origin = glm::vec3(from, 5.7f) - glm::vec3(scene.scene.origin);
+    ray.cell = glm::ivec3(ray.origin);
+    ray.direction = withoutZeros(glm::normalize(glm::vec3(to - from, -0.4f)));
+    EXPECT_GT(scene.scene.grid.intersect(ray).filter.b, 0.3f * straight) << i;
+  }
+}
+
 // One block of it lets its colour through: two blocks let the square through.
 TEST(Translucent, depth_counts) {
   const std::string two = R"({"size": [5, 5, 12], "blocks": [

@@ -106,6 +106,23 @@ TEST(BlockMesh, equal_glass_and_water_have_no_faces_between) {
   EXPECT_EQ(faceCount(scene.mesh()), 12u);
 }
 
+// As in the game: edges and ends that meet are not drawn, an end that meets no arm is.
+TEST(BlockMesh, panes_have_no_faces_where_they_meet) {
+  for (const std::string pane : {"glass_pane", "red_stained_glass_pane", "iron_bars"}) {
+    Scene scene({1, 2, 2});
+    scene.fill({0, 0, 0}, {0, 1, 1}, pane + "[north=true,south=true]");
+    const auto between = [&] {
+      const ReadMesh mesh = scene.mesh();
+      return std::count_if(mesh.vertices.begin(), mesh.vertices.end(), [](const BlockVertex& v) {
+        return (v.normal.z != 0 && v.position.z == 1) || (v.normal.y != 0 && v.position.y == 1);
+      });
+    };
+    EXPECT_EQ(between(), 0) << pane;
+    scene.set({0, 1, 1}, pane + "[south=true]");
+    EXPECT_GT(between(), 0) << pane;
+  }
+}
+
 TEST(BlockMesh, bubble_columns_join_with_water) {
   Scene scene({2, 1, 1});
   scene.set({0, 0, 0}, "water");

@@ -3,7 +3,8 @@
 //
 //   face_light   rgba16f, 9 places a cell at (9 x + place, y, z): rgb B, a number of updates. Places 0..5
 //                are the faces on the sides of the cell, 6..8 those in the middle of it, by axis: treads of
-//                stairs, tops of slabs. A shape with octants looks one way along an axis there.
+//                stairs, tops of slabs. A shape with octants looks one way along an axis there. Of full blocks they are
+//                the upper halves of faces beside a stained pane, which parts their light.
 //                Cells keep their place when the camera moves (store_cell), so nothing is copied.
 //   face_list    r32ui, the faces to update in this frame, then the faces of lamps; see pack_face
 //   face_fresh   rgba16f, what becomes of the faces of the list: all updates read the old light,

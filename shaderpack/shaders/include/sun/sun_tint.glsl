@@ -22,7 +22,7 @@ vec3 sun_tint(vec3 player, ivec3 cell) {
     texel = clamp(texel, ivec2(0), shadow_map_size - 1) + ivec2(0, shadow_map_bottom);
     float depth_per_block = 0.5 * abs(shadowProjection[2][2]);
     float depth = max(0.0, unit.z - texelFetch(shadowtex0, texel, 0).r) / depth_per_block;
-    if (is_filter_voxel(before.code)) return filtered(before.color, depth);
+    if (is_filter_voxel(before.code) && !is_tinted_pane(before.code)) return filtered(before.color, depth);
     return depth > sheet_distance ? sheet_tint(texelFetch(shadowcolor0, texel, 0)) : vec3(1.0);
 }
 #else

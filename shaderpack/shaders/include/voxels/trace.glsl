@@ -17,7 +17,7 @@ struct Hit {
     vec3 normal;
     Voxel voxel;
     vec3 transmittance;  // of the translucent cells that it passed
-    bool inner;          // on a plane through the middle of its cell
+    bool inner;          // on a plane through the middle of its cell, or beyond that of a stained pane beside the face
 };
 
 /// Where a ray is as it walks through the cells. Floats, as they are compared and rounded faster.
@@ -89,6 +89,21 @@ vec2 span_in_cell(Walk walk) {
 vec2 below_surface(vec2 span, float height, float slope) {
     float crossing = height / (abs(slope) < 1e-6 ? 1e-6 : slope);
     return slope > 0.0 ? vec2(span.x, min(span.y, crossing)) : vec2(max(span.x, crossing), span.y);
+}
+
+/// How many blocks of its colour a ray passes between those distances. `middle`: of its cell, from the ray's origin. A pane
+/// counts as one where its plane is crossed, however aslant.
+float filter_depth(int code, vec3 middle, vec3 inverse, vec2 span) {
+    float crossing = dot(middle * inverse, pane_axis(code));
+    float crossed = float(crossing > span.x && crossing <= span.y);
+    return is_tinted_pane(code) ? crossed : max(0.0, span.y - span.x);
+}
+
+/// Stained panes part what light falls on the two halves of the faces beside them. Is a hit on the upper one?
+bool is_beyond_pane(Hit hit, vec3 cell, int code) {
+    vec3 axis = pane_axis(code);
+    bool beside = vec3(hit.cell) + hit.normal == cell && dot(hit.normal, axis) == 0.0 && is_full(hit.voxel.code);
+    return beside && dot(hit.position - cell, axis) > 0.5;
 }
 
 /// Where a ray meets a block in its cell.
@@ -215,6 +230,8 @@ Hit trace(vec3 origin, vec3 direction) {
     Hit hit;
     hit.transmittance = vec3(1.0);
     Meeting met = Meeting(false, 0.0, vec3(0.0));
+    vec3 filter_cell = vec3(-1.0);
+    int filter_code = voxel_air;
     walk_on(walk);
     // What a full block stops has no turn here, and branches save nothing on some drivers.
     for (int i = 0; i < 3 * VOLUME && walk.reach != stopped && in_volume(cell_of(walk)); ++i) {
@@ -226,13 +243,17 @@ Hit trace(vec3 origin, vec3 direction) {
             vec2 span = span_in_cell(walk);
             if (code == voxel_water_surface)
                 span = below_surface(span, walk.cell.y + water_height - origin.y, walk.direction.y);
-            hit.transmittance *= filtered(texel.rgb * texel.rgb, max(0.0, span.y - span.x));
+            float depth = filter_depth(code, walk.cell + 0.5 - origin, walk.inverse, span);
+            hit.transmittance *= filtered(texel.rgb * texel.rgb, depth);
+            filter_cell = walk.cell;
+            filter_code = code;
         }
         walk_on(walk);
     }
     hit.found = in_volume(cell_of(walk));
     vec4 texel = hit.found ? texel_of(cell_of(walk)) : vec4(0.0);
     describe(hit, walk, met, texel);
+    hit.inner = hit.inner || (is_tinted_pane(filter_code) && is_beyond_pane(hit, filter_cell, filter_code));
     return hit;
 }
 

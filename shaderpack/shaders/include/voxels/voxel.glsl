@@ -20,6 +20,7 @@ const int voxel_glass = 16;       // .. 23: the sides that are drawn, with holes
 const int voxel_pane = 24;        // .. 31: a post with arms, thin, with such holes
 const int voxel_small_lamp = 32;  // + light level 1..15, a ball in the cell
 const int voxel_cover = 48;       // a carpet on the floor of the cell
+const int voxel_tinted_pane = 49;  // a stained pane across x; + 1: across z
 const int voxel_lamp = 64;        // + 16 * digit of lamp_color + light level 1..15, fills the cell
 
 // Lava: the only lamp of its colour at that level. With something else above it it ends where water does.
@@ -46,9 +47,17 @@ Voxel decode_voxel(vec4 texel) {
     return Voxel(texel.rgb * texel.rgb, int(texel.a * 255.0 + 0.5));
 }
 
+bool is_tinted_pane(int code) { return code == voxel_tinted_pane || code == voxel_tinted_pane + 1; }
+
+/// What such a pane lies across.
+vec3 pane_axis(int code) { return code == voxel_tinted_pane ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 0.0, 1.0); }
+
+/// Does the block fill its cell?
+bool is_full(int code) { return code == voxel_solid || code >= voxel_lamp; }
+
 /// Light passes, and takes its colour.
 bool is_filter_voxel(int code) {
-    return code == voxel_translucent || code == voxel_water_surface;
+    return code == voxel_translucent || code == voxel_water_surface || is_tinted_pane(code);
 }
 
 /// A small lamp.

@@ -58,10 +58,19 @@ float trusted_updates(float updates) {
 
 uint octants_at(ivec3 cell) { return octants_of(voxel_at(cell).code, cell); }
 
+/// Of a face beside a stained pane the half on one side of it: the upper one has the place of an inner face.
+vec2 half_beside_pane(vec2 at, int pane, int face) {
+    vec3 axis = pane_axis(pane);
+    bool parts = is_tinted_pane(pane) && dot(face_normal(face), axis) == 0.0;
+    return mix(at, 0.5 * (at + float(face >= face_inner)), axis.xz * float(parts));
+}
+
 vec3 point_of(ivec3 cell, int face, vec2 at) {
     int code = voxel_at(cell).code;
     if (is_post(code)) return point_of_post(cell, code, face, at);
     ivec3 before = cell + ivec3(face_normal(face));
+    at = half_beside_pane(at, voxel_at(before).code, face);
+    if (is_full(code)) face &= 7;
     vec3 point = point_of_face(cell, octants_of(code, cell), octants_at(before), face, at);
     int code_before = voxel_at(ivec3(floor(point))).code;
     return is_plate(code_before) ? point_beside_plate(point, code_before, kept_shape(ivec3(floor(point)))) : point;

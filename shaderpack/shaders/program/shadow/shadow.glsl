@@ -76,16 +76,20 @@ uniform sampler2D gtexture;
 
 uniform int blockEntityId;
 
+/// Mean linear colour of the whole tile that a quad shows a part of.
+vec3 tile_color() {
+    return to_linear(textureLod(gtexture, vertex_mid_uv[0], 4.0).rgb) * to_linear(vertex_tint[0]);
+}
+
 /// What a triangle of the map takes of the light. Panes take as much as a block.
 vec4 sheet_of_triangle() {
     int id = int(floor(vertex_id[0] + 0.5));
     if (renderStage != MC_RENDER_STAGE_TERRAIN_TRANSLUCENT)
         return id == block_plant || id == block_open || id == block_glass || id == block_pane ? sheet_with_holes
                                                                                               : vec4(0.0);
-    vec3 color = to_linear(textureLod(gtexture, vertex_mid_uv[0], 4.0).rgb) * to_linear(vertex_tint[0]);
     float slope = abs((mat3(shadowModelView) * vertex_normal[0]).z);
     float thickness = id == block_translucent ? 1.0 / max(slope, 0.25) : float(id == block_tinted_pane);
-    return encode_sheet(color, thickness);
+    return encode_sheet(tile_color(), thickness);
 }
 
 /// Quads of blocks, once: they arrive as pairs of triangles.
@@ -127,8 +131,7 @@ void emit_lamp() {
     if (!is_new_quad()) return;
     Block block = block_of_quad();
     int level = int(clamp(block.emission, 0.0, 15.0) + 0.5);
-    vec3 own = to_linear(textureLod(gtexture, vertex_mid_uv[0], 4.0).rgb) * to_linear(vertex_tint[0]);
-    list_lamp(block.middle, block.id, level, brightest(own));
+    list_lamp(block.middle, block.id, level, brightest(tile_color()));
 }
 #endif
 
@@ -173,8 +176,8 @@ vec4 block_voxel(int id, float emission, vec3 normal) {
     if (id == block_plant || id == block_open || is_small_lamp(id)) return vec4(0.0);
     bool surface = id == block_water && normal.y > 0.5;
     if (surface) return encode_voxel(color, voxel_water_surface);
-    bool filters = id == block_water || id == block_translucent || id == block_tinted_pane;
-    if (filters) return encode_voxel(color, voxel_translucent);
+    if (id == block_tinted_pane) return encode_voxel(tile_color(), voxel_tinted_pane + int(abs(normal.z) > 0.5));
+    if (id == block_water || id == block_translucent) return encode_voxel(color, voxel_translucent);
     if (id == block_slab_bottom) return encode_voxel(color, voxel_slab_bottom);
     if (id == block_slab_top) return encode_voxel(color, voxel_slab_top);
 #if NOTICE_CHANGES
@@ -227,11 +230,15 @@ void emit_voxel() {
     int sky = int(clamp(vertex_sky[0], 0.0, 15.0) + 0.5);
     list_face(cell, inner ? face + face_inner : face, code, sky);
     if (code >= voxel_lamp && abs(outward) < 0.3) list_cube(cell, code, sky);
+    if (is_tinted_pane(code)) list_halves(cell, code, sky);
 #endif
 
     // The faces of a block share one texel; depth lets the one with the largest holes win, and the top of those
-    // that are alike, whatever the order.
-    float depth = -hole_share(int(voxel.a * 255.0 + 0.5)) - (vertex_normal[0].y > 0.5 ? 0.1 : 0.0);
+    // that are alike, whatever the order; of a stained pane a side that lies in its plane.
+    int kind = int(voxel.a * 255.0 + 0.5);
+    vec3 size = quad_high() - quad_low();
+    float depth = -hole_share(kind) - (vertex_normal[0].y > 0.5 ? 0.1 : 0.0);
+    if (is_tinted_pane(kind)) depth = abs(vertex_normal[0].y) < 0.5 && max(size.x, size.z) > 0.3 ? -0.5 : 0.0;
     // A right angle at the texel's corner that holds its centre and no other.
     vec2 corner = vec2(atlas_texel(cell));
     const vec2 legs[3] = vec2[3](vec2(0.0), vec2(1.5, 0.0), vec2(0.0, 1.5));
