@@ -1,6 +1,7 @@
 #include <orris/trace/shown_area.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numbers>
 
@@ -12,9 +13,13 @@ namespace {
 
 constexpr int kLines = 1 << 15;
 
+constexpr FaceDirection kSides[6] = {FaceDirection::West, FaceDirection::East, FaceDirection::Down,
+                                     FaceDirection::Up,   FaceDirection::North, FaceDirection::South};
+
 /// A line that comes into the unit cube from outside, as one of an even glow does.
 struct InwardLine {
   glm::vec3 origin, direction;
+  FaceDirection side;
 };
 
 /// The n-th of lines spread evenly over sides, places and directions: the sequence R4 (Roberts 2018).
@@ -26,7 +31,7 @@ InwardLine lineAt(int n) {
   const int side = n % 6, axis = side / 2;
   const float inward = side % 2 == 0 ? 1 : -1;
   const float radius = std::sqrt(u[2]), angle = 2 * std::numbers::pi_v<float> * u[3];
-  InwardLine line{glm::vec3(0), glm::vec3(0)};
+  InwardLine line{glm::vec3(0), glm::vec3(0), kSides[side]};
   line.origin[axis] = inward > 0 ? 0 : 1;
   line.origin[(axis + 1) % 3] = u[0];
   line.origin[(axis + 2) % 3] = u[1];
@@ -53,13 +58,14 @@ bool meetsFront(const InwardLine& line, const BlockFace& face, const Image8& tex
 
 }  // namespace
 
-float shownArea(const BlockFacts& facts, const BlockAtlas& atlas) {
+float shownArea(const BlockFacts& facts, const BlockAtlas& atlas, std::uint8_t sides) {
   constexpr float kCubeArea = 6;
-  if (facts.fluid || facts.fullOpaqueCube || facts.boxes.empty()) return kCubeArea;
+  if (facts.fluid || facts.fullOpaqueCube || facts.boxes.empty()) return float(std::popcount(sides));
   const std::vector<BlockFace> faces = makeBlockFaces(facts, atlas).faces;
   int met = 0;
   for (int n = 0; n < kLines; ++n) {
     const InwardLine line = lineAt(n);
+    if ((sides >> int(line.side) & 1) == 0) continue;
     met += std::any_of(faces.begin(), faces.end(), [&](const BlockFace& face) {
       return meetsFront(line, face, atlas.albedo);
     });

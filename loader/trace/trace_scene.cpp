@@ -1,7 +1,10 @@
 #include <orris/trace/trace_scene.h>
 
 #include <algorithm>
+#include <bit>
+#include <map>
 #include <numbers>
+#include <tuple>
 
 #include <orris/trace/grid/scene_quads.h>
 #include <orris/trace/shown_area.h>
@@ -63,7 +66,7 @@ class SceneBuilder {
     bool thin = false, water = false, emits = false;
     std::uint8_t gloss = 0;
     std::uint8_t filter = 0, surface = 0;  ///< of a whole cell; with air above it
-    glm::vec3 radiance{0};                 ///< of every lit face, or of the ball
+    glm::vec3 radiance{0};                 ///< of the sides of its cube, or of the ball
     float ball = 0;                        ///< radius
     int topFace = -1;
   };
@@ -74,6 +77,7 @@ class SceneBuilder {
   void addCell(glm::ivec3 cell, std::size_t first, std::size_t end);
   void addLamp(glm::ivec3 cell, const TraceQuad& quad);
   void addBall(glm::ivec3 cell, const State& state);
+  float shareOfFaces(glm::ivec3 cell);
   std::uint8_t filterAt(glm::ivec3 cell) const;
 
   const TraceSceneInput& input_;
@@ -87,6 +91,8 @@ class SceneBuilder {
   std::vector<TraceQuad> quads_;
   std::vector<TraceFilter> filters_{{}};
   std::vector<LampFace> lamps_;
+  /// By block state, sides of the cube that are open, and sides that are not shut.
+  std::map<std::tuple<std::uint32_t, std::uint8_t, std::uint8_t>, float> shares_;
 };
 
 // The pack gives a block the colour of its top face; so do lamps and filters here.
@@ -107,8 +113,7 @@ void SceneBuilder::describeStates() {
     if (placed.quad.emission > 0) {
       const LampLight light = lighting_->lampLight(id, placed.quad.emission, glm::vec3(mean));
       state.ball = light.radius;
-      state.radiance =
-          light.radiance * (light.radius > 0 ? 1 : light.area / shownArea(facts, input_.atlas));
+      state.radiance = light.radiance;
       state.emits = true;
     } else if (placed.quad.translucent && (facts.fluid || isWhole(facts)) &&
                filters_.size() < 254) {
@@ -200,6 +205,26 @@ void SceneBuilder::addBall(glm::ivec3 cell, const State& state) {
   lamps_.push_back(ball);
 }
 
+/// Radiance of a lamp's faces over that of its cube: both send as much through the sides of the cell that are open. A side
+/// of the cube on an opaque block or on the cube of another lamp gives nothing; light of faces does pass other lamps' cells.
+float SceneBuilder::shareOfFaces(glm::ivec3 cell) {
+  const std::uint32_t index = input_.blocks.indexAt(cell);
+  const BlockFacts& facts = input_.facts[index];
+  if (facts.fluid || facts.fullOpaqueCube) return 1;
+  std::uint8_t open = 0, unshut = 0;
+  for (int side = 0; side < 6; ++side) {
+    const FaceDirection direction = FaceDirection(side);
+    const std::uint32_t beside = input_.blocks.indexAt(cell + normalOf(direction));
+    if ((input_.facts[beside].coveredFaces >> int(opposite(direction)) & 1) != 0) continue;
+    unshut = std::uint8_t(unshut | 1 << side);
+    const bool cube = states_[beside].emits && states_[beside].ball == 0;
+    if (!cube) open = std::uint8_t(open | 1 << side);
+  }
+  const auto [share, fresh] = shares_.try_emplace({index, open, unshut}, 0.0f);
+  if (fresh) share->second = float(std::popcount(open)) / shownArea(facts, input_.atlas, unshut);
+  return share->second;
+}
+
 void SceneBuilder::addLamp(glm::ivec3 cell, const TraceQuad& quad) {
   LampFace face;
   face.cell = cell - low_;
@@ -208,7 +233,7 @@ void SceneBuilder::addLamp(glm::ivec3 cell, const TraceQuad& quad) {
   face.edgeU = quad.edgeU;
   face.edgeV = quad.edgeV;
   face.normal = quad.normal;
-  face.radiance = states_[quad.state].radiance;
+  face.radiance = states_[quad.state].radiance * shareOfFaces(cell);
   face.area = glm::length(quad.edgeU) * glm::length(quad.edgeV);
   lamps_.push_back(face);
 }

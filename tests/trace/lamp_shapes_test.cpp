@@ -72,7 +72,7 @@ double searched(const TraceScene& scene, const Ray& ray) {
 }
 
 class LampShape : public testing::TestWithParam<Lamp> {
- protected:
+ public:
   /// Of what arrives at the walls, found by the tracer.
   static Estimate traced(const TraceScene& scene) {
     TraceSettings settings;
@@ -95,6 +95,37 @@ TEST_P(LampShape, sends_out_the_power_of_its_cube) {
   const double expected = 6 * radiance / (6.0 * kSide * kSide);
   EXPECT_NEAR(result.mean, expected, 0.005 * expected + 4 * result.error);
   EXPECT_LT(result.error, 0.01 * expected);
+}
+
+// What neighbours cover of its cube gives nothing, and its planes no more than the rest.
+TEST(CoveredLamps, send_out_the_power_of_their_open_sides) {
+  const BlockScene scene = test::blockScene(
+      R"({"size": [9, 9, 9], "blocks": [
+      {"hollow": "black_concrete", "min": [0, 0, 0], "max": [8, 8, 8]},
+      {"box": "black_concrete", "min": [3, 3, 4], "max": [5, 5, 4]},
+      {"block": "nether_portal[axis=x]", "at": [4, 4, 4]}],
+      "cameras": [{"name": "a", "position": [2, 2, 2], "yaw": 0, "pitch": 0, "fov": 60}]})",
+      {{"minecraft:nether_portal", kListedLamp}}, strengthOne());
+  const Estimate result = LampShape::traced(scene.scene);
+  const double expected = 2 * kWhiteGreen * 11 * 11 / 225 / (6.0 * kSide * kSide);
+  EXPECT_NEAR(result.mean, expected, 0.005 * expected + 4 * result.error);
+  EXPECT_LT(result.error, 0.02 * expected);
+}
+
+// In the middle of a wall of portals each shows the radiance of its cube.
+TEST(CoveredLamps, walls_of_portals_are_as_bright_as_walls_of_cubes) {
+  const BlockScene scene = test::blockScene(
+      R"({"size": [9, 9, 9], "blocks": [
+      {"box": "nether_portal[axis=x]", "min": [1, 1, 4], "max": [7, 7, 4]}],
+      "cameras": [{"name": "a", "position": [2, 2, 2], "yaw": 0, "pitch": 0, "fov": 60}]})",
+      {{"minecraft:nether_portal", kListedLamp}}, strengthOne());
+  int seen = 0;
+  for (const LampFace& face : scene.scene.lamps.faces()) {
+    if (face.cell + scene.scene.origin != glm::ivec3(4)) continue;
+    EXPECT_NEAR(face.radiance.g, kWhiteGreen * 11 * 11 / 225, 0.005);
+    ++seen;
+  }
+  EXPECT_EQ(seen, 2);
 }
 
 TEST_P(LampShape, lights_as_a_search_through_all_quads_finds) {
