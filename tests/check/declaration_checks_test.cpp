@@ -29,6 +29,12 @@ TEST(Varyings, another_width_is_one_finding_with_both_declarations) {
           "vec2 in the fragment stage; /composite.vsh:2:10: the other declaration"));
 }
 
+TEST(Varyings, matrices_of_two_sizes_are_converted) {
+  EXPECT_THAT(messages(packOf("out mat3 sky;\nvoid main() { sky = mat3(1); }",
+                              "in mat4x3 sky;\nvoid main() { gl_FragColor = sky[0].xyzx; }")),
+              ElementsAre(testing::HasSubstr("warning: 'sky' is mat3 in the vertex stage and mat4x3")));
+}
+
 TEST(Varyings, what_iris_cannot_convert_is_an_error) {
   EXPECT_THAT(
       messages(packOf("out mat3 tbn;\nvoid main() { tbn = mat3(1); }",

@@ -66,13 +66,14 @@ TEST(interfaceRepair, an_output_that_is_only_declared_is_zero) {
   EXPECT_THAT(result->stages[0].text.text, HasSubstr("void main() { uv = vec2(0);"));
 }
 
-TEST(interfaceRepair, vectors_and_scalars_of_another_type_are_converted) {
+TEST(interfaceRepair, values_of_another_type_of_their_kind_are_converted) {
   struct Row {
     std::string out, in, use, value;
   };
   const Row rows[] = {{"vec2", "vec4", "x", "vec4(orris_x, vec4(0))"},
                       {"vec4", "vec2", "x, 0.0, 1.0", "vec2(orris_x)"},
-                      {"int", "float", "x", "float(orris_x)"}};
+                      {"int", "float", "x", "float(orris_x)"},
+                      {"mat3", "mat4x3", "x[0], 1.0", "mat4x3(orris_x)"}};
   for (const Row& row : rows) {
     const std::string vertex = kHead + "out " + row.out +
                                " x, y;\nvoid main() {\n  x = " + row.out +

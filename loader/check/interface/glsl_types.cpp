@@ -54,7 +54,7 @@ NumericType numericType(std::string_view name) {
 bool sameShape(std::string_view a, std::string_view b) {
   const NumericType first = numericType(a), second = numericType(b);
   if (first.component == 0 || second.component == 0) return false;
-  return first.columns == 1 && second.columns == 1 && (first.rows == 1) == (second.rows == 1);
+  return (first.columns == 1) == (second.columns == 1) && (first.rows == 1) == (second.rows == 1);
 }
 
 OpaqueType opaqueType(std::string_view name) {

@@ -115,7 +115,8 @@ class Repair {
 
   void convert(RepairedStage& from, const StageVarying& out, const StageVarying& in) {
     const int have = componentsOf(out.type), want = componentsOf(in.type);
-    if (have == 0 || want == 0 || (have == 1) != (want == 1)) return;
+    const bool vectors = have > 0 && want > 0 && (have == 1) == (want == 1);
+    if (!vectors && !(isMatrix(out.type) && isMatrix(in.type))) return;
     const std::string own = "orris_" + out.name;
     for (const std::size_t at : placesOf(from.text(), out.name))
       from.edits.rename(at, out.name.size(), own);
