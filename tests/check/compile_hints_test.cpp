@@ -324,6 +324,7 @@ TEST(FileNames, only_slips_are_warnings) {
   files["/compsite3.fsh"] = files["/setup_a.csh"] = kVersion;
   files["/gbuffers_terrain_old.fsh"] = files["/clrwl_gbuffers.fsh"] = kVersion;
   files["/gbuffers_hand.vsh"] = files["/World-1/composite.fsh"] = kVersion;
+  files["/deferred1.fsh"] = files["/deferred 1.fsh"] = kVersion;  // a copy
   files["/world7/composite.fsh"] = kVersion;
   const ShaderPack pack = loadClean(files);
   Diagnostics diagnostics, warnings;

@@ -68,8 +68,9 @@ TEST(TargetUnbound, lower_targets_are_bound_in_fullscreen_programs_only) {
   EXPECT_THAT(messagesOf(checkUnboundTargets, files),
               ElementsAre("target-unbound /gbuffers_water.fsh:7:18: warning: gbuffers_water samples "
                           "colortex2, which Iris binds in fullscreen programs only: here it is the "
-                          "texture of what is drawn, as gtexture is | read colortex4 or a later "
-                          "buffer, or do this in a deferred or composite program"));
+                          "texture of what is drawn, as gtexture is | write gtexture where the "
+                          "texture is meant; the buffer itself can be read in deferred and "
+                          "composite programs"));
   addProgram(files, "gbuffers_water",
              fragmentStage("0", {}, "  c += texelFetch(gdepth, ivec2(0), 0);\n"));
   files["/gbuffers_water.fsh"].insert(files["/gbuffers_water.fsh"].find("void main"),

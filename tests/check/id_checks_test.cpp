@@ -38,6 +38,31 @@ TEST(IdBlock, blocks_of_mods_and_of_other_versions_are_left_alone) {
               IsEmpty());
 }
 
+TEST(IdBlock, a_state_after_a_blank_belongs_to_no_block) {
+  EXPECT_THAT(blocks("block.1=stone :half=top\nblock.2=dirt :half=top\n"),
+              ElementsAre("id-block /block.properties:1:15: warning: :half=top belongs to no block, "
+                          "for a blank stands before it | take the blank away",
+                          "id-block /block.properties:2:14: warning: :half=top belongs to no block, "
+                          "for a blank stands before it | take the blank away"));
+}
+
+TEST(IdBlock, what_can_be_no_name_is_one_error) {
+  EXPECT_THAT(blocks("block.1=mod:OreBlock stone mod:a.b-c/d_2\nblock.2=mod:Other a=b\n"),
+              ElementsAre(testing::StartsWith(
+                  "id-block /block.properties:1:9: error: mod:OreBlock can be no name of a block, nor "
+                  "can 2 more words of this file: Iris stops the game")));
+}
+
+TEST(IdTwice, misspelt_blocks_and_states_by_number_are_not_compared) {
+  EXPECT_THAT(blocks("block.1=mod:a:0\nblock.2=mod:a:1\n"), IsEmpty());
+  EXPECT_THAT(blocks("block.1=oak_leafs\nblock.2=oak_leafs\n"),
+              testing::Each(testing::StartsWith("id-block ")));
+}
+
+TEST(IdProperty, a_word_that_lost_its_last_letter_is_no_second_finding) {
+  EXPECT_THAT(blocks("block.1=stone_button:facing=east \\\n\n# more\nblock.2=dirt\n"), IsEmpty());
+}
+
 TEST(IdTwice, words_of_a_line_that_was_meant_as_a_comment_are_left_alone) {
   EXPECT_THAT(blocks("block.1=stone \\\n\n// of shapes\nblock.2=dirt \\\n\n// of shapes\n"),
               IsEmpty());

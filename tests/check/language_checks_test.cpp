@@ -34,6 +34,13 @@ TEST(LanguageKeys, known_keys_and_those_of_other_hosts_are_quiet) {
       IsEmpty());
 }
 
+TEST(LanguageKeys, a_link_shows_its_text_without_a_screen) {
+  EXPECT_THAT(found(checkLanguageKeys, {{"/settings.glsl", kLanguageOptions},
+                                        {"/shaders.properties", "screen = MODE [LABEL]\n"},
+                                        {"/lang/en_us.lang", "screen.LABEL=read this\n"}}),
+              IsEmpty());
+}
+
 TEST(LanguageKeys, a_misspelt_key_is_a_warning_at_its_line) {
   const std::string unused = " is used for nothing: there is no ";
   EXPECT_THAT(

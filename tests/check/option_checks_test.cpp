@@ -80,6 +80,12 @@ TEST(OptionUse, an_option_that_only_its_definition_names_changes_nothing) {
                           "screens"));
 }
 
+TEST(OptionUse, many_numbers_without_texts_are_no_information) {
+  EXPECT_THAT(found(checkOptionUse, {{"/settings.glsl", "#define STEPS 0 // [0 1 2 3 4 5]\n"},
+                                     {"/lang/en_us.lang", "option.STEPS=Steps\n"}}),
+              ElementsAre(testing::HasSubstr(": warning: ")));
+}
+
 TEST(OptionUse, any_mention_counts) {
   const std::string define = "#define STEPS 4 // [2 4 8]\n";
   const std::vector<Files> uses = {
@@ -107,6 +113,8 @@ TEST(OptionUse, what_may_be_meant_is_a_note) {
       {{"/settings.glsl", "#define ABOUT 0 // [0]\n"}},
       {{"/settings.glsl", "#define PACK_INFO 7 // [7 9]\n"}},
       {{"/settings.glsl", "#define LEVEL 0 // [0 1 2]\n"}},
+      {{"/settings.glsl", "#define THANKS T0 // [T0 T1 T2 T3 T4 T5]\n"},
+       {"/lang/en_us.lang", "value.THANKS.T1=somebody\n"}},
       {{"/settings.glsl", "#define OCEAN_SUPPORT\n#ifdef OCEAN_SUPPORT\n#endif\n"}},
       {{"/settings.glsl", "#define STEPS 4 // [2 4 8]\n"},
        {"/shaders.properties", "screen = X\n"}}};

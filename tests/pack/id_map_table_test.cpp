@@ -95,6 +95,8 @@ TEST(IdMapTable, problems_stand_at_the_word) {
       {"block.1=a \\\n  lamp:lit", ""},  // a namespace
       {"block.1=a \\\n  mod:lamp:lit b",
        "id-state 2:3 \"lit\" in mod:lamp:lit is no property=value"},
+      {"block.1=a:b:1 a:b:2\nblock.2=a:b:3",
+       "id-state 1:9 \"1\" in a:b:1 is no property=value; 2 more words of this file give numbers"},
       {"block.1=stone\n  dirt", "id-stray-line 2:3 this line belongs to no key and is ignored"},
       // Comments that the programs see, and ids that they do not.
       {"/*\nblock.1=stone\n*/\nfloat f(float x) {\n}\n", ""},

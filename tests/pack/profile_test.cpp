@@ -140,6 +140,11 @@ TEST(ScreenTable, words_are_options_keywords_or_links) {
                   "WATER?"));
 }
 
+TEST(ScreenTable, a_link_that_resembles_no_screen_is_a_label) {
+  EXPECT_THAT(profileProblems("screen=[READ_THIS_FIRST]"),
+              ElementsAre("screen-option 1:8 note: there is no screen [READ_THIS_FIRST]"));
+}
+
 TEST(ScreenTable, a_word_is_not_found_inside_another) {
   EXPECT_THAT(profileProblems("screen = [FO] FOG FO\nscreen.FO=FOG"),
               ElementsAre("screen-option 1:19 warning: the pack has no option FO | did you "

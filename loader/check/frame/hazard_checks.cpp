@@ -99,7 +99,8 @@ void checkUnboundOf(const FrameView& frame, const FramePass& pass, Diagnostics& 
         fmt::format("{} samples {}, which Iris binds in fullscreen programs only: here it is the "
                     "texture of what is drawn, as gtexture is",
                     pass.name, name),
-        "read colortex4 or a later buffer, or do this in a deferred or composite program"));
+        "write gtexture where the texture is meant; the buffer itself can be read in deferred and "
+        "composite programs"));
   }
 }
 

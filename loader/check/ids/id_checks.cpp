@@ -72,12 +72,19 @@ class BlockCheck {
 
   void add(const PropertyEntry& entry) {
     for (const PropertyWord& word : locatedWords(entry)) {
-      // Words of a line that its author took for a comment, swallowed by the line before.
-      if (trim(word.sourceLine).starts_with("//")) continue;
-      std::vector<std::string> reported;
-      BlockFilter filter = parseBlockFilter(word.text, 0, reported);
+      // Words of a line that its author took for a comment, swallowed by the line before; and a word
+      // that lost its last letter, which is reported as that.
+      if (trim(word.sourceLine).starts_with("//") || isCut(word, entry)) continue;
+      if (word.text.starts_with(':')) {
+        reportBlank(word);
+        continue;
+      }
+      std::vector<std::string> numbers;
+      BlockFilter filter = parseBlockFilter(word.text, 0, numbers);
       checkStates(filter, word);
-      if (!filter.isTag) checkBlockName(filter.name, word, entry);
+      if (!filter.isTag && !isIdentifier(filter.name)) noIdentifiers_.push_back(word);
+      // Neither says what its author meant: both are reported as what they are.
+      if (isMisspelt(filter, word, entry) || !numbers.empty()) continue;
       ListedBlock listed{&entry, word.text, word.at, !filter.properties.empty()};
       auto& before = seen_[{filter.isTag, filter.name}];
       // Where the first may be missing, this one is what counts then.
@@ -93,6 +100,23 @@ class BlockCheck {
   }
 
   const std::vector<LostBlock>& lost() const { return lost_; }
+
+  /// Iris: BlockMaterialMapping.addBlockStates, which lets the exception of the game through.
+  void reportNoIdentifiers() {
+    if (noIdentifiers_.empty()) return;
+    const PropertyWord& first = noIdentifiers_.front();
+    const std::string more =
+        noIdentifiers_.size() == 1
+            ? ""
+            : fmt::format(", nor can {} more words of this file", noIdentifiers_.size() - 1);
+    diagnostics_.push_back(wordDiagnostic(
+        Severity::Error, "id-block", first,
+        fmt::format("{} can be no name of a block{}: Iris stops the game when a world is entered "
+                    "(\"Failed to get entry\")",
+                    filterName(first.text), more),
+        "names have small letters, digits and _ - . / only; lists of older games stand behind "
+        "#if MC_VERSION < 11300"));
+  }
 
  private:
   struct Before {
@@ -117,15 +141,44 @@ class BlockCheck {
     });
   }
 
+  /// Has Iris taken its last letter away?
+  static bool isCut(const PropertyWord& word, const PropertyEntry& entry) {
+    return !word.written && std::ranges::any_of(entry.lines, [&](const std::string& line) {
+      return std::ranges::any_of(splitBlanks(line), [&](std::string whole) {
+        whole.pop_back();
+        return whole == word.text || whole.ends_with("=" + word.text);
+      });
+    });
+  }
+
+  /// Of the game: small letters, digits and _ - . in the namespace, / too in the name.
+  static bool isIdentifier(std::string_view name) {
+    return name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_-./:") == name.npos;
+  }
+
+  static std::string filterName(const std::string& word) {
+    std::vector<std::string> ignored;
+    return parseBlockFilter(word, 0, ignored).name;
+  }
+
+  /// "birch_slab :type=top".
+  void reportBlank(const PropertyWord& word) {
+    diagnostics_.push_back(wordDiagnostic(
+        Severity::Warning, "id-block", word,
+        fmt::format("{} belongs to no block, for a blank stands before it", word.text),
+        "take the blank away"));
+  }
+
   /// Not where the line has the other name too: that of another version of the game.
-  void checkBlockName(std::string_view name, const PropertyWord& word, const PropertyEntry& entry) {
+  bool isMisspelt(const BlockFilter& filter, const PropertyWord& word, const PropertyEntry& entry) {
     constexpr std::string_view kGame = "minecraft:";
-    if (!name.starts_with(kGame)) return;
-    const std::string meant = meantBlock(name.substr(kGame.size()));
-    if (meant.empty() || lists(entry, meant)) return;
+    if (filter.isTag || !filter.name.starts_with(kGame)) return false;
+    const std::string meant = meantBlock(std::string_view(filter.name).substr(kGame.size()));
+    if (meant.empty() || lists(entry, meant)) return false;
     diagnostics_.push_back(wordDiagnostic(Severity::Warning, "id-block", word,
-                                          fmt::format("the game has no block {}", name),
+                                          fmt::format("the game has no block {}", filter.name),
                                           fmt::format("did you mean {}?", meant)));
+    return true;
   }
 
   void checkStates(const BlockFilter& filter, const PropertyWord& word) {
@@ -192,12 +245,14 @@ class BlockCheck {
   std::map<std::pair<bool, std::string>, std::vector<Before>> seen_;
   std::vector<LostBlock> lost_;
   std::map<std::string, std::string> meant_;  ///< of names that are no property
+  std::vector<PropertyWord> noIdentifiers_;
 };
 
 void checkBlocks(const IdFile& file, Diagnostics& diagnostics) {
   const std::vector<PropertyEntry> entries = lastValues(file.entries);
   BlockCheck check(file.branches, diagnostics);
   for (const PropertyEntry& entry : entries) check.add(entry);
+  check.reportNoIdentifiers();
   reportLostBlocks(check.lost(), diagnostics);
 }
 

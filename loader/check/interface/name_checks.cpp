@@ -156,6 +156,8 @@ class StageNames {
       hint = fmt::format("it is a uniform: write uniform {} {};", global.type, global.name);
     if (hint.empty() && kind == NameKind::Uniform)
       hint = "define it in shaders.properties: uniform.<type>.<name> = <expression>";
+    if (hint.empty() && kind == NameKind::Sampler)
+      hint = "it reads texture unit 0, as gtexture does where blocks are drawn, colortex0 elsewhere";
     report_.add(stage_, global.place,
                 {(global.used || meant) && !numbered ? Severity::Warning : Severity::Note,
                  kind == NameKind::Attribute ? "attribute-unknown" : "uniform-unknown",

@@ -186,18 +186,29 @@ class Mentions {
   std::set<std::string, std::less<>> names_;
 };
 
-/// Options that exist for their text on the screen: one value, or a few that number the texts.
-bool isInformation(const Option& option) {
+/// Options that exist for their text on the screen: one value, or values that number the texts.
+bool isInformation(const ShaderPack& pack, const Option& option) {
   constexpr std::array<std::string_view, 6> kWords{"info",    "about",   "author",
                                                    "version", "website", "credit"};
   constexpr size_t kMostTexts = 5;
   const std::string name = lowerCase(option.name);
   const bool named = std::any_of(kWords.begin(), kWords.end(),
                                  [&](auto word) { return name.find(word) != std::string::npos; });
-  const auto first = parseInteger(option.values.front());
-  bool counts = first && option.values.size() <= kMostTexts;
+  // "PT0", "PT1", ...
+  const size_t letters = option.values.front().find_first_of("0123456789");
+  const auto numberOf = [&](const std::string& value) {
+    const bool alike = value.substr(0, letters) == option.values.front().substr(0, letters);
+    return alike && letters < value.size() ? parseInteger(value.substr(letters)) : std::nullopt;
+  };
+  const auto hasText = [&](const auto& language) {
+    const auto text = language.second.lower_bound("value." + option.name + ".");
+    return text != language.second.end() && text->first.starts_with("value." + option.name + ".");
+  };
+  const auto first = letters == std::string::npos ? std::nullopt : numberOf(option.values.front());
+  bool counts = first && (option.values.size() <= kMostTexts ||
+                          std::ranges::any_of(pack.languages, hasText));
   for (size_t i = 1; counts && i < option.values.size(); ++i) {
-    counts = parseInteger(option.values[i]) == *first + static_cast<long long>(i);
+    counts = numberOf(option.values[i]) == *first + static_cast<long long>(i);
   }
   return named || counts || option.values.size() < 2;
 }
@@ -266,7 +277,7 @@ void checkOptionUse(std::span<const ShaderPack> folders, Diagnostics& diagnostic
     const bool directive = line && line->isConst;
     if (directive || mentions.contains(name)) continue;
     // Boolean options without effect are tested on purpose: mods look for them.
-    const bool matters = shown.contains(name) && !option.isBoolean && !isInformation(option);
+    const bool matters = shown.contains(name) && !option.isBoolean && !isInformation(pack, option);
     diagnostics.push_back(optionDiagnostic(
         lines, matters ? Severity::Warning : Severity::Note, "option-unused", place, name,
         fmt::format("{} changes nothing: no program and no properties file mentions it", name),

@@ -103,9 +103,18 @@ class FileNames {
       return name.starts_with(known + "_");
     });
     const std::string meant = renamed ? "" : meantProgram(name);
-    report(meant.empty() ? Severity::Note : Severity::Warning, "program-file-unknown", path,
+    report(meant.empty() || isCopy(path, name, meant) ? Severity::Note : Severity::Warning,
+           "program-file-unknown", path,
            fmt::format("no program is called {}", name),
            meant.empty() ? "" : fmt::format("did you mean {}?", meant));
+  }
+
+  /// "composite 3.vsh" beside composite3.vsh, which is what the host reads.
+  bool isCopy(const std::string& path, std::string name, const std::string& meant) const {
+    std::erase(name, ' ');
+    const std::string folder(packPathParent(path));
+    return name == meant &&
+           pack_.source->contains((folder == "/" ? folder : folder + "/") + meant + path.substr(path.rfind('.')));
   }
 
   /// "composite3" for "compsite3".

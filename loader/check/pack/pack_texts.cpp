@@ -88,7 +88,9 @@ void forEachWord(std::string_view text, const std::function<void(std::string_vie
 
 std::string likelyMeant(std::string_view name, const std::vector<std::string>& names) {
   const std::string nearest = nearestName(name, names);
-  const size_t most = name.size() < 4 ? 1 : 2;
+  // The first letter of a name is seldom wrong, too.
+  const bool alike = !nearest.empty() && lowerCase(nearest)[0] == lowerCase(name)[0];
+  const size_t most = name.size() < 5 || !alike ? 1 : 2;
   // "colortex4" is no slip of "colortex5".
   const auto withoutDigits = [&](std::string text) {
     std::erase_if(text, isDigit);

@@ -230,6 +230,7 @@ std::vector<PropertyWord> locatedWords(const PropertyEntry& entry) {
       word.at.line += static_cast<int>(place.line);
       word.at.column = static_cast<int>(place.column) + 1;
       word.sourceLine = entry.lines[place.line];
+      word.written = true;
     }
     words.push_back(std::move(word));
   }
@@ -255,6 +256,7 @@ PropertyWord locatedToken(const PropertyEntry& entry, size_t offset) {
       word.at.line += static_cast<int>(line);
       word.at.column = static_cast<int>(begin) + 1;
       word.sourceLine = text;
+      word.written = true;
       return word;
     }
   }

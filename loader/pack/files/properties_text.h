@@ -23,6 +23,7 @@ struct PropertyWord {
   std::string text;
   SourceLocation at;
   std::string_view sourceLine;  ///< of the entry, which must outlive it: a line may have many words
+  bool written = false;         ///< some line holds it as it is; else it is placed at the key
 };
 
 /// How an entry goes on after a line that ends in a backslash.

@@ -118,18 +118,37 @@ std::string badPartHint(std::string_view part, std::string_view word) {
   return "";
 }
 
+/// Words like "stone:6": lists of the game before 1.13 are full of them, so that all of a file are one finding.
+struct NumberedStates {
+  std::optional<Diagnostic> first;
+  std::size_t more = 0;
+
+  void report(Diagnostics& diagnostics) {
+    if (!first) return;
+    if (more > 0) first->message += fmt::format("; {} more words of this file give numbers", more);
+    diagnostics.push_back(std::move(*first));
+  }
+};
+
 /// The filters of one entry, with a warning for what is no state.
-void addFilters(const PropertyEntry& entry, int id, BlockIdMap& map, Diagnostics& diagnostics) {
+void addFilters(const PropertyEntry& entry, int id, BlockIdMap& map, NumberedStates& numbered,
+                Diagnostics& diagnostics) {
   for (const PropertyWord& word : locatedWords(entry)) {
     std::vector<std::string> badParts;
     map.filters.push_back(parseBlockFilter(word.text, id, badParts));
     if (badParts.empty()) continue;
     const std::string more =
         badParts.size() == 1 ? " is" : fmt::format(" and {} more are", badParts.size() - 1);
-    diagnostics.push_back(wordDiagnostic(
+    const bool number = parseInteger(badParts.front()).has_value();
+    if (number && numbered.first) {
+      ++numbered.more;
+      continue;
+    }
+    Diagnostic bad = wordDiagnostic(
         Severity::Warning, "id-state", word,
         fmt::format("\"{}\" in {}{} no property=value", badParts.front(), word.text, more),
-        badPartHint(badParts.front(), word.text)));
+        badPartHint(badParts.front(), word.text));
+    number ? void(numbered.first = std::move(bad)) : diagnostics.push_back(std::move(bad));
   }
 }
 
@@ -172,14 +191,16 @@ BlockIdMap parseBlockProperties(const std::string& file, const std::string& text
   constexpr std::string_view kBlock = "block.", kLayer = "layer.";
   BlockIdMap map;
   map.present = true;
+  NumberedStates numbered;
   for (const PropertyEntry& entry :
        idEntries(file, text, original, {kBlock, kLayer}, diagnostics)) {
     if (entry.key.starts_with(kLayer)) {
       addLayer(entry, std::string_view(entry.key).substr(kLayer.size()), map, diagnostics);
     } else if (const auto id = parseId(entry, kBlock.size(), diagnostics)) {
-      addFilters(entry, *id, map, diagnostics);
+      addFilters(entry, *id, map, numbered, diagnostics);
     }
   }
+  numbered.report(diagnostics);
   return map;
 }
 

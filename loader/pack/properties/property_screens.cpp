@@ -276,9 +276,10 @@ void checkScreenWord(const PropertyWord& word, const ScreenNames& screens, const
                            : gluedToKeyword(text)          ? "a blank is missing after >"
                            : text.starts_with('<')         ? suggest(text, kKeywords)
                                                            : missingOptionHint(options, text);
-  diagnostics.push_back(
-      wordDiagnostic(Severity::Warning, "screen-option", word,
-                     (link ? "there is no screen " : "the pack has no option ") + text, hint));
+  // A link to nothing is a label, as packs use it.
+  diagnostics.push_back(wordDiagnostic(
+      link && hint.empty() ? Severity::Note : Severity::Warning, "screen-option", word,
+      (link ? "there is no screen " : "the pack has no option ") + text, hint));
 }
 
 void checkScreens(const std::vector<PropertyEntry>& entries, const ShaderProperties& out,
