@@ -9,7 +9,7 @@
 namespace orris {
 namespace {
 
-constexpr int kMostFrames = 1000000;
+constexpr int kFrameLimit = 1000000;
 constexpr int kLeastSettled = 32;  // fewer show too little of what adapts slowly
 constexpr std::string_view kAuto = "auto";
 
@@ -17,7 +17,7 @@ std::optional<int> parseCount(std::string_view text) {
   int count = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
   const bool whole = error == std::errc() && end == text.data() + text.size();
-  return whole && count >= 1 && count <= kMostFrames ? std::optional(count) : std::nullopt;
+  return whole && count >= 1 && count <= kFrameLimit ? std::optional(count) : std::nullopt;
 }
 
 /// "32", "auto" or "auto:500"; nullopt for other texts.
@@ -47,7 +47,7 @@ void addSettlingFramesFlag(CLI::App& command, FramesWanted& frames) {
             const auto parsed = parseFrames(text);
             if (!parsed)
               throw CLI::ValidationError(
-                  "--frames", fmt::format("expected 1 to {}, auto, or auto:N for at most N: {}", kMostFrames, text));
+                  "--frames", fmt::format("expected 1 to {}, auto, or auto:N for at most N: {}", kFrameLimit, text));
             frames = *parsed;
           },
           fmt::format("frames to draw, the last one is the picture; auto: until it settles, {} to {}, auto:N to N "
