@@ -42,6 +42,8 @@ MUTANTS = [
     ("sun through glass by mean alpha", GLASS, [(SHADOW, "textureLod(gtexture, place, 0.0).a < 0.1", "textureLod(gtexture, place, 4.0).a < 0.1")]),
     ("sun through glass by an edge that repeats", GLASS, [(SHADOW, "fract((place - tile.xy) / size)", "clamp((place - tile.xy) / size, 0.0, 1.0)")]),
     ("sun behind stained glass white", GLASS, [(TINT, "depth > sheet_distance ?", "false ?")]),
+    ("water fills what lies below its bottom", "ReferenceGlass.*water", [("program/voxels/lakes.glsl", "if (water.a > 0.0 && (kept_shape", "if (false && (kept_shape")]),
+    ("sun behind water white", "ReferenceGlass.*water", [(SHADOW, "id == block_water ? water_height : 0.0", "0.0")]),
     ("glass is nothing to shadow volumes", GLASS, [(SUN, "lit *= open_share(player, normal, light);", "")]),
     ("lava green", CAVE, [("include/blocks.glsl", "vec3(1.0, 0.34, 0.06));  // 9", "vec3(0.34, 1.0, 0.06));  // 9")]),
     ("lamp levels linear", CAVE, [(VOXEL, "EMISSION_STRENGTH * share * share", "EMISSION_STRENGTH * share")]),

@@ -7,6 +7,7 @@
 #include "/include/voxels/voxel.glsl"
 
 const uint part_post = 16u;
+const uint part_bottom = 32u;  // of water: below it there is none
 
 const float plate_thickness = 0.1875;
 const float cover_top = 0.0625 - 0.5;  // of a carpet, from the middle of the cell

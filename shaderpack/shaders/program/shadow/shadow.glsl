@@ -81,14 +81,16 @@ vec3 tile_color() {
     return to_linear(textureLod(gtexture, vertex_mid_uv[0], 4.0).rgb) * to_linear(vertex_tint[0]);
 }
 
-/// What a triangle of the map takes of the light. Panes take as much as a block.
+/// What a triangle of the map takes of the light. Panes take as much as a block; so does water, of which more lies behind
+/// air only in the air (of what is in water the voxels know the depth).
 vec4 sheet_of_triangle() {
     int id = int(floor(vertex_id[0] + 0.5));
     if (renderStage != MC_RENDER_STAGE_TERRAIN_TRANSLUCENT)
         return id == block_plant || id == block_open || id == block_glass || id == block_pane ? sheet_with_holes
                                                                                               : vec4(0.0);
     float slope = abs((mat3(shadowModelView) * vertex_normal[0]).z);
-    float thickness = id == block_translucent ? 1.0 / max(slope, 0.25) : float(id == block_tinted_pane);
+    float height = id == block_translucent ? 1.0 : id == block_water ? water_height : 0.0;
+    float thickness = id == block_tinted_pane ? 1.0 : height / max(slope, 0.25);
     return encode_sheet(tile_color(), thickness);
 }
 
@@ -215,6 +217,9 @@ void emit_voxel() {
     int face = face_of(vertex_normal[0]);
     add_to_brick(cell, face, code, vertex_mid_uv[0]);
     if (code == voxel_water_surface) note_lake();
+    // Not the underside of its surface.
+    bool bottom = vertex_normal[0].y < -0.5 && vertex_player[0].y - block.middle.y < -0.4;
+    if (block.id == block_water && bottom) add_octants(cell, part_bottom);
     if (code == voxel_stairs || is_post(code)) {
         vec3 low = quad_low() - block.middle;
         vec3 high = quad_high() - block.middle;
