@@ -241,8 +241,8 @@ MUTANTS = [
     ("rest outlasts motion", "rest.ends_as*", [(REST, "max(edited, moved)", "edited")]),
     ("smoothed light is cleared at rest", "rest.a_frame*",
      [("include/buffers.glsl", "const bool colortex6Clear = false;", "const bool colortex6Clear = true;")]),
-    ("planes of fire list their own faces only", "face_energy.boxes_with_fire*",
+    ("planes of fire list their own faces only", "face_energy.rays_to_lamps_find*",
      [("program/shadow/shadow.glsl", "if (code >= voxel_lamp && abs(outward) < 0.3)", "if (false)")]),
-    ("inner sides of glass are dark", "face_energy.boxes_with_fire*",
+    ("inner sides of glass are dark", "FaceEnergy.*glass",
      [("include/voxels/trace.glsl", "if (inside && is_glass(hit.voxel.code)) find_lit_side(hit);", "")]),
 ]
