@@ -313,6 +313,18 @@ TEST(CompileHints, a_stub_without_main_lacks_what_those_of_its_name_include) {
                               "to be missing here | #include \"/program/composite.glsl\""));
 }
 
+TEST(CompileHints, a_stub_is_not_offered_the_main_of_another_program) {
+  const auto stub = [](const std::string& name) {
+    return kVersion + "#include \"/program/" + name + ".glsl\"\n";
+  };
+  const std::string main = "void main() { gl_FragColor = vec4(1.0); }\n";
+  const auto lines = compile({{"/program/gbuffers_water.glsl", main},
+                              {"/world1/gbuffers_water.fsh", stub("gbuffers_water")},
+                              {"/world1/gbuffers_water.vsh", kVertexStage},
+                              {"/composite.fsh", kVersion + "#define X\n\n"}});
+  EXPECT_THAT(lines, testing::Not(Contains(HasSubstr("#include \"/program"))));
+}
+
 TEST(CompileHints, a_stub_without_its_program_is_located) {
   EXPECT_THAT(compile({{"/composite.fsh", kVersion + "#define X\n\n"}}),
               Contains(HasSubstr("Missing entry point")));

@@ -46,11 +46,11 @@ TEST(IdBlock, a_state_after_a_blank_belongs_to_no_block) {
                           "for a blank stands before it | take the blank away"));
 }
 
-TEST(IdBlock, what_can_be_no_name_is_one_error) {
+TEST(IdBlock, what_can_be_no_name_is_one_finding) {
   EXPECT_THAT(blocks("block.1=mod:OreBlock stone mod:a.b-c/d_2\nblock.2=mod:Other a=b\n"),
               ElementsAre(testing::StartsWith(
-                  "id-block /block.properties:1:9: error: mod:OreBlock can be no name of a block, nor "
-                  "can 2 more words of this file: Iris stops the game")));
+                  "id-block /block.properties:1:9: warning: mod:OreBlock can be no name of a block, nor "
+                  "can others of this file (2): the game refuses it")));
 }
 
 TEST(IdTwice, misspelt_blocks_and_states_by_number_are_not_compared) {

@@ -209,7 +209,7 @@ TEST(OptionTable, a_define_that_is_no_option_says_why) {
                          "#define DENSITY 2. // [1. 2.] of water", "//#define RAIN 1 // [1 2]"}}},
                       diagnostics);
   EXPECT_EQ(missingOptionHint(options, "FOG"),
-            "/a:1 defines it, but no line is #ifdef FOG or #ifndef FOG");
+            "/a:1 defines it, but no line that a program reads is #ifdef FOG or #ifndef FOG");
   EXPECT_EQ(missingOptionHint(options, "STEPS"),
             "/a:2 defines it, but no list of values like // [1 2 3] follows");
   EXPECT_EQ(missingOptionHint(options, "MODE"),

@@ -84,6 +84,18 @@ bool IncludeHints::isInShared(const std::string& name) {
       [this](const SourceLocation& definition) { return isShared(definition.file); });
 }
 
+bool IncludeHints::isOfProgram(const std::string& target) {
+  const auto programOf = [](std::string_view file) {
+    const std::string_view name = file.substr(file.rfind('/') + 1);
+    return name.substr(0, name.find_first_of(".0123456789"));
+  };
+  std::set<std::string_view> programs;
+  for (const SourceLocation& includer : index_.includersOf(target))
+    programs.insert(programOf(includer.file));
+  return programs.size() > 1 || files_.empty() ||
+         target.find(programOf(files_.front())) != target.npos;
+}
+
 bool IncludeHints::explainName(std::size_t index, const std::string& name) {
   const std::size_t use = lineOf(stage_, found_[index].at);
   const auto definition = definedElsewhere(name, use > 0 ? filesOf(index_, stage_, use) : files_);
@@ -101,6 +113,8 @@ bool IncludeHints::explainName(std::size_t index, const std::string& name) {
 
 void IncludeHints::addMissing(const MissingInclude& missing) {
   const UnknownName& name = unknown_[missing.first];
+  // Any file with a main() would do; one of another program is not meant.
+  if (name.name == kMain && !isOfProgram(missing.target)) return;
   const std::string problem =
       name.name == kMain
           ? "the stage has no main()"

@@ -35,6 +35,8 @@ class IncludeHints {
                                                  const std::vector<std::string>& files);
   bool isShared(const std::string& file);
   bool isInShared(const std::string& name);
+  /// Is the file for several programs, or has it the name of the stage's program, but for its number?
+  bool isOfProgram(const std::string& target);
   void addMissing(const MissingInclude& missing);
   std::string_view textBefore(std::size_t line) const;
 

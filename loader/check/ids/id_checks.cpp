@@ -82,9 +82,10 @@ class BlockCheck {
       std::vector<std::string> numbers;
       BlockFilter filter = parseBlockFilter(word.text, 0, numbers);
       checkStates(filter, word);
+      // None says what its author meant: they are reported as what they are.
+      if (isMisspelt(filter, word, entry)) continue;
       if (!filter.isTag && !isIdentifier(filter.name)) noIdentifiers_.push_back(word);
-      // Neither says what its author meant: both are reported as what they are.
-      if (isMisspelt(filter, word, entry) || !numbers.empty()) continue;
+      if (!numbers.empty()) continue;
       ListedBlock listed{&entry, word.text, word.at, !filter.properties.empty()};
       auto& before = seen_[{filter.isTag, filter.name}];
       // Where the first may be missing, this one is what counts then.
@@ -108,11 +109,11 @@ class BlockCheck {
     const std::string more =
         noIdentifiers_.size() == 1
             ? ""
-            : fmt::format(", nor can {} more words of this file", noIdentifiers_.size() - 1);
+            : fmt::format(", nor can others of this file ({})", noIdentifiers_.size() - 1);
     diagnostics_.push_back(wordDiagnostic(
-        Severity::Error, "id-block", first,
-        fmt::format("{} can be no name of a block{}: Iris stops the game when a world is entered "
-                    "(\"Failed to get entry\")",
+        Severity::Warning, "id-block", first,
+        fmt::format("{} can be no name of a block{}: the game refuses it, and Iris ends with \"Failed "
+                    "to get entry\"",
                     filterName(first.text), more),
         "names have small letters, digits and _ - . / only; lists of older games stand behind "
         "#if MC_VERSION < 11300"));

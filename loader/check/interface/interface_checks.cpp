@@ -146,13 +146,14 @@ class StagePair {
   void reportMissing(const StageGlobal& in, const StageGlobal* meant) {
     const bool repaired = !in.block && isNumeric(in.type);
     const char* from = stageName(from_.stage->stage);
+    // Iris declares it first, so that what the stage assigns arrives.
+    const bool assigned = occursAsWord(from_.stage->text.text, in.name);
     Finding finding{
         repaired ? Severity::Warning : Severity::Error,
         "varying-missing",
         fmt::format("'{}' is read here, and the {} stage does not declare it", spoken(in), from),
-        repaired ? fmt::format("Iris makes it zero, other hosts refuse the program: "
-                               "declare it in the {} stage",
-                               from)
+        repaired ? fmt::format("Iris {}, other hosts refuse the program: declare it in the {} stage",
+                               assigned ? "declares it there" : "makes it zero", from)
                  : fmt::format("declare it in the {} stage", from),
         {note()}};
     if (meant) return reportRenamed(in, *meant, std::move(finding));

@@ -98,8 +98,8 @@ class Merger {
                     first.line.value, first.at.file, first.at.line);
     const std::string takenBack =
         kept ? fmt::format(
-                   ", so Iris drops it at the second line that it meets and takes {} back at {}:{}",
-                   kept->defaultValue, kept->at.front().file, kept->at.front().line)
+                   ", so Iris drops it at the second line that it meets and takes {} back at a later one",
+                   kept->defaultValue)
              : ", so it is no option";
     diagnostics_.push_back({.severity = kept ? Severity::Warning : Severity::Note,
                             .id = "option-ambiguous",
@@ -148,7 +148,7 @@ class OptionLimit {
 
 /// Why a line that defines `name` makes no option. Iris: OptionAnnotatedSource
 std::string reasonAgainst(std::string_view line, std::string_view name, bool isBoolean) {
-  if (isBoolean) return fmt::format("no line is #ifdef {0} or #ifndef {0}", name);
+  if (isBoolean) return fmt::format("no line that a program reads is #ifdef {0} or #ifndef {0}", name);
   const size_t comment = line.find("//", line.find("#define"));
   const size_t open = line.find('[', comment);
   const bool listed = comment != line.npos && open != line.npos && line.find(']', open) != line.npos;

@@ -163,7 +163,7 @@ class PackReader {
     report(Severity::Warning, "directive-slip", line,
            fmt::format("Iris sets the wetness half-life by {}, and dryness keeps {}", kDryness,
                        PackDirectives().drynessHalflife),
-           "a slip of Iris's: leave the line out, or give it the value of wetnessHalflife");
+           "a slip of Iris's, which no line can set right: the last of both lines counts for the wetness");
   }
 
   void readInt(const ConstLine& line) {
