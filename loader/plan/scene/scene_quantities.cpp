@@ -34,8 +34,9 @@ class Measuring {
     double count = 0;
     for (const MeshSection& section : scene_.mesh.sections)
       for (std::uint32_t i = section.first; i < section.first + section.count; i += 4) {
-        const BlockVertex vertex = scene_.mesh.quad(i)[0];
-        const glm::dvec3 place = glm::dvec3(section.origin) + glm::dvec3(vertex.position);
+        const MeshFace& face = scene_.mesh.faces[i / 4];
+        const glm::vec3 corner = glm::vec3(face.cell) + scene_.mesh.shapes[face.shape].corners[0];
+        const glm::dvec3 place = glm::dvec3(section.origin) + glm::dvec3(corner);
         count += glm::distance(place, view_.cameraPosition) <= directives_.shadowDistance;
       }
     return count;
@@ -44,12 +45,15 @@ class Measuring {
   double extent() {
     glm::dvec3 low = view_.cameraPosition, high = low;
     for (const MeshSection& section : scene_.mesh.sections)
-      for (std::uint32_t i = section.first; i < section.first + section.count; i += 4)
-        for (const BlockVertex& vertex : scene_.mesh.quad(i)) {
-          const glm::dvec3 place = glm::dvec3(section.origin) + glm::dvec3(vertex.position);
+      for (std::uint32_t i = section.first; i < section.first + section.count; i += 4) {
+        const MeshFace& face = scene_.mesh.faces[i / 4];
+        for (const glm::vec3& corner : scene_.mesh.shapes[face.shape].corners) {
+          const glm::dvec3 place =
+              glm::dvec3(section.origin) + glm::dvec3(glm::vec3(face.cell) + corner);
           low = glm::min(low, place);
           high = glm::max(high, place);
         }
+      }
     const glm::dvec3 sides = high - low;
     return std::max(sides.x, std::max(sides.y, sides.z));
   }

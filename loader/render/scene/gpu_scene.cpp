@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include <orris/core/parallel.h>
 #include <orris/gl/functions.h>
 #include <orris/plan/scene/shapes.h>
 #include <orris/world/atlas/atlas_levels.h>
@@ -140,11 +141,16 @@ void GpuScene::uploadMesh(const SceneData& scene, const std::vector<int>& blockI
   sections_ = scene.mesh.sections;
   const size_t count = scene.mesh.vertexCount();
   terrain_ = gl::createUnfilledBuffer(std::max<size_t>(1, count) * sizeof(GpuVertex), "terrain");
-  // By sections: a copy of all vertices at once would be hundreds of megabytes for a save.
-  for (const MeshSection& section : sections_) {
-    const std::vector<GpuVertex> vertices = packVertices(scene.mesh, section, blockIds, style);
-    gl::upload(terrain_, section.first * sizeof(GpuVertex), vertices.size() * sizeof(GpuVertex),
-               vertices.data());
+  // A few sections at once: a copy of all vertices would be hundreds of megabytes for a save.
+  std::array<std::vector<GpuVertex>, 16> packed;
+  for (std::size_t first = 0; first < sections_.size(); first += packed.size()) {
+    const std::size_t few = std::min(packed.size(), sections_.size() - first);
+    forEachInParallel(few, [&](std::size_t i) {
+      packed[i] = packVertices(scene.mesh, sections_[first + i], blockIds, style);
+    });
+    for (std::size_t i = 0; i < few; ++i)
+      gl::upload(terrain_, sections_[first + i].first * sizeof(GpuVertex),
+                 packed[i].size() * sizeof(GpuVertex), packed[i].data());
   }
   blockIds_ = blockIds;
   unsigned most = stars.quads;

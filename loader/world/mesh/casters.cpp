@@ -74,16 +74,19 @@ CasterSet castersOf(const BlockMesh& mesh, const BlockAtlas& atlas) {
   set.origin = middleOf(mesh);
   Coverage coverage(atlas);
   const std::set<std::uint16_t> open = openStates(mesh, coverage);
+  set.faces.reserve(mesh.faces.size());
   for (const MeshSection& section : mesh.sections) {
     if (section.layer == RenderLayer::Translucent) continue;
     const glm::vec3 offset(section.origin - set.origin);
     for (std::uint32_t i = 0; i + 3 < section.count; i += 4) {
-      const auto v = mesh.quad(section.first + i);
+      const MeshFace& made = mesh.faces[(section.first + i) / 4];
+      const FaceShape& shape = mesh.shapes[made.shape];
       CasterFace face;
       face.seeThrough = section.layer != RenderLayer::Solid;
-      if (face.seeThrough && open.count(v[0].state) != 0) continue;
-      for (std::size_t k = 0; k < 4; ++k) face.corners[k] = offset + v[k].position;
-      face.normal = glm::normalize(v[0].normal);
+      if (face.seeThrough && open.count(made.state) != 0) continue;
+      for (std::size_t k = 0; k < 4; ++k)
+        face.corners[k] = offset + (glm::vec3(made.cell) + shape.corners[k]);
+      face.normal = glm::normalize(shape.normal);
       set.faces.push_back(face);
     }
   }

@@ -1,8 +1,10 @@
 #include <orris/world/mesh/silhouette.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
-#include <tuple>
+#include <cstdint>
 
 namespace orris {
 namespace {
@@ -12,23 +14,31 @@ struct Run {
   glm::vec3 from{0}, to{0};
 };
 
-/// Where boundary begins or ends along one line parallel to an axis.
+/// Where boundary begins or ends along a line parallel to an axis.
 struct Crossing {
-  int axis = 0;
-  float across[2] = {0, 0};  ///< place of the line: the other two coordinates, in order of axis
+  std::uint64_t line = 0;  ///< its place, keyOf() the other two coordinates in order of axis
   float at = 0;
   int change = 0;  ///< of the number of edges in the direction of the axis
-  auto key() const { return std::tie(axis, across[0], across[1], at); }
-  bool sameLine(const Crossing& other) const {
-    return axis == other.axis && across[0] == other.across[0] && across[1] == other.across[1];
+  bool operator<(const Crossing& other) const {
+    return line != other.line ? line < other.line : at < other.at;
   }
 };
 
-glm::vec3 pointOf(const Crossing& line, float at) {
+/// In the order of the numbers; both zeros are one.
+std::uint32_t keyOf(float value) {
+  const auto bits = std::bit_cast<std::uint32_t>(value + 0.0f);
+  return bits >> 31 != 0 ? ~bits : bits | 0x80000000u;
+}
+
+float valueOf(std::uint32_t key) {
+  return std::bit_cast<float>(key >> 31 != 0 ? key & 0x7fffffffu : ~key);
+}
+
+glm::vec3 pointOf(int axis, const Crossing& crossing, float at) {
   glm::vec3 p(0);
-  p[line.axis] = at;
-  p[line.axis == 0 ? 1 : 0] = line.across[0];
-  p[line.axis == 2 ? 1 : 2] = line.across[1];
+  p[axis] = at;
+  p[axis == 0 ? 1 : 0] = valueOf(std::uint32_t(crossing.line >> 32));
+  p[axis == 2 ? 1 : 2] = valueOf(std::uint32_t(crossing.line));
   return p;
 }
 
@@ -41,52 +51,48 @@ class EdgeSum {
     if (along == 0) return;
     if (along != 1 && along != 2 && along != 4) return oblique_.push_back({from, to});
     const int axis = along == 4 ? 2 : along - 1;
-    Crossing start;
-    start.axis = axis;
-    start.across[0] = from[axis == 0 ? 1 : 0];
-    start.across[1] = from[axis == 2 ? 1 : 2];
-    Crossing end = start;
-    start.at = from[axis];
-    end.at = to[axis];
-    start.change = end.at > start.at ? 1 : -1;
-    end.change = -start.change;
+    const std::uint64_t line = std::uint64_t(keyOf(from[axis == 0 ? 1 : 0])) << 32 |
+                               keyOf(from[axis == 2 ? 1 : 2]);
     // An edge against the axis is one that begins, with -1, at its low end.
-    if (start.change < 0) std::swap(start.at, end.at);
-    crossings_.push_back(start);
-    crossings_.push_back(end);
+    const int change = to[axis] > from[axis] ? 1 : -1;
+    crossings_[std::size_t(axis)].push_back({line, std::min(from[axis], to[axis]), change});
+    crossings_[std::size_t(axis)].push_back({line, std::max(from[axis], to[axis]), -change});
   }
 
   /// None goes past the end of an edge: where runs, caps and visible faces meet they share corners.
   std::vector<Run> runs() {
     std::vector<Run> result = std::move(oblique_);
-    std::sort(crossings_.begin(), crossings_.end(),
-              [](const Crossing& a, const Crossing& b) { return a.key() < b.key(); });
-    int count = 0;
-    float since = 0;
-    for (std::size_t i = 0; i < crossings_.size();) {
-      const Crossing& here = crossings_[i];
-      int next = count;
-      std::size_t end = i;
-      for (; end < crossings_.size() && crossings_[end].sameLine(here) &&
-             crossings_[end].at == here.at;
-           ++end)
-        next += crossings_[end].change;
-      emit(here, since, count, result);
-      since = here.at;
-      count = next;
-      i = end;
-    }
+    for (int axis = 0; axis < 3; ++axis) addRuns(axis, result);
     return result;
   }
 
  private:
-  static void emit(const Crossing& end, float since, int count, std::vector<Run>& runs) {
-    Run run{pointOf(end, since), pointOf(end, end.at)};
+  void addRuns(int axis, std::vector<Run>& result) {
+    std::vector<Crossing>& crossings = crossings_[std::size_t(axis)];
+    std::sort(crossings.begin(), crossings.end());
+    int count = 0;
+    float since = 0;
+    for (std::size_t i = 0; i < crossings.size();) {
+      const Crossing& here = crossings[i];
+      int next = count;
+      std::size_t end = i;
+      for (; end < crossings.size() && crossings[end].line == here.line && crossings[end].at == here.at;
+           ++end)
+        next += crossings[end].change;
+      emit(axis, here, since, count, result);
+      since = here.at;
+      count = next;
+      i = end;
+    }
+  }
+
+  static void emit(int axis, const Crossing& end, float since, int count, std::vector<Run>& runs) {
+    Run run{pointOf(axis, end, since), pointOf(axis, end, end.at)};
     if (count < 0) std::swap(run.from, run.to);
     for (int i = 0; i < std::abs(count); ++i) runs.push_back(run);
   }
 
-  std::vector<Crossing> crossings_;
+  std::array<std::vector<Crossing>, 3> crossings_;  ///< by axis
   std::vector<Run> oblique_;
 };
 
