@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include <orris/world/files/world_json.h>
@@ -11,6 +12,7 @@
 namespace orris {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
@@ -146,6 +148,58 @@ TEST(DrawLists, a_name_tag_faces_the_eye_over_the_head) {
   EXPECT_GT(glm::dot(glm::vec3(corner.normal[0], corner.normal[1], corner.normal[2]),
                      glm::vec3(state.gbufferModelViewInverse[2])),
             120);
+}
+
+TEST(DrawLists, letters_of_a_tag_are_read_in_front_of_its_board) {
+  const SceneData scene = sceneOf(R"("entities": [{"kind": "player", "position": [4, 1, 1], "tag": "L7"}])");
+  const FrameState state = stateOf(scene);
+  const DrawLists lists = buildDrawLists(scene, state);
+  ASSERT_THAT(lists.draws, SizeIs(2));
+  const QuadRange range = lists.draws[1].range;
+  // Middles of the quads as the eye sees them: x to the right, y up, z towards the eye.
+  std::vector<glm::vec3> middles;
+  for (unsigned quad = 0; quad < range.quads; ++quad) {
+    glm::vec3 middle(0);
+    for (unsigned i = 0; i < 4; ++i) {
+      const float* p = lists.vertices[range.firstVertex + quad * 4 + i].position;
+      middle += glm::vec3(p[0], p[1], p[2]) * 0.25f;
+    }
+    middles.push_back(glm::vec3(state.gbufferModelView * glm::vec4(middle, 1)));
+  }
+  ASSERT_EQ(middles.size(), 1u + 7u + 7u);
+  glm::vec2 corner(middles[1]);
+  for (std::size_t i = 1; i < middles.size(); ++i) {
+    EXPECT_GT(middles[i].z, middles[0].z) << "in front of the board";
+    corner = {std::min(corner.x, middles[i].x), std::max(corner.y, middles[i].y)};
+  }
+  constexpr float kLetterSquare = 0.175f / 5;
+  std::vector<std::string> rows(5, "       ");
+  for (std::size_t i = 1; i < middles.size(); ++i) {
+    const auto column = std::size_t(std::lround((middles[i].x - corner.x) / kLetterSquare));
+    const auto row = std::size_t(std::lround((corner.y - middles[i].y) / kLetterSquare));
+    rows.at(row).at(column) = '#';
+  }
+  EXPECT_THAT(rows, ElementsAre("#   ###",  //
+                                "#     #",  //
+                                "#    # ",  //
+                                "#    # ",  //
+                                "###  # "));
+}
+
+TEST(DrawLists, the_glint_of_the_hand_lies_on_its_item) {
+  const SceneData scene = sceneOf(R"("environment": {"player": {"mainHand": "torch", "glint": true}})");
+  const DrawLists lists = buildDrawLists(scene, stateOf(scene));
+  const auto placesOf = [&](Geometry kind) {
+    std::vector<glm::vec3> places;
+    for (const ContentDraw& draw : lists.draws)
+      for (unsigned i = 0; draw.geometry == kind && i < draw.range.quads * 4; ++i) {
+        const float* p = lists.vertices[draw.range.firstVertex + i].position;
+        places.emplace_back(p[0], p[1], p[2]);
+      }
+    return places;
+  };
+  EXPECT_FALSE(placesOf(Geometry::Hand).empty());
+  EXPECT_EQ(placesOf(Geometry::HandGlint), placesOf(Geometry::Hand));
 }
 
 TEST(DrawLists, what_is_hurt_is_red_and_what_is_carried_has_its_name) {

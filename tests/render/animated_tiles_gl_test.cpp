@@ -28,7 +28,9 @@ class AnimatedTilesGL : public RenderTest {
         strip.at(x, y)[3] = 65535;
       }
     Diagnostics diagnostics;
-    write("textures/block/stone.png", encodePng(strip, "stone.png", diagnostics).value());
+    const std::string bytes = encodePng(strip, "stone.png", diagnostics).value();
+    for (const char* map : {"stone", "stone_n", "stone_s"})
+      write("textures/block/" + std::string(map) + ".png", bytes);
     write("blockstates/stone.json", R"({"variants": {"": {"model": "block/stone"}}})");
     write("models/block/stone.json",
           R"({"parent": "block/cube_all", "textures": {"all": "block/stone"}})");
@@ -45,10 +47,10 @@ class AnimatedTilesGL : public RenderTest {
   }
 
   /// The first letters of the colours of so many frames.
-  std::string colours(const std::string& meta, int frames) {
+  std::string colours(const std::string& meta, int frames, const std::string& sampler = "gtexture") {
     write("textures/block/stone.png.mcmeta", meta);
-    addProgram("gbuffers_terrain",
-               "uniform sampler2D gtexture;\nvoid main() { gl_FragData[0] = texture(gtexture, uv); }\n");
+    addProgram("gbuffers_terrain", "uniform sampler2D " + sampler +
+                                       ";\nvoid main() { gl_FragData[0] = texture(" + sampler + ", uv); }\n");
     World world = floorWorld();
     world.resourcePacks = {folder_.string()};
     EXPECT_TRUE(start(std::move(world))) << messages();
@@ -73,6 +75,11 @@ TEST_F(AnimatedTilesGL, frames_follow_the_ticks) {
 TEST_F(AnimatedTilesGL, an_interpolated_one_is_mixed_in_between) {
   EXPECT_THAT(colours(R"({"animation": {"frametime": 2, "interpolate": true}})", 14),
               MatchesRegex("r{2,4}m{2,4}g{2,4}m{2,4}r{0,4}"));
+}
+
+TEST_F(AnimatedTilesGL, maps_beside_a_texture_move_with_it) {
+  for (const char* sampler : {"normals", "specular"})
+    EXPECT_THAT(colours(R"({"animation": {}})", 11, sampler), MatchesRegex("r{2,4}g{2,4}r{2,4}g{0,4}")) << sampler;
 }
 
 TEST_F(AnimatedTilesGL, one_without_meta_stands_still) {

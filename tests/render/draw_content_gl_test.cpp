@@ -187,9 +187,10 @@ TEST_F(DrawContentGL, an_entity_and_the_player_cast_shadows) {
 TEST_F(DrawContentGL, entities_cast_shadows_as_far_as_the_pack_wants) {
   addProgram("shadow", "void main() { gl_FragData[0] = vec4(0.0, 0.0, 1.0, 1.0); }\n");
   paint("shadow_entities", "vec4(1.0, 0.0, 0.0, 1.0)");
-  const auto castsBy = [&](const std::string& factor) {
-    addProgram("final", "const int shadowMapResolution = 64;\nconst float shadowDistance = 8.0;\n"
-                        "const float shadowDistanceRenderMul = 1.0;\n" + factor +
+  const auto castsBy = [&](const std::string& factor, const std::string& ofTerrain = "1.0",
+                           const std::string& distance = "8.0") {
+    addProgram("final", "const int shadowMapResolution = 64;\nconst float shadowDistance = " + distance +
+                        ";\nconst float shadowDistanceRenderMul = " + ofTerrain + ";\n" + factor +
                         "uniform sampler2D shadowcolor0;\n"
                         "void main() { gl_FragColor = texture2D(shadowcolor0, uv); }\n");
     EXPECT_TRUE(start(worldWith({}))) << messages();  // the eye is 4.5 blocks above it
@@ -203,6 +204,8 @@ TEST_F(DrawContentGL, entities_cast_shadows_as_far_as_the_pack_wants) {
   EXPECT_TRUE(castsBy(""));
   EXPECT_TRUE(castsBy("const float entityShadowDistanceMul = 0.75;\n"));
   EXPECT_FALSE(castsBy("const float entityShadowDistanceMul = 0.25;\n"));
+  EXPECT_FALSE(castsBy("const float entityShadowDistanceMul = 0.75;\n", "0.25")) << "both count";
+  EXPECT_TRUE(castsBy("", "1.0", "3.5")) << "wherever the map has them";
 }
 
 TEST_F(DrawContentGL, rain_writes_depth_only_where_the_pack_wants_it) {

@@ -9,6 +9,7 @@
 #include <orris/core/limits.h>
 #include "resource_helpers.h"
 #include <orris/world/resources/block_models.h>
+#include <orris/world/resources/texture_meta.h>
 
 namespace orris {
 namespace {
@@ -159,6 +160,21 @@ TEST(block_look, the_frames_of_an_animation_are_kept_once_each) {
   EXPECT_FALSE(pack.atlas.animations) << "one frame does not move";
 }
 
+TEST(block_look, an_animation_may_have_frames_that_are_no_squares) {
+  const auto metaOf = [](const std::string& size) {
+    Diagnostics diagnostics;
+    auto meta = parseTextureMeta({"{\"animation\": {" + size + "}}", "stone.png.mcmeta"}, {32, 64}, diagnostics);
+    EXPECT_TRUE(diagnostics.empty());
+    return meta.value_or(TextureMeta());
+  };
+  const TextureMeta square = metaOf(""), flat = metaOf(R"("width": 32, "height": 16)"),
+                    low = metaOf(R"("height": 16)"), narrow = metaOf(R"("width": 16)");
+  EXPECT_EQ(glm::ivec3(square.width, square.height, square.steps.size()), glm::ivec3(32, 32, 2));
+  EXPECT_EQ(glm::ivec3(flat.width, flat.height, flat.steps.size()), glm::ivec3(32, 16, 4));
+  EXPECT_EQ(glm::ivec3(low.width, low.height, low.steps.size()), glm::ivec3(32, 16, 4));
+  EXPECT_EQ(glm::ivec3(narrow.width, narrow.height, narrow.steps.size()), glm::ivec3(16, 64, 2));
+}
+
 TEST(block_look, an_interpolated_animation_is_between_its_frames) {
   TileAnimation animation;
   animation.frames.resize(2);
@@ -216,6 +232,50 @@ TEST(block_look, water_flows_down_its_steps_with_a_texture_of_its_own) {
     EXPECT_NEAR((east.uv - west.uv).y / (tile.max - tile.min).y, 0.5, 1e-5);
     EXPECT_NEAR((east.uv - west.uv).x, 0, 1e-5);
   }
+}
+
+TEST(block_look, water_flows_to_the_edge_that_it_falls_over) {
+  TestPack pack = stonePack();
+  pack.texture("block/water_still", pngOf(16, kGreen));
+  pack.texture("block/water_flow", pngOf(32, kBlue));
+  Scene scene({4, 3, 3});
+  scene.fill({0, 0, 0}, {3, 2, 2}, "stone");
+  scene.set({1, 2, 1}, "water");
+  scene.set({2, 2, 1}, "air");
+  scene.set({2, 1, 1}, "water");
+  const ReadMesh mesh = pack.mesh(scene);
+  int tops = 0;
+  for (std::size_t i = 0; i < mesh.vertexCount(); i += 4) {
+    const auto quad = mesh.quad(i);
+    if (quad[0].fluid != 1 || quad[0].normal.y <= 0 || quad[0].position.y < 2) continue;
+    ++tops;
+    EXPECT_LT(glm::distance(glm::vec3(quad[0].tangent), glm::vec3(0, 0, -1)), 1e-5f) << "to the east";
+  }
+  EXPECT_EQ(tops, 1);
+}
+
+TEST(block_look, sides_of_water_wear_a_quarter_of_the_flowing_texture) {
+  TestPack pack = stonePack();
+  pack.texture("block/water_still", pngOf(16, kGreen));
+  pack.texture("block/water_flow", pngOf(32, kBlue));
+  Scene scene({3, 2, 3});
+  scene.fill({0, 0, 0}, {2, 0, 2}, "stone");
+  scene.set({1, 1, 1}, "water");
+  const ReadMesh mesh = pack.mesh(scene);
+  const AtlasTile tile = pack.atlas.tile("water_flow");
+  const glm::vec2 end = (tile.min + tile.max) * 0.5f;
+  int sides = 0;
+  for (std::size_t i = 0; i < mesh.vertexCount(); i += 4) {
+    const auto quad = mesh.quad(i);
+    if (quad[0].fluid != 1 || quad[0].normal.y != 0) continue;
+    ++sides;
+    for (const BlockVertex& vertex : quad) {
+      EXPECT_TRUE(glm::all(glm::greaterThanEqual(vertex.uv, tile.min)));
+      EXPECT_TRUE(glm::all(glm::lessThanEqual(vertex.uv, end + 1e-6f)));
+    }
+    EXPECT_NEAR(quad[2].uv.x - quad[1].uv.x, end.x - tile.min.x, 1e-6f);
+  }
+  EXPECT_EQ(sides, 4);
 }
 
 TEST(block_look, labpbr_maps_lie_beside_their_texture) {

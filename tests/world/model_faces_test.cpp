@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <orris/world/resources/model_json.h>
 #include "resource_helpers.h"
 
 namespace orris {
@@ -167,11 +168,26 @@ TEST(model_faces, a_cube_that_turns_about_two_axes_is_stretched_along_each_of_it
   element.turn = ElementTurn{{8, 8, 8}, {45, 45, 0}, true};
   // Its x axis turns into the diagonal of x and z, y and z into ones with parts 1/2, 1/2 and sqrt(1/2).
   const float root = std::sqrt(0.5f);
-  float longest = 0;
   for (const ModelFace& face : facesOfBox(element))
     for (std::size_t i = 0; i < 4; ++i)
-      longest = std::max(longest, glm::distance(face.corners[i], face.corners[(i + 1) % 4]));
-  EXPECT_NEAR(longest, 1 / root, 1e-5f);
+      EXPECT_NEAR(glm::distance(face.corners[i], face.corners[(i + 1) % 4]), 1 / root, 1e-5f);
+}
+
+TEST(model_faces, turns_of_elements_stand_by_axis_or_with_the_name_of_one) {
+  const auto degreesOf = [](const std::string& rotation) {
+    Diagnostics diagnostics;
+    const auto model = parseModel({R"({"elements": [{"from": [0, 0, 0], "to": [16, 16, 16], "faces": {}, "rotation": {)" +
+                                       rotation + "}}]}",
+                                   "stick.json"},
+                                  diagnostics);
+    EXPECT_TRUE(diagnostics.empty()) << rotation;
+    return model->elements->front().turn->degrees;
+  };
+  EXPECT_EQ(degreesOf(R"("x": 10, "y": -20, "z": 30.5)"), glm::vec3(10, -20, 30.5f));
+  EXPECT_EQ(degreesOf(R"("z": 5)"), glm::vec3(0, 0, 5));
+  EXPECT_EQ(degreesOf(R"("axis": "x", "angle": 45)"), glm::vec3(45, 0, 0));
+  EXPECT_EQ(degreesOf(R"("axis": "y", "angle": -22.5)"), glm::vec3(0, -22.5f, 0));
+  EXPECT_EQ(degreesOf(R"("axis": "z", "angle": 45)"), glm::vec3(0, 0, 45));
 }
 
 TEST(model_faces, rotation_of_a_face_turns_its_texture_clockwise) {
