@@ -298,9 +298,14 @@ void FrameRenderer::drawTerrain(const Step& step, const GpuProgram& program,
   draw.textureMatrix = glm::mat4(1);
   loadMatrices(draw, true);
   useProgram(program, step, state, draw);
-  loaded_->scene->bindTerrain();
-  bindVertices(program.program);
-  if (!shadow && step.geometry != Geometry::BlockEntity) setChunkFade(program.program);
+  const GpuScene& scene = *loaded_->scene;
+  std::size_t bound = 0;
+  const auto bindPart = [&](std::size_t part) {
+    scene.bindTerrain(bound = part);
+    bindVertices(program.program);
+    if (!shadow && step.geometry != Geometry::BlockEntity) setChunkFade(program.program);
+  };
+  bindPart(0);
   const Frustum frustum(projection * view);
   const float mul = pack_->directives.shadowDistanceRenderMul;
   float reach = mul >= 0 ? pack_->directives.shadowDistance * mul
@@ -331,10 +336,11 @@ void FrameRenderer::drawTerrain(const Step& step, const GpuProgram& program,
       draw.blockEntityId = loaded_->scene->blockId(section->state);
     loadModelView(glm::translate(view, draw.chunkOffset));
     uploadUniforms(program.drawUniforms, state, draw, loaded_->custom);
+    if (const std::size_t part = scene.terrainPart(*section); part != bound) bindPart(part);
     if (sorted)
-      loaded_->scene->drawSorted(*section, program.patches);
+      scene.drawSorted(*section, program.patches);
     else
-      loaded_->scene->drawQuads({section->first, section->count / 4}, program.patches);
+      scene.drawSection(*section, program.patches);
   }
   unbindVertices(program.program);
   SamplerBinder::unbind(program);

@@ -38,6 +38,10 @@ gl::Texture uploadData(const Image8& image, const std::string& label) {
   return texture;
 }
 
+// Mesa's software rasteriser takes less than four gigabytes; a driver that keeps its memory in pieces
+// finds a place for one.
+constexpr std::size_t kMostPartBytes = std::size_t(1) << 30;
+
 void appendQuad(std::uint32_t first, std::vector<std::uint32_t>& indices) {
   for (const std::uint32_t corner : {0u, 1u, 2u, 2u, 3u, 0u}) indices.push_back(first + corner);
 }
@@ -139,8 +143,10 @@ void GpuScene::needIndices(unsigned quads) {
 void GpuScene::uploadMesh(const SceneData& scene, const std::vector<int>& blockIds,
                           const VertexStyle& style) {
   sections_ = scene.mesh.sections;
-  const size_t count = scene.mesh.vertexCount();
-  terrain_ = gl::createUnfilledBuffer(std::max<size_t>(1, count) * sizeof(GpuVertex), "terrain");
+  parts_ = terrainParts(sections_, kMostPartBytes / sizeof(GpuVertex));
+  terrain_.clear();
+  for (const TerrainPart& part : parts_)
+    terrain_.push_back(gl::createUnfilledBuffer(std::max(1u, part.count) * sizeof(GpuVertex), "terrain"));
   // A few sections at once: a copy of all vertices would be hundreds of megabytes for a save.
   std::array<std::vector<GpuVertex>, 16> packed;
   for (std::size_t first = 0; first < sections_.size(); first += packed.size()) {
@@ -148,9 +154,12 @@ void GpuScene::uploadMesh(const SceneData& scene, const std::vector<int>& blockI
     forEachInParallel(few, [&](std::size_t i) {
       packed[i] = packVertices(scene.mesh, sections_[first + i], blockIds, style);
     });
-    for (std::size_t i = 0; i < few; ++i)
-      gl::upload(terrain_, sections_[first + i].first * sizeof(GpuVertex),
+    for (std::size_t i = 0; i < few; ++i) {
+      const MeshSection& section = sections_[first + i];
+      const std::size_t part = terrainPart(section);
+      gl::upload(terrain_[part], (section.first - parts_[part].first) * sizeof(GpuVertex),
                  packed[i].size() * sizeof(GpuVertex), packed[i].data());
+    }
   }
   blockIds_ = blockIds;
   unsigned most = stars.quads;
@@ -188,7 +197,8 @@ void GpuScene::sortTranslucent(const glm::dvec3& eye) {
       quads.emplace_back(-glm::dot(d, d), v);
     }
     std::sort(quads.begin(), quads.end());
-    for (const auto& [distance, v] : quads) appendQuad(v, indices);
+    const std::uint32_t start = parts_[terrainPart(section)].first;
+    for (const auto& [distance, v] : quads) appendQuad(v - start, indices);
   }
   sortedIndices_ =
       gl::createBuffer(indices.size() * sizeof(std::uint32_t), indices.data(), "sorted quads");
@@ -200,6 +210,10 @@ void GpuScene::drawSorted(const MeshSection& section, bool patches) const {
   const size_t offset = size_t{section.first - firstTranslucent_} / 4 * 6 * sizeof(std::uint32_t);
   gl::DrawElements(patches ? GL_PATCHES : GL_TRIANGLES, static_cast<int>(section.count / 4 * 6),
                    GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset));
+}
+
+void GpuScene::drawSection(const MeshSection& section, bool patches) const {
+  drawQuads({section.first - parts_[terrainPart(section)].first, section.count / 4}, patches);
 }
 
 void GpuScene::animate(const FrameState& state) {
@@ -225,8 +239,8 @@ void GpuScene::updateLightmap(const FrameState& state) {
   gl::setParameters(lightmap_, {.linear = true});
 }
 
-void GpuScene::bindTerrain() const {
-  gl::BindBuffer(GL_ARRAY_BUFFER, terrain_.id());
+void GpuScene::bindTerrain(std::size_t part) const {
+  gl::BindBuffer(GL_ARRAY_BUFFER, terrain_[part].id());
   gl::BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
 }
 

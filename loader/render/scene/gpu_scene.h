@@ -18,6 +18,7 @@
 #include <orris/plan/schedule/schedule.h>
 #include <orris/plan/scene/shapes.h>
 #include <orris/render/scene/animated_tiles.h>
+#include <orris/render/scene/terrain_parts.h>
 #include <orris/world/mesh/block_mesh.h>
 
 namespace orris {
@@ -62,7 +63,11 @@ class GpuScene {
   void updateLightmap(const FrameState& state);
   /// Shows animated textures as they are at that time.
   void animate(const FrameState& state);
-  void bindTerrain() const;
+  /// The buffer of the terrain that holds a section.
+  std::size_t terrainPart(const MeshSection& section) const { return partOf(parts_, section); }
+  void bindTerrain(std::size_t part) const;
+  /// Draws a section; its part of the terrain must be bound.
+  void drawSection(const MeshSection& section, bool patches) const;
   void bindShapes() const;
   /// Made when first asked for.
   const CloudLayer& clouds(bool fancy);
@@ -70,7 +75,7 @@ class GpuScene {
   /// Orders the translucent quads of each section from far to near as seen from `eye` (world blocks),
   /// as blending needs; free while neither eye nor mesh has moved.
   void sortTranslucent(const glm::dvec3& eye);
-  /// Draws a translucent section in that order; the terrain must be bound.
+  /// Draws a translucent section in that order; its part of the terrain must be bound.
   void drawSorted(const MeshSection& section, bool patches) const;
   /// Draws quads of the bound buffer; `patches` for tessellation.
   void drawQuads(const QuadRange& range, bool patches) const;
@@ -86,7 +91,9 @@ class GpuScene {
   gl::Texture contentAtlas_, contentNormals_, contentSpecular_;
   std::map<Sheet, gl::Texture> sheets_;
   gl::Texture atlas_, normals_, specular_, lightmap_, white_, celestial_;
-  gl::Buffer terrain_, shapes_, lists_, indices_, sortedIndices_;
+  gl::Buffer shapes_, lists_, indices_, sortedIndices_;
+  std::vector<TerrainPart> parts_;
+  std::vector<gl::Buffer> terrain_;  ///< of each part
   unsigned indexedQuads_ = 0;
   std::optional<CloudLayer> clouds_;
   AnimatedTiles animated_;
