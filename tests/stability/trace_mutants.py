@@ -20,7 +20,7 @@ MUTANTS = [
      "return false && surface.cell == cell &&"),
     ("cosine rays count lamps in full", "Blocks/LampShape.*", TRACER,
      "lamp.radiance * (density / (density + other)) : glm::vec3(0)", "lamp.radiance : glm::vec3(0)"),
-    ("survivors of roulette carry no more", "ClosedBox.*", TRACER, "    throughput /= survival;\n", ""),
+    ("survivors of roulette carry no more", "*ClosedBox.holds*", TRACER, "    throughput /= survival;\n", ""),
     ("the back of lava's surface is met first", "LavaFloor.*", WALK,
      "    if (quad.twin != kNoQuad && (slope > 0 || quad.twin == ray_.ignore)) continue;\n", ""),
     ("panes tint at both faces", "Translucent.*", WALK, "if (quad.filters && slope < 0)", "if (quad.filters)"),
