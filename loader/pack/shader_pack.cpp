@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
-#include <functional>
 #include <thread>
 
 #include <orris/core/files/text_file.h>
@@ -11,6 +10,8 @@
 #include <orris/pack/files/text.h>
 #include <orris/pack/options/chosen_values.h>
 #include <orris/pack/programs/folder_build.h>
+#include <orris/pack/programs/program_reuse.h>
+#include <orris/pack/rebuild.h>
 #include <orris/pack/versions/features.h>
 
 namespace orris {
@@ -63,92 +64,40 @@ void readDirectives(ShaderPack& pack, Diagnostics& diagnostics) {
 
 /// All that `reusable` does not give, on two threads; the result does not depend on which thread did
 /// what. Returns how many were built.
-int buildAll(const FolderBuild& build,
-             const std::function<ProgramList::Pointer(const ProgramEntry&)>& reusable,
+int buildAll(const FolderBuild& build, const ProgramReuse& reusable, const RebuildScope& scope,
              ProgramList& programs) {
   std::vector<ProgramList::Pointer> built;
-  std::vector<size_t> missing;
+  std::vector<std::pair<size_t, const ProgramEntry*>> missing;
   for (const ProgramEntry& entry : build.programs()) {
+    if (scope.wanted && !scope.wanted(entry)) continue;
     built.push_back(reusable(entry));
-    if (!built.back()) missing.push_back(built.size() - 1);
+    if (!built.back()) missing.emplace_back(built.size() - 1, &entry);
   }
   std::atomic<size_t> next = 0;
   const auto work = [&] {
     for (size_t i = next++; i < missing.size(); i = next++) {
-      const ProgramEntry& entry = build.programs()[missing[i]];
+      const ProgramEntry& entry = *missing[i].second;
       const WorkStage stage("reading the program", entry.name.program);
-      built[missing[i]] = std::make_shared<const ProgramSource>(build.build(entry));
+      built[missing[i].first] = std::make_shared<const ProgramSource>(build.build(entry));
     }
   };
   std::exception_ptr failure;  // an exception that leaves a thread would end the process
   {
-    std::jthread second([&] {
-      try {
-        work();
-      } catch (...) {
-        failure = std::current_exception();
-      }
-    });
+    std::jthread second;
+    if (missing.size() > 1)
+      second = std::jthread([&] {
+        try {
+          work();
+        } catch (...) {
+          failure = std::current_exception();
+        }
+      });
     work();
   }
   if (failure) std::rethrow_exception(failure);
   for (ProgramList::Pointer& program : built) programs.push_back(std::move(program));
   return static_cast<int>(missing.size());
 }
-
-template <typename Map>
-bool sameEntry(const Map& a, const Map& b, const std::string& key) {
-  const auto inA = a.find(key), inB = b.find(key);
-  if (inA == a.end() || inB == b.end()) return (inA == a.end()) == (inB == b.end());
-  return inA->second == inB->second;
-}
-
-/// Do both say the same of one program?
-bool sameState(const ShaderProperties& a, const ShaderProperties& b, const std::string& program) {
-  return &a == &b ||
-         (sameEntry(a.alphaTest, b.alphaTest, program) && sameEntry(a.blend, b.blend, program) &&
-          sameEntry(a.bufferBlend, b.bufferBlend, program) &&
-          sameEntry(a.scale, b.scale, program) && sameEntry(a.flip, b.flip, program));
-}
-
-/// Programs of an earlier build that no differing value can change.
-class Reuse {
- public:
-  Reuse(const FolderBuild* old, const ProgramList& programs, const FolderBuild& build)
-      : old_(old), programs_(programs), build_(build) {
-    if (!old) return;
-    usable_ = old->folder() == build.folder() &&
-              old->properties().shaderMacros == build.properties().shaderMacros;
-    changed_ = differingOptions(build.files().options, old->textValues(), build.textValues());
-  }
-
-  ProgramList::Pointer operator()(const ProgramEntry& entry) const {
-    for (size_t i = 0; usable_ && i < programs_.size(); ++i) {
-      const auto& program = programs_.share(i);
-      if (program->name == entry.name.program && isSame(entry, *program)) return program;
-    }
-    return nullptr;
-  }
-
- private:
-  bool isSame(const ProgramEntry& entry, const ProgramSource& program) const {
-    return !haveCommonName(changed_, program.options) && sameFiles(entry, program) &&
-           sameState(old_->properties().shader, build_.properties().shader, program.name);
-  }
-
-  // A single compute shader of a program can be disabled, too.
-  static bool sameFiles(const ProgramEntry& entry, const ProgramSource& program) {
-    return entry.stages.size() == program.stages.size() &&
-           std::equal(entry.computes.begin(), entry.computes.end(), program.computes.begin(),
-                      program.computes.end(), [](auto& a, auto& b) { return a.first == b.name; });
-  }
-
-  const FolderBuild* old_;
-  const ProgramList& programs_;
-  const FolderBuild& build_;
-  bool usable_ = false;
-  std::vector<std::string> changed_;
-};
 
 ShaderPack emptyPack(const PackFiles& files, const LoadRequest& request, const FolderBuild& build) {
   const PackProperties& properties = build.properties();
@@ -180,22 +129,22 @@ const FolderBuild* buildOf(const ShaderPack* previous, const ModFamily* mod) {
   return nullptr;
 }
 
-int buildSources(const LoadRequest& request, const ShaderPack* previous, ShaderPack& pack,
+int buildSources(const LoadRequest& request, const RebuildScope& scope, ShaderPack& pack,
                  Diagnostics& diagnostics) {
   static const ProgramList kNone;
   const FolderBuild& host = *pack.builds.front();
-  int built =
-      buildAll(host, Reuse(buildOf(previous, nullptr), previous ? previous->programs : kNone, host),
-               pack.programs);
+  const ShaderPack* earlier = scope.earlier;
+  const ProgramReuse reuse(buildOf(earlier, nullptr), earlier ? earlier->programs : kNone, host);
+  int built = buildAll(host, reuse, scope, pack.programs);
   readDirectives(pack, diagnostics);
   checkShadowColors(pack.programs, pack.properties, diagnostics);
   for (const ModFamily& mod : modFamilies()) {
     if (!request.buildModPrograms) break;
-    const FolderBuild* old = buildOf(previous, &mod);
+    const FolderBuild* old = buildOf(earlier, &mod);
     const auto build = std::make_shared<const FolderBuild>(host, mod, request.environment,
                                                            request.uniformTypes, old);
-    built += buildAll(*build, Reuse(old, previous ? previous->modPrograms : kNone, *build),
-                      pack.modPrograms);
+    built += buildAll(*build, ProgramReuse(old, earlier ? earlier->modPrograms : kNone, *build),
+                      scope, pack.modPrograms);
     pack.builds.push_back(build);
   }
   for (const ProgramList* programs : {&pack.programs, &pack.modPrograms}) {
@@ -204,23 +153,25 @@ int buildSources(const LoadRequest& request, const ShaderPack* previous, ShaderP
   return built;
 }
 
+/// `outline`, of the same files, lends its properties.
 std::optional<ShaderPack> buildPack(const std::shared_ptr<const PackFiles>& files,
-                                    const LoadRequest& request, const ShaderPack* previous,
-                                    Diagnostics& diagnostics, int& built) {
+                                    const LoadRequest& request, const ShaderPack* outline,
+                                    const RebuildScope& scope, Diagnostics& diagnostics, int* built) {
   Diagnostics chosen;
   const OptionValues values = chooseValues(request, files->options, files->profiles, chosen);
   append(chosen, diagnostics);
   if (hasErrors(chosen)) return std::nullopt;
   const auto host = std::make_shared<const FolderBuild>(
       files, files->dimensions.resolve(request.dimension), values, request.environment,
-      request.irisTexts, buildOf(previous, nullptr), request.live);
+      request.irisTexts, buildOf(outline, nullptr), request.live);
   append(host->properties().diagnostics, diagnostics);
   if (host->properties().refused && !request.keepGoing) return std::nullopt;
   ShaderPack pack = emptyPack(*files, request, *host);
   pack.builds.push_back(host);
   if (!request.buildSources) return pack;
   Diagnostics found;
-  built = buildSources(request, previous, pack, found);
+  const int count = buildSources(request, scope, pack, found);
+  if (built) *built = count;
   append(found, diagnostics);
   removeDuplicates(diagnostics);
   const bool refused = std::ranges::any_of(
@@ -262,19 +213,27 @@ std::string ShaderPack::currentProfile() const {
 
 std::optional<ShaderPack> loadShaderPack(std::shared_ptr<const FileSource> source,
                                          const LoadRequest& request, Diagnostics& diagnostics) {
+  return loadShaderPack(std::move(source), request, RebuildScope(), diagnostics);
+}
+
+std::optional<ShaderPack> loadShaderPack(std::shared_ptr<const FileSource> source,
+                                         const LoadRequest& request, const RebuildScope& scope,
+                                         Diagnostics& diagnostics, int* rebuilt) {
   const auto files = readPackFiles(std::move(source), request.environment, diagnostics);
   if (!files->complete && !request.keepGoing) return std::nullopt;
-  int built = 0;
-  return buildPack(files, request, nullptr, diagnostics, built);
+  return buildPack(files, request, nullptr, scope, diagnostics, rebuilt);
 }
 
 std::optional<ShaderPack> rebuildShaderPack(const ShaderPack& previous, const LoadRequest& request,
                                             Diagnostics& diagnostics, int* rebuilt) {
-  int built = 0;
-  auto pack =
-      buildPack(previous.builds.front()->sharedFiles(), request, &previous, diagnostics, built);
-  if (rebuilt) *rebuilt = built;
-  return pack;
+  return rebuildShaderPack(previous, request, {.earlier = &previous}, diagnostics, rebuilt);
+}
+
+std::optional<ShaderPack> rebuildShaderPack(const ShaderPack& outline, const LoadRequest& request,
+                                            const RebuildScope& scope, Diagnostics& diagnostics,
+                                            int* rebuilt) {
+  return buildPack(outline.builds.front()->sharedFiles(), request, &outline, scope, diagnostics,
+                   rebuilt);
 }
 
 }  // namespace orris

@@ -3,6 +3,7 @@
 
 #include "loaded_pack.h"
 #include <orris/pack/programs/folder_build.h>
+#include <orris/pack/rebuild.h>
 
 namespace orris {
 namespace {
@@ -120,6 +121,79 @@ TEST(Rebuild, equals_a_fresh_load_for_every_option_of_our_pack) {
     SCOPED_TRACE(name + "=" + *other);
     expectSameAsFresh(source, *base, {{name, *other}});
   }
+}
+
+/// Two programs that share a file, and one beside them.
+Files sharedFile() {
+  return {{"/lib/a.glsl", "#define Q 2 // [1 2 3]\n#include \"/lib/b.glsl\"\n"},
+          {"/lib/b.glsl", "const int b = 1;\n"},
+          {"/lib/c.glsl", "const int c = 1;\n"},
+          {"/composite.fsh", "#version 330\n#include \"/lib/a.glsl\"\nvoid main() {}\n"},
+          {"/composite1.fsh", "#version 330\n#include \"/lib/a.glsl\"\nvoid main() {}\n"},
+          {"/composite1.vsh", "#version 330\nvoid main() {}\n"},
+          {"/final.fsh", "#version 330\n#include \"/lib/c.glsl\"\nfloat q = Q;\nvoid main() {}\n"},
+          {"/shaders.properties", "blend.final = off\n"}};
+}
+
+/// How many programs are built after an edit, which must give what a fresh load gives.
+int builtAfter(Files edit, const std::set<std::string>& gone = {}) {
+  Files files = sharedFile();
+  LoadRequest request = requestOf({});
+  request.keepGoing = true;
+  Diagnostics before, fresh, again;
+  const auto earlier = loadShaderPack(memorySource(files), request, before);
+  for (auto& [file, text] : edit) files[file] = std::move(text);
+  for (const std::string& file : gone) files.erase(file);
+  const auto expected = loadShaderPack(memorySource(files), request, fresh);
+  int built = -1;
+  const auto pack =
+      loadShaderPack(memorySource(files), request, {.earlier = &*earlier}, again, &built);
+  EXPECT_EQ(summary(*pack, again), summary(*expected, fresh));
+  for (std::size_t i = 0; i < expected->programs.size(); ++i) {
+    EXPECT_EQ(pack->programs[i].options, expected->programs[i].options);
+    EXPECT_EQ(pack->programs[i].incomplete, expected->programs[i].incomplete);
+    EXPECT_EQ(pack->programs[i].misnames, expected->programs[i].misnames);
+    EXPECT_EQ(pack->programs[i].blend.has_value(), expected->programs[i].blend.has_value());
+  }
+  return built;
+}
+
+TEST(RebuildAfterEdit, builds_the_programs_that_reach_the_edit) {
+  EXPECT_EQ(builtAfter({}), 0);
+  EXPECT_EQ(builtAfter({{"/lib/b.glsl", "const int b = 2;\n"}}), 2);
+  EXPECT_EQ(builtAfter({{"/lib/c.glsl", "const int c = 2;\n"}}), 1);
+  EXPECT_EQ(builtAfter({{"/lib/unused.glsl", "const int d = 2;\n"}}), 0);
+  EXPECT_EQ(builtAfter({{"/composite1.fsh", "#version 330\n#error stop\nvoid main() {}\n"}}), 1);
+}
+
+TEST(RebuildAfterEdit, notices_stages_and_files_that_come_and_go) {
+  EXPECT_EQ(builtAfter({{"/final.vsh", "#version 330\nvoid main() {}\n"}}), 1);
+  EXPECT_EQ(builtAfter({{"/deferred.fsh", "#version 330\nvoid main() {}\n"}}), 1);
+  EXPECT_EQ(builtAfter({}, {"/composite.fsh"}), 0);
+  EXPECT_EQ(builtAfter({}, {"/composite1.vsh"}), 1) << "the host's own vertex shader takes its place";
+  EXPECT_EQ(builtAfter({}, {"/lib/b.glsl"}), 2) << "both are incomplete";
+  EXPECT_EQ(builtAfter({}, {"/lib/c.glsl"}), 1);
+  EXPECT_EQ(builtAfter({{"/lib/B.glsl", "const int b = 1;\n"}}, {"/lib/b.glsl"}), 2) << "capitals";
+  EXPECT_EQ(builtAfter({{"/lib/b.glsl", "#include \"/lib/c.glsl\"\n"}}), 2);
+}
+
+TEST(RebuildAfterEdit, notices_options_and_properties) {
+  EXPECT_EQ(builtAfter({{"/lib/c.glsl", "#define Z 1 // [1 2]\n"}}), 3)
+      << "what is an option decides of what every program depends on";
+  EXPECT_EQ(builtAfter({{"/lib/a.glsl", "#define Q 3 // [1 2 3]\n#include \"/lib/b.glsl\"\n"}}), 2);
+  EXPECT_EQ(builtAfter({{"/shaders.properties", ""}}), 1) << "the blend mode is of final";
+  EXPECT_EQ(builtAfter({{"/shaders.properties", "blend.final = off\niris.features.optional = SSBO\n"}}), 3)
+      << "a feature is a macro of every program";
+}
+
+TEST(RebuildAfterEdit, builds_only_what_is_wanted) {
+  Diagnostics diagnostics;
+  const auto pack = loadShaderPack(
+      memorySource(sharedFile()), requestOf({}),
+      {.wanted = [](const ProgramEntry& entry) { return entry.name.program == "final"; }}, diagnostics);
+  ASSERT_TRUE(pack);
+  ASSERT_EQ(pack->programs.size(), 1u);
+  EXPECT_EQ(pack->programs[0].name, "final");
 }
 
 TEST(Rebuild, broken_files_do_not_hide_each_other_when_the_load_keeps_going) {

@@ -105,7 +105,8 @@ BuildContext FolderBuild::context(const IncludeGraph& graph, const FileLookup& l
 
 void FolderBuild::readProperties(const MacroDefinitions& environment, const FolderBuild* similar) {
   const bool same =
-      similar && !haveCommonName(differingOptions(files_->options, values_, similar->values_),
+      similar && similar->files_ == files_ &&
+      !haveCommonName(differingOptions(files_->options, values_, similar->values_),
                                  similar->properties_->options);
   properties_ = same ? similar->properties_
                      : std::make_shared<const PackProperties>(

@@ -26,7 +26,7 @@ struct AddedLine {
 
 class FolderBuild {
  public:
-  /// `similar`, a build of the same pack with other values, lends its properties if the values that
+  /// `similar`, a build of the same files with other values, lends its properties if the values that
   /// differ leave them as they are. `irisTexts` and `live` as in LoadRequest. Nothing is built yet.
   FolderBuild(std::shared_ptr<const PackFiles> files, std::string folder, OptionValues values,
               const MacroDefinitions& environment, bool irisTexts,
@@ -44,6 +44,7 @@ class FolderBuild {
   /// As the texts have them: a live option is the name of its uniform.
   const OptionValues& textValues() const { return textValues_; }
   bool irisTexts() const { return irisTexts_; }
+  const std::string& preludeOfVoxy() const { return voxyPrelude_; }  ///< stands before the code of Voxy's programs
   const PackProperties& properties() const { return *properties_; }
   /// Enabled programs in frame order, then name.
   const std::vector<ProgramEntry>& programs() const { return programs_; }
