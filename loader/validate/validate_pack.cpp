@@ -14,11 +14,14 @@
 #include <orris/check/rules/rules.h>
 #include <orris/core/work_stage.h>
 #include <orris/pack/files/text.h>
+#include <orris/pack/programs/folder_build.h>
+#include <orris/pack/rebuild.h>
 #include <orris/plan/schedule/auto_choices.h>
 #include <orris/plan/frame/uniforms.h>
 #include <orris/render/session/render_session.h>
 #include <orris/validate/consequences.h>
 #include <orris/validate/draw_check.h>
+#include <orris/validate/pack_outline.h>
 #include <orris/validate/patched_sources.h>
 #include <orris/validate/result_cache.h>
 
@@ -63,16 +66,27 @@ std::set<std::string> checkFrame(const ShaderPack& pack, const TargetLimits& tar
   return hasErrors(found) ? programsThatDoNotLink(input) : std::set<std::string>();
 }
 
+/// The same folder as the check before had it; nullptr: it had none.
+const ShaderPack* sameFolder(const std::vector<ShaderPack>* earlier, const ShaderPack& outline,
+                             const std::string& dimension) {
+  if (earlier == nullptr) return nullptr;
+  const std::string folder = outline.builds.front()->files().dimensions.resolve(dimension);
+  const auto found = std::ranges::find(*earlier, folder, &ShaderPack::folder);
+  return found == earlier->end() ? nullptr : &*found;
+}
+
 /// The folders under the values of `request`, from the files that `outline` was loaded from.
 std::vector<ShaderPack> makeFolders(const ShaderPack& outline,
                                     const std::vector<std::string>& dimensions,
                                     LoadRequest& request, const Checker& checker,
-                                    PackVerdict& verdict, ProblemList& problems) {
+                                    const std::vector<ShaderPack>* earlier, PackVerdict& verdict,
+                                    ProblemList& problems) {
   std::vector<ShaderPack> folders;
   std::vector<Diagnostics> found;
   for (const std::string& dimension : dimensions) {
     request.dimension = dimension;
-    auto pack = rebuildShaderPack(outline, request, found.emplace_back());
+    const RebuildScope scope{.earlier = sameFolder(earlier, outline, dimension)};
+    auto pack = rebuildShaderPack(outline, request, scope, found.emplace_back());
     // OptiFine takes a stage without #version for GLSL 1.20.
     if (!checker.target.iris)
       std::erase_if(found.back(), [](const Diagnostic& d) { return d.id == "version-missing"; });
@@ -169,39 +183,27 @@ bool knowsOptions(const ShaderPack& pack, const std::vector<std::string>& names,
   return all;
 }
 
-/// What the pack is without its sources, and how it was asked for.
-struct Outline {
-  std::optional<ShaderPack> pack;
-  LoadRequest request;
-};
-
 std::string nameOf(const HostVersions& versions) {
   return fmt::format("Iris {} and Minecraft {}", versionText(versions.iris),
                      versionText(versions.game));
 }
 
-std::optional<Outline> loadOutline(const HostVersions& versions, const ValidateOptions& options,
-                                   const Checker& checker, PackVerdict& verdict, ProblemList& problems) {
-  const auto& files = verdict.files;
-  Diagnostics diagnostics;
-  auto request = makeLoadRequest(files, options.pack, checker.environment(versions), diagnostics);
-  Outline outline;
-  if (request) {
-    request->buildSources = false;
-    request->keepGoing = true;
-    outline = {loadShaderPack(files, *request, diagnostics), *request};
-  }
-  if (!outline.pack) verdict.status = statusOf(diagnostics);
+/// nullptr: reported.
+std::shared_ptr<const PackOutline> loadOutline(const HostVersions& versions,
+                                               const ValidateOptions& options, const Checker& checker,
+                                               PackVerdict& verdict, ProblemList& problems) {
+  const bool known = checker.outline && checker.outline->files == verdict.files &&
+                     checker.outline->versions == versions;
+  const auto outline =
+      known ? checker.outline : readOutline(versions, options, checker, verdict.files);
+  Diagnostics diagnostics = outline->diagnostics;
+  if (!outline->pack) verdict.status = statusOf(diagnostics);
   problems.add(diagnostics);
-  if (!outline.pack) return std::nullopt;
-  if (!knowsOptions(*outline.pack, options.matrix.options, problems)) {
+  if (!outline->pack) return nullptr;
+  if (!knowsOptions(*outline->pack, options.matrix.options, problems)) {
     verdict.status = kUsage;
-    return std::nullopt;
+    return nullptr;
   }
-  outline.request.buildSources = true;
-  outline.request.buildModPrograms = true;
-  outline.request.irisTexts = checker.target.iris;
-  outline.request.uniformTypes = uniformTypes();
   return outline;
 }
 
@@ -224,19 +226,21 @@ void writeSources(const std::string& to, const ShaderPack& folder, PackVerdict& 
   problems.add(diagnostics);
 }
 
-void checkVersion(Outline& outline, const std::vector<std::string>& profiles,
+void checkVersion(const PackOutline& outline, const std::vector<std::string>& profiles,
                   const std::string& versions, const ValidateOptions& options, Checker& checker,
                   PackVerdict& verdict, ProblemList& problems) {
-  LoadRequest& request = outline.request;
+  LoadRequest request = outline.request;
   for (const std::string& profile : profiles) {
     checker.budget.beginChecks();
     if (!profile.empty()) request.profile = profile;
     const std::string context = profiles.size() > 1 ? "profile " + profile : "";
     const bool both = !context.empty() && !versions.empty();
     problems.setContext(context + (both ? ", " : "") + versions);
-    const std::vector<ShaderPack> folders =
+    auto& kept = checker.folders[versions];
+    kept = std::make_shared<const std::vector<ShaderPack>>(
         makeFolders(*outline.pack, chosen(options.dimensions, outline.pack->dimensions), request,
-                    checker, verdict, problems);
+                    checker, kept.get(), verdict, problems));
+    const std::vector<ShaderPack>& folders = *kept;
     for (const ShaderPack& folder : folders) {
       request.dimension = folder.folder;
       checkOne(folder, request, checker, verdict, problems);
@@ -256,7 +260,8 @@ void checkVersion(Outline& outline, const std::vector<std::string>& profiles,
 void checkPack(PackVerdict& verdict, const ValidateOptions& options, Checker& checker,
                ProblemList& problems) {
   const HostVersions newest = options.versions ? options.versions->newest : HostVersions();
-  auto outline = loadOutline(newest, options, checker, verdict, problems);
+  std::shared_ptr<const PackOutline> outline =
+      loadOutline(newest, options, checker, verdict, problems);
   if (!outline) return;
   const std::vector<HostVersions> all = versionsToCheck(*outline->pack, options);
   const std::vector<std::string> profiles =
@@ -278,7 +283,10 @@ void checkAgain(const std::shared_ptr<const FileSource>& files, const ValidateOp
   ValidateOptions same = options;
   same.matrix.kind = MatrixKind::None;
   same.patched.clear();
-  checker.glslang.clear();
+  // What nothing was reported of is as good as it was.
+  std::erase_if(checker.glslang, [&](const auto& one) {
+    return checker.quiet == nullptr || !checker.quiet->contains(one.first);
+  });
   checker.driver.clear();
   checker.quiet = nullptr;
   checker.draw = false;
@@ -334,21 +342,6 @@ PackVerdict validateFiles(const std::string& path, std::shared_ptr<const FileSou
   return verdict;
 }
 
-void compileFiles(std::shared_ptr<const FileSource> files, const ValidateOptions& options,
-                  Checker& checker, ProblemList& problems) {
-  PackVerdict verdict{.files = std::move(files)};
-  const HostVersions newest = options.versions ? options.versions->newest : HostVersions();
-  auto outline = loadOutline(newest, options, checker, verdict, problems);
-  if (!outline) return;
-  const std::vector<ShaderPack> folders = makeFolders(*outline->pack, outline->pack->dimensions,
-                                                      outline->request, checker, verdict, problems);
-  for (const ShaderPack& folder : folders) {
-    Diagnostics diagnostics;
-    checkPrograms(folder, checker, diagnostics);
-    problems.add(diagnostics);
-  }
-}
-
 PackVerdict validatePath(const std::string& path, const ValidateOptions& options,
                          const ResultCache& cache, Checker& checker, ProblemList& problems) {
   const WorkStage stage("checking", path);
@@ -364,6 +357,7 @@ PackVerdict validatePath(const std::string& path, const ValidateOptions& options
   if (key && cache.restore(*key, verdict, problems)) return verdict;
   checkPack(verdict, options, checker, problems);
   findConsequences(verdict, options, checker, checkAgain, problems);
+  checker.folders.clear();  // the next pack is another
   if (key) cache.keep(*key, verdict, problems);
   return verdict;
 }

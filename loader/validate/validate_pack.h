@@ -5,10 +5,12 @@
 //   std::cout << writeSarif(result);  // report_format.h
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include <orris/check/compile/program_check.h>
 #include <orris/check/compile/target_limits.h>
@@ -20,6 +22,8 @@
 #include <orris/validate/validate_options.h>
 
 namespace orris {
+
+struct PackOutline;
 
 /// Checks shared by all packs of a run: the driver (with --draw), and what was checked. This process
 /// never holds a context: work with the driver is done in others.
@@ -33,6 +37,10 @@ struct Checker {
   std::set<std::uint64_t>* quiet = nullptr;  ///< learns of checkWithGlslang(); may be null
   bool draw = true;  ///< a frame, with a driver
   std::chrono::seconds drawTime = kDrawTime;  ///< of the processor, for that frame
+  /// Of the check before, by versions ("": the newest); it may be of the same pack before an edit:
+  /// programs that nothing reaches that changed are taken over.
+  std::map<std::string, std::shared_ptr<const std::vector<ShaderPack>>> folders;
+  std::shared_ptr<const PackOutline> outline;  ///< of compileEdited(), for the same files
 
   MacroDefinitions environment(const HostVersions& versions) const;
   bool passed(std::uint64_t hash) const;
@@ -55,9 +63,5 @@ PackVerdict validatePath(const std::string& path, const ValidateOptions& options
 /// All of it for files that are open, as with edits that nobody has saved; `path` names them.
 PackVerdict validateFiles(const std::string& path, std::shared_ptr<const FileSource> files,
                           const ValidateOptions& options, Checker& checker, ProblemList& problems);
-
-/// Only what loading the programs of all folders and compiling them reports.
-void compileFiles(std::shared_ptr<const FileSource> files, const ValidateOptions& options,
-                  Checker& checker, ProblemList& problems);
 
 }  // namespace orris

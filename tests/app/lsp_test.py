@@ -5,10 +5,12 @@ whether it ends with the findings of `orris validate`.
 """
 import argparse
 import json
+import os
 import pathlib
 import random
 import select
 import shutil
+import signal
 import statistics
 import subprocess
 import sys
@@ -47,9 +49,9 @@ class Client:
 
     def __init__(self, orris, encodings=("utf-16",)):
         self.process = subprocess.Popen([str(orris), "lsp", "--stdio"], stdin=subprocess.PIPE,
-                                        stdout=subprocess.PIPE)
+                                        stdout=subprocess.PIPE, start_new_session=True)
         self.bytes, self.next, self.published, self.checks, self.lost = b"", 0, {}, 0, 0
-        self.versions = {}
+        self.versions, self.parts = {}, []
         self.first_news = None
         self.capabilities = self.ask("initialize", {"capabilities": {"general": {
             "positionEncodings": list(encodings)}}})["capabilities"]
@@ -79,6 +81,7 @@ class Client:
         if message.get("method") == "textDocument/publishDiagnostics":
             self.published[message["params"]["uri"]] = message["params"]["diagnostics"]
         if message.get("method") == "orris/checked":
+            self.parts.append(message["params"]["part"])
             self.first_news = self.first_news or time.monotonic()
             self.checks += message["params"]["part"] != "programs"
             self.lost += message["params"]["part"] == "lost"
@@ -109,6 +112,15 @@ class Client:
             message = self.receive(until)
             assert message is not None, "no check ended"
             self.take(message)
+
+    def next_part(self):
+        """Waits for the next part of a check; its name."""
+        seen, until = len(self.parts), time.monotonic() + TIMEOUT
+        while len(self.parts) == seen:
+            message = self.receive(until)
+            assert message is not None, "no part of a check"
+            self.take(message)
+        return self.parts[-1]
 
     def open(self, path, text=None):
         text = path.read_text() if text is None else text
@@ -191,6 +203,85 @@ def findings_come_while_typing(orris, root):
     client.settle()
     assert client.findings(root) == before and client.lost == 0
     client.end()
+
+
+def errors_of_some_programs_come_first(orris, root):
+    client, file = Client(orris), root / "shaders" / "lib" / "math.glsl"
+    # The file of more programs than are checked first.
+    for i in range(12):
+        for stage in ("vsh", "fsh"):
+            (root / "shaders" / f"composite{i + 1}.{stage}").write_text(FILES[f"composite.{stage}"])
+    client.open(file)
+    client.settle()
+    before = client.findings(root)
+
+    def errors():
+        return [one for one in client.published.get(uri_of(file), []) if one["severity"] == 1]
+
+    client.change(file, FILES["lib/math.glsl"].replace("x * 0.5", "x * 0.5 + undeclared"))
+    assert client.next_part() == "programs" and len(errors()) == 1, client.published
+    assert client.next_part() == "whole" and len(errors()) == 1, client.published
+    client.change(file, FILES["lib/math.glsl"])
+    assert client.next_part() == "programs" and not errors(), client.published
+    assert client.next_part() == "whole" and client.findings(root) == before
+    file.write_text(FILES["lib/math.glsl"] + "\n#error halted\n")
+    client.change(file, file.read_text())
+    client.settle()
+    assert client.findings(root) == validated(orris, root)
+    client.end()
+
+
+def helpers(client):
+    """Ids of the server's processes, whoever their parent is by now."""
+    found = []
+    for status in pathlib.Path("/proc").glob("[0-9]*/stat"):
+        try:
+            state, _, _, session = status.read_text().rpartition(")")[2].split()[:4]
+        except OSError:
+            continue
+        if state != "Z" and int(session) == client.process.pid and int(status.parent.name) != client.process.pid:
+            found.append(int(status.parent.name))
+    return found
+
+
+def a_check_that_is_killed_costs_its_findings_alone(orris, root):
+    client, file = Client(orris), root / "shaders" / "final.fsh"
+    client.open(file)
+    client.settle()
+    before = client.findings(root)
+    resting = helpers(client)
+    assert len(resting) == 1, resting
+    os.kill(resting[0], signal.SIGKILL)
+    client.change(file, FILES["final.fsh"] + "nonsense")
+    client.settle()
+    while client.parts[-1] == "lost":  # it was killed before its death was known
+        client.change(file, FILES["final.fsh"] + "nonsense" + " " * len(client.parts))
+        client.settle()
+    assert client.findings(root) != before
+    client.change(file, FILES["final.fsh"])
+    client.settle()
+    assert client.findings(root) == before
+    client.end()
+
+
+def no_process_is_left(orris, root):
+    other = root.parent / "other"
+    write_pack(other)
+    client = Client(orris)
+    files = [one / "shaders" / "final.fsh" for one in (root, other)]
+    for file in files:
+        client.open(file)
+        client.settle()
+        # Whose first processes have given way to others.
+        for text in ("\n", "\n\n"):
+            client.change(file, FILES["final.fsh"] + text)
+            client.settle()
+    client.change(files[0], FILES["final.fsh"])
+    client.end()
+    until = time.monotonic() + 20
+    while helpers(client) and time.monotonic() < until:
+        time.sleep(0.02)
+    assert not helpers(client)
 
 
 def names_are_explained(orris, root):
@@ -425,7 +516,8 @@ def a_thousand_edits_and_undos_end_with_the_findings_of_validate(orris, root):
 
 
 HEAVY = [a_thousand_edits_and_undos_end_with_the_findings_of_validate]
-CASES = [findings_come_while_typing, names_are_explained, definitions_are_found_across_files, names_are_completed,
+CASES = [findings_come_while_typing, errors_of_some_programs_come_first,
+         a_check_that_is_killed_costs_its_findings_alone, no_process_is_left, names_are_explained, definitions_are_found_across_files, names_are_completed,
          hints_are_edits, columns_are_counted_as_the_editor_does, nonsense_ends_nothing,
          random_edits_end_with_the_findings_of_validate]
 

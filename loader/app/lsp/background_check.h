@@ -1,48 +1,42 @@
-// Checking a pack in another process while the editor goes on: what `orris validate` reports of it.
+// Checking a pack in other processes while the editor goes on.
 #pragma once
 
 #include <sys/types.h>
 
 #include <nlohmann/json_fwd.hpp>
-#include <set>
 #include <string>
 #include <vector>
 
-#include "app/lsp/overlay_source.h"
-#include <orris/check/compile/program_check.h>
-#include <orris/validate/validate_options.h>
+#include "app/lsp/check_work.h"
 
 namespace orris {
 
-struct CheckJob {
-  std::string path;  ///< of the pack
-  Overlay overlay;
-  std::set<std::string> changed;  ///< files since the last whole check; empty: no hurry for some
-  Verdicts known;                 ///< of programs that nothing was reported of
-  ValidateOptions options;
-};
-
-/// One job at a time; the process of a job that is given up is ended.
+/// One job at a time; a new one ends the one in progress.
 class BackgroundCheck {
  public:
-  BackgroundCheck() = default;
+  /// Of the pack at `path`.
+  BackgroundCheck(std::string path, ValidateOptions options)
+      : path_(std::move(path)), options_(std::move(options)) {}
   BackgroundCheck(const BackgroundCheck&) = delete;
   BackgroundCheck& operator=(const BackgroundCheck&) = delete;
-  ~BackgroundCheck() { cancel(); }
-  void start(const CheckJob& job);
-  void cancel();
-  bool running() const { return child_ > 0; }
-  /// To be waited for; -1 while nothing runs.
-  int descriptor() const { return pipe_; }
-  /// What the process has said since: {"part": "programs", "entries": [...], "findings": [...]}, then
-  /// {"part": "whole", "findings": [...], "quiet": [...]}. {"part": "lost"} when it ended otherwise. A finding
-  /// is as in the JSON of `validate`, with its "uri" (a path), "programs", and the edit "repair".
+  ~BackgroundCheck() { stop(); }
+  /// The job gets its number here.
+  void start(CheckJob job);
+  /// Ends all processes.
+  void stop();
+  /// To be waited for; -1 where there are no processes.
+  int descriptor() const { return out_; }
+  /// What the last job has said since, as checkForEditor() does; {"part": "lost"} when it ended otherwise.
   std::vector<nlohmann::json> take();
 
  private:
-  pid_t child_ = -1;
-  int pipe_ = -1;
-  bool whole_ = false;  ///< the whole result came
+  bool open();
+
+  std::string path_;
+  ValidateOptions options_;
+  pid_t first_ = -1;  ///< its forks go on without it
+  int jobs_ = -1, out_ = -1, number_ = 0;
+  bool running_ = false;  ///< the last job has not ended
   std::string read_;
 };
 

@@ -12,9 +12,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A pack whose edits bring ever new texts: those of long ago are forgotten.
-constexpr std::size_t kMostKnown = 20000;
-
 }  // namespace
 
 std::string packRootOf(const std::string& file) {
@@ -90,17 +87,11 @@ PackKnowledge& EditedPack::knowledge() {
 PackKnowledge& EditedPack::roughKnowledge() { return knowledge_ ? *knowledge_ : knowledge(); }
 
 void EditedPack::startCheck() {
-  check.start({.path = root_,
-               .overlay = overlay_,
-               .changed = checkedOnce_ ? changed_ : std::set<std::string>(),
-               .known = known_,
-               .options = options_});
+  check.start({.overlay = overlay_, .changed = checkedOnce_ ? changed_ : std::set<std::string>()});
   waiting = false;
 }
 
-void EditedPack::learn(const nlohmann::json& whole) {
-  if (known_.size() > kMostKnown) known_.clear();
-  for (const auto& hash : whole.at("quiet")) known_[hash.get<std::uint64_t>()] = true;
+void EditedPack::checked() {
   checkedOnce_ = true;
   if (!waiting) changed_.clear();
 }

@@ -25,7 +25,7 @@ class EditedPack {
  public:
   /// `root` holds `shaders`.
   EditedPack(std::string root, ValidateOptions options)
-      : root_(std::move(root)), options_(std::move(options)) {}
+      : check(root, std::move(options)), root_(std::move(root)) {}
 
   const std::string& root() const { return root_; }
   /// The pack's path of a file below `shaders`; "" for others.
@@ -47,16 +47,15 @@ class EditedPack {
   BackgroundCheck check;
   bool waiting = false;  ///< edits have not been checked
   void startCheck();
-  void learn(const nlohmann::json& whole);
+  /// The whole pack was checked.
+  void checked();
 
  private:
   std::shared_ptr<const FileSource> open();
   std::string root_;
-  ValidateOptions options_;
   Overlay overlay_;
   std::set<std::string> changed_;  ///< since the last whole check
   bool checkedOnce_ = false;
-  Verdicts known_;
   std::unique_ptr<PackKnowledge> knowledge_;
   bool stale_ = true;
 };

@@ -3,7 +3,6 @@
 
 #include <map>
 #include <memory>
-#include <set>
 #include <string>
 
 #include <orris/core/files/file_source.h>
@@ -15,12 +14,5 @@ using Overlay = std::map<std::string, std::string>;  ///< pack path -> text
 /// A text of the overlay takes the place of the file, and may be a file that is not there.
 std::shared_ptr<const FileSource> overlaidSource(std::shared_ptr<const FileSource> files,
                                                  Overlay overlay);
-
-/// The stage files of programs that read one of the `changed` files.
-std::set<std::string> affectedStages(const FileSource& files, const std::set<std::string>& changed);
-
-/// Without the stage files that `kept` lacks.
-std::shared_ptr<const FileSource> onlyStages(std::shared_ptr<const FileSource> files,
-                                             const std::set<std::string>& kept);
 
 }  // namespace orris

@@ -141,8 +141,9 @@ void Published::showErrors(EditedPack& pack, const std::set<std::string>& stages
   for (const std::string& stage : stages) programs.insert(stage.substr(0, stage.rfind('.')));
   const auto concerns = [&](const json& finding) {
     const auto& of = finding.at("programs");
-    return finding.at("severity") == "error" && !of.empty() &&
-           std::ranges::all_of(of, [&](const json& program) { return programs.contains(program); });
+    // What is gone from one program is most likely gone from those that are checked later, too.
+    return finding.at("severity") == "error" &&
+           std::ranges::any_of(of, [&](const json& program) { return programs.contains(program); });
   };
   json kept = json::array();
   for (json& finding : findings_)

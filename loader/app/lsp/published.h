@@ -20,7 +20,7 @@ class Published {
 
   /// Of the whole pack.
   void show(EditedPack& pack, nlohmann::json findings, bool utf8, const Send& send);
-  /// Errors of these stages take the place of those shown; the rest stays.
+  /// Errors of these stages take the place of those shown that concern one of their programs; the rest stays.
   void showErrors(EditedPack& pack, const std::set<std::string>& stages, const nlohmann::json& findings,
                   bool utf8, const Send& send);
   /// Code actions for lines of a file (a path).

@@ -37,7 +37,7 @@ bool LspServer::wait() {
   std::vector<pollfd> all{{.fd = wire_.in(), .events = POLLIN, .revents = 0}};
   std::vector<Session*> checking;
   for (auto& [root, session] : sessions_) {
-    if (!session->pack.check.running()) continue;
+    if (session->pack.check.descriptor() < 0) continue;
     checking.push_back(session.get());
     all.push_back({.fd = session->pack.check.descriptor(), .events = POLLIN, .revents = 0});
   }
@@ -59,7 +59,7 @@ void LspServer::takeResults(Session& session) {
       session.published.showErrors(session.pack, message.at("entries").get<std::set<std::string>>(),
                                    message.at("findings"), utf8_, send);
     if (part == "whole") {
-      session.pack.learn(message);
+      session.pack.checked();
       session.published.show(session.pack, std::move(message.at("findings")), utf8_, send);
     }
     // Who measures or tests waits for it: findings that stay as they are are not sent again.
@@ -145,7 +145,7 @@ json LspServer::initialize(const json& parameters) {
 
 json LspServer::shutdown(const json&) {
   shutDown_ = true;
-  for (auto& [root, session] : sessions_) session->pack.check.cancel();
+  for (auto& [root, session] : sessions_) session->pack.check.stop();
   return nullptr;
 }
 
