@@ -7,7 +7,6 @@ long_session_test.py ORRIS CASE --pack P --world W  on another pack, and prints 
 
 import argparse
 import json
-import os
 import pathlib
 import random
 import re
@@ -15,20 +14,14 @@ import shutil
 import statistics
 import subprocess
 import sys
-import tempfile
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
-from view_test import read_png  # noqa: E402
+import cases
+from view_test import read_png
 
 HERE = pathlib.Path(__file__).resolve().parent
 TIMEOUT = 3600
-SKIPPED = 77
 SOURCES = (".fsh", ".vsh", ".csh", ".gsh", ".glsl", ".inc", ".h", ".properties", ".lang")
 PROBES = 50
-
-
-class Skip(Exception):
-    pass
 
 
 class Session:
@@ -46,16 +39,11 @@ class Session:
         if self.own:
             write_deep_pack(self.shaders)
 
-    def view(self, steps, backend="egl"):
+    def view(self, steps):
         """Runs the steps, which must succeed; what was written on standard error."""
         (self.folder / "script.json").write_text(json.dumps(steps, indent=1))
-        environment = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
-        process = subprocess.run(
-            [str(word) for word in [self.orris, "view", "pack", self.world, "--size", f"{self.width}x{self.height}",
-                                    "--backend", backend, "--script", "script.json", "--quiet"]],
-            cwd=self.folder, env=environment, capture_output=True, text=True, errors="replace", timeout=TIMEOUT)
-        if process.returncode == 3 and "EGL" in process.stderr:
-            raise Skip("no EGL context here")
+        process = cases.view([self.orris, "view", "pack", self.world, "--size", f"{self.width}x{self.height}",
+                              "--backend", "egl", "--script", "script.json", "--quiet"], self.folder, TIMEOUT)
         assert process.returncode == 0, (process.returncode, process.stderr[-4000:])
         return process.stderr
 
@@ -90,10 +78,10 @@ def deep_edit(session):
     """A file three includes deep and what to replace in it, so that the picture changes."""
     if session.own:
         return session.shaders / "lib" / "deep.glsl", "GAIN * 1.00", "GAIN * 0.{:02}"
-    found = [path for path in session.sources() if "\nvec3 sky_ambient(" in path.read_text(errors="replace")]
-    assert found, "edits_reach_the_picture_soon knows the test's own pack and the reference pack"
-    path = found[0]
-    return path, "\nvec3 sky_ambient(", "\n#define EDITED 0.{:02}\nvec3 sky_ambient("
+    path, text = session.shaders / "include" / "sky" / "sky.glsl", "return dome * mix(0.33,"
+    assert path.is_file() and text in path.read_text(), \
+        "edits_reach_the_picture_soon knows the test's own pack and the reference pack"
+    return path, text, "return dome * mix(0.{:02},"
 
 
 def edits_reach_the_picture_soon(session):
@@ -283,8 +271,7 @@ CASES = [edits_reach_the_picture_soon, everything_is_used, reloads_keep_the_memo
 
 
 def main():
-    if sys.argv[1:] == ["--list"]:
-        print("\n".join(case.__name__ for case in CASES))
+    if cases.lists(CASES):
         return 0
     parser = argparse.ArgumentParser()
     parser.add_argument("orris")
@@ -295,16 +282,7 @@ def main():
     parser.add_argument("--count", type=int, default=0)
     parser.add_argument("--keep", help="folder that keeps the pictures")
     arguments = parser.parse_args()
-    case = next(case for case in CASES if case.__name__ == arguments.case)
-    with tempfile.TemporaryDirectory() as name:
-        folder = pathlib.Path(arguments.keep or name).resolve()
-        folder.mkdir(exist_ok=True, parents=True)
-        try:
-            case(Session(arguments, folder))
-        except Skip as reason:
-            print(f"skipped: {reason}")
-            return SKIPPED
-    return 0
+    return cases.run(CASES, arguments.case, lambda folder: Session(arguments, folder), arguments.keep)
 
 
 if __name__ == "__main__":

@@ -10,20 +10,14 @@ import pathlib
 import shutil
 import subprocess
 import sys
-import tempfile
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
-from view_test import mean, read_png, share_within_one  # noqa: E402
+import cases
+from view_test import mean, read_png, share_within_one
 
 HERE = pathlib.Path(__file__).resolve().parent
 TIMEOUT = 120
-SKIPPED = 77
 BREAK = {"replace": "pack/shaders/lib/tint.glsl", "old": "vec3 tinted(", "new": "vec3 tinted(;"}
 REPAIR = {"replace": "pack/shaders/lib/tint.glsl", "old": "vec3 tinted(;", "new": "vec3 tinted("}
-
-
-class Skip(Exception):
-    pass
 
 
 class Test:
@@ -36,13 +30,8 @@ class Test:
     def view(self, steps, status=0, *arguments):
         """Runs the steps; the finished process."""
         (self.folder / "script.json").write_text(json.dumps(steps, indent=1))
-        environment = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
-        process = subprocess.run(
-            [str(word) for word in [self.orris, "view", "pack", HERE / "world", "--size", "320x240",
-                                    "--backend", "egl", "--script", "script.json", *arguments]],
-            cwd=self.folder, env=environment, capture_output=True, text=True, timeout=TIMEOUT)
-        if process.returncode == 3 and "EGL" in process.stderr:
-            raise Skip("no EGL context here")
+        process = cases.view([self.orris, "view", "pack", HERE / "world", "--size", "320x240", "--backend", "egl",
+                              "--script", "script.json", *arguments], self.folder, TIMEOUT)
         assert process.returncode == status, (process.returncode, process.stderr, process.stdout)
         return process
 
@@ -342,8 +331,16 @@ def error_is_opened_in_the_editor(test):
     assert opened == f"+3 {test.folder.resolve()}/pack/shaders/lib/tint.glsl\n", opened
 
 
+def load_for_longer_than_a_frame(test):
+    """Gives the file that is edited a text that takes long to read."""
+    tint = test.folder / "pack" / "shaders" / "lib" / "tint.glsl"
+    lines = (f"float long{i}(float x) {{ return x * {i}.0 + sin(x) * (x - {i}.5) / max(x, {i}.0); }}\n" for i in range(3000))
+    tint.write_text(tint.read_text() + "".join(lines))
+
+
 def frames_go_on_while_an_edit_is_loaded(test):
     """The attempt begins before one frame and ends before a later one, for a good edit and for a bad one."""
+    load_for_longer_than_a_frame(test)
     for damage, repair, good in ((BREAK, REPAIR, False),
                                  ({"replace": "pack/shaders/lib/tint.glsl", "old": "color;", "new": "color * 0.5;"},
                                   {"replace": "pack/shaders/lib/tint.glsl", "old": "color * 0.5;", "new": "color;"},
@@ -351,11 +348,11 @@ def frames_go_on_while_an_edit_is_loaded(test):
         test.view([{"frames": 2}, damage, {"until": {"/load/cause": "tint.glsl changed"}},
                    {"expect": {"/load/succeeded": good, "/load/frames": {"min": 1}, "/doing": "",
                                "/load/longestFrame": {"min": 0.0001}}}, repair,
-                   {"until": {"/load/succeeded": True, "/loads": 3}},
-                   {"expect": {"/load/frames": {"min": 1}, "/glErrors": 0}}])
+                   {"until": {"/load/succeeded": True, "/loads": 3}}, {"expect": {"/glErrors": 0}}])
 
 
 def what_a_step_asks_for_waits_for_an_edit_in_progress(test):
+    load_for_longer_than_a_frame(test)
     test.view([{"frames": 2}, {"replace": "pack/shaders/lib/tint.glsl", "old": "color;", "new": "color * 0.5;"},
                {"until": {"/doing": "tint.glsl changed"}}, {"set": {"TINT": "2"}},
                {"expect": {"/loads": 3, "/load/cause": "TINT=2", "/load/succeeded": True, "/doing": ""}}])
@@ -547,18 +544,10 @@ CASES = [a_mistake_in_a_shared_file_is_one_problem, the_last_program_may_change_
 
 
 def main():
-    if sys.argv[1:] == ["--list"]:
-        print("\n".join(case.__name__ for case in CASES))
+    if cases.lists(CASES):
         return 0
     orris, name = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2]
-    case = next(case for case in CASES if case.__name__ == name)
-    with tempfile.TemporaryDirectory() as folder:
-        try:
-            case(Test(orris, pathlib.Path(folder)))
-        except Skip as reason:
-            print(f"skipped: {reason}")
-            return SKIPPED
-    return 0
+    return cases.run(CASES, name, lambda folder: Test(orris, folder))
 
 
 if __name__ == "__main__":

@@ -12,19 +12,15 @@ import signal
 import struct
 import subprocess
 import sys
-import tempfile
 import threading
 import time
 import zlib
 
+import cases
+
 HERE = pathlib.Path(__file__).resolve().parent
 WIDTH, HEIGHT = 160, 120
 TIMEOUT = 60
-SKIPPED = 77
-
-
-class Skip(Exception):
-    pass
 
 
 def read_png(path):
@@ -100,7 +96,7 @@ class Display:
 
     def __init__(self, folder):
         if shutil.which("Xvfb") is None:
-            raise Skip("Xvfb is not installed")
+            raise cases.Skip("Xvfb is not installed")
         read_end, write_end = os.pipe()
         command = ["Xvfb", "-displayfd", str(write_end), "-screen", "0", "800x600x24",
                    "-fbdir", str(folder), "-nolisten", "tcp"]
@@ -200,7 +196,7 @@ class Test:
     def tell_display(self, *arguments):
         """Keys and mouse, through xdotool."""
         if shutil.which("xdotool") is None:
-            raise Skip("xdotool is not installed")
+            raise cases.Skip("xdotool is not installed")
         environment = dict(os.environ, DISPLAY=self.display.name)
         subprocess.run(["xdotool", *arguments], env=environment, check=True, timeout=TIMEOUT,
                        stdout=subprocess.DEVNULL)
@@ -407,7 +403,7 @@ def keys_and_mouse_fly(test):
 
 
 def ends_by_the_window_needing_a_display(test):
-    environment = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
+    environment = cases.without_display()
     process = subprocess.run([test.orris, "view", test.pack, HERE / "world"], env=environment,
                              stderr=subprocess.PIPE, text=True, timeout=TIMEOUT)
     assert process.returncode == 3, process
@@ -435,26 +431,15 @@ CASES = [worlds_are_remembered, shows_what_render_draws, window_shows_the_screen
 
 
 def main():
-    if sys.argv[1:] == ["--list"]:
-        print("\n".join(case.__name__ for case in CASES))
+    if cases.lists(CASES):
         return 0
     orris, name = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2]
-    case = next(case for case in CASES if case.__name__ == name)
-    with tempfile.TemporaryDirectory() as folder:
-        os.environ["XDG_STATE_HOME"] = folder
-        try:
-            test = Test(orris, pathlib.Path(folder))
-        except Skip as reason:
-            print(f"skipped: {reason}")
-            return SKIPPED
-        try:
-            case(test)
-        except Skip as reason:
-            print(f"skipped: {reason}")
-            return SKIPPED
-        finally:
-            test.stop()
-    return 0
+
+    def prepare(folder):
+        os.environ["XDG_STATE_HOME"] = str(folder)
+        return Test(orris, folder)
+
+    return cases.run(CASES, name, prepare)
 
 
 if __name__ == "__main__":
