@@ -1,5 +1,6 @@
 #include <orris/render/session/background_load.h>
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -27,8 +28,11 @@ BackgroundLoad::BackgroundLoad(LoadRequest request, PackLoader load, AutoChoices
         return result;
       })) {}
 
-bool BackgroundLoad::ready() const {
-  return result_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+bool BackgroundLoad::readyWithin(double seconds) const {
+  // No time of a clock is as far away as infinity.
+  constexpr double kMost = 1e6;
+  const std::chrono::duration<double> time(std::min(seconds, kMost));
+  return result_.wait_for(time) == std::future_status::ready;
 }
 
 }  // namespace orris

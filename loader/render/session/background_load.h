@@ -28,7 +28,8 @@ class BackgroundLoad {
   /// Begins at once. The destructor waits. `guess`: what options that are AUTO will probably become, so
   /// that no second load is needed where they do.
   BackgroundLoad(LoadRequest request, PackLoader load, AutoChoices guess);
-  bool ready() const;
+  /// Waits for so many seconds at most.
+  bool readyWithin(double seconds) const;
   void wait() const { result_.wait(); }
   /// Waits, too; once.
   Result take() { return result_.get(); }

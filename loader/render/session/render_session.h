@@ -69,7 +69,8 @@ class RenderSession {
   /// stays until advance() ends the change. One at a time; the functions above wait for it.
   void begin(const std::string& cause, PackLoader load);
   bool changing() const { return change_ != nullptr; }
-  /// Between frames: builds programs for about so many seconds, at least one, once the pack is loaded.
+  /// Between frames: waits for the load for so many seconds at most; once it is there, builds programs for
+  /// about as many, at least one.
   /// How the change ended, nullopt while it goes on and when there is none.
   std::optional<bool> advance(double seconds, Diagnostics& diagnostics);
   /// The same without frames in between.

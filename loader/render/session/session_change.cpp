@@ -24,13 +24,14 @@ void RenderSession::begin(const std::string& cause, PackLoader load) {
 std::optional<bool> RenderSession::advance(double seconds, Diagnostics& diagnostics) {
   if (ended_) return std::exchange(ended_, std::nullopt);
   if (!change_) return std::nullopt;
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point began = Clock::now();
   if (!change_->pack) {
-    if (!change_->load->ready()) return std::nullopt;
+    // A frame drawn meanwhile would take the processors that the load needs, and come before what it brings.
+    if (!change_->load->readyWithin(seconds)) return std::nullopt;
     if (!takeLoaded()) return endChange(false, diagnostics);
     if (!change_->pack) return std::nullopt;
   }
-  using Clock = std::chrono::steady_clock;
-  const Clock::time_point began = Clock::now();
   while (renderer_->buildAhead(change_->pack, scene_, change_->report, change_->problems))
     if (std::chrono::duration<double>(Clock::now() - began).count() >= seconds) return std::nullopt;
   return endChange(!hasErrors(change_->problems), diagnostics);

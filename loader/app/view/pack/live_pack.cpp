@@ -13,6 +13,7 @@
 #include <orris/core/files/replace_file.h>
 #include <orris/pack/programs/folder_build.h>
 #include <orris/pack/programs/live_check.h>
+#include <orris/pack/rebuild.h>
 #include <orris/report/problem_list.h>
 
 namespace orris {
@@ -85,7 +86,8 @@ PackOptions LivePack::optionsNow() const {
 PackLoader LivePack::readingAgain(bool withOptionFile) const {
   PackOptions options = optionsNow();
   if (!withOptionFile) options.settingsFile.clear();
-  return [options, environment = environmentFor(context_.driver(), options_.versions)](
+  return [options, environment = environmentFor(context_.driver(), options_.versions),
+          asked = session_->sharedAsked()](
              LoadRequest& request, Diagnostics& diagnostics) -> std::shared_ptr<const ShaderPack> {
     const std::shared_ptr<const FileSource> files = openPack(options.path, diagnostics);
     if (!files) return nullptr;
@@ -93,7 +95,7 @@ PackLoader LivePack::readingAgain(bool withOptionFile) const {
     if (!choices) return nullptr;
     request.fileValues = choices->fileValues;
     request.live.clear();
-    return shared(loadShaderPack(files, request, diagnostics));
+    return shared(loadShaderPack(files, request, {.earlier = asked.get()}, diagnostics));
   };
 }
 
