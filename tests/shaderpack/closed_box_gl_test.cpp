@@ -28,7 +28,7 @@ void evenGlow(PackTexts& files) {
 /// The same without rays to lamps: then all rays into the hemisphere agree, and nothing is noisy.
 void evenGlowByHemisphere(PackTexts& files) {
   evenGlow(files);
-  replaceOnce(files["/include/gi/lamp_sample.glsl"], "return sampled / (sampled + max(cosine, 1e-6) / pi);",
+  replaceOnce(files["/include/lights/lamp_sample.glsl"], "return sampled / (sampled + max(cosine, 1e-6) / pi);",
               "return 0.0;");
 }
 

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/commands.h"
-#include "app/report/report.h"
+#include "app/output/report.h"
 #include <orris/image/image.h>
 #include <orris/image/image_compare.h>
 #include <orris/image/mask_compare.h>

@@ -11,7 +11,7 @@
 
 #include "app/commands/commands.h"
 #include "app/input/shipped_worlds.h"
-#include "app/report/report.h"
+#include "app/output/report.h"
 #include <orris/check/workers/sandbox.h>
 #include <orris/image/codecs/image_codecs.h>
 #include <orris/validate/driver_check.h>

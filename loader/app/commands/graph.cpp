@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "app/input/inputs.h"
-#include "app/report/child_process.h"
+#include "app/output/child_process.h"
 #include <orris/check/graph/pass_graph.h>
 
 namespace orris {

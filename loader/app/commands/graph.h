@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "app/report/report.h"
+#include "app/output/report.h"
 #include <orris/pack/shader_pack.h>
 
 namespace orris {

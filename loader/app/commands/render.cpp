@@ -13,7 +13,7 @@
 #include "app/commands/render_output.h"
 #include "app/drawing/supervised_run.h"
 #include "app/input/inputs.h"
-#include "app/report/progress.h"
+#include "app/output/progress.h"
 #include <orris/check/compile/program_check.h>
 #include <orris/render/inspect/counters.h>
 #include <orris/render/session/render_session.h>

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/input/shown_buffer.h"
-#include "app/report/report.h"
+#include "app/output/report.h"
 #include <orris/render/session/render_session.h>
 
 namespace orris {

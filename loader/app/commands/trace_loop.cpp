@@ -6,7 +6,7 @@
 #include <cmath>
 #include <csignal>
 
-#include "app/report/progress.h"
+#include "app/output/progress.h"
 #include <orris/image/image.h>
 #include <orris/trace/film/checkpoint.h>
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "app/report/report.h"
+#include "app/output/report.h"
 #include <orris/trace/film/trace_run.h>
 
 namespace orris {

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "app/input/common.h"
-#include "app/report/report.h"
+#include "app/output/report.h"
 #include <orris/trace/reference_scene.h>
 
 namespace orris {

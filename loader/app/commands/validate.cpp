@@ -6,8 +6,8 @@
 #include "app/commands/commands.h"
 #include "app/commands/explain.h"
 #include "app/input/folder_config.h"
-#include "app/report/progress.h"
-#include "app/report/report_output.h"
+#include "app/output/progress.h"
+#include "app/output/report_output.h"
 #include "app/validate/validate_flags.h"
 #include <orris/core/files/pack_search.h>
 #include <orris/validate/result_cache.h>

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/input/common.h"
-#include "app/report/report.h"
+#include "app/output/report.h"
 #include <orris/world/world.h>
 
 namespace orris {

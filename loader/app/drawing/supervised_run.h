@@ -9,7 +9,7 @@
 #include <string>
 
 #include "app/drawing/output_broker.h"
-#include "app/report/report.h"
+#include "app/output/report.h"
 #include <orris/gl/context.h>
 
 namespace CLI {

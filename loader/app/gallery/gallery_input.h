@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/gallery/gallery_options.h"
-#include "app/report/report.h"
+#include "app/output/report.h"
 #include <orris/chart/gallery/gallery_set.h>
 #include <orris/core/files/file_source.h>
 #include <orris/gl/context.h>

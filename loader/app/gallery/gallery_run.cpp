@@ -7,7 +7,7 @@
 
 #include "app/gallery/gallery_files.h"
 #include "app/input/inputs.h"
-#include "app/report/progress.h"
+#include "app/output/progress.h"
 #include <orris/chart/gallery/gallery_page.h>
 #include <orris/image/encode_png.h>
 

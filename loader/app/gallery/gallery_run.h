@@ -4,7 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "app/gallery/gallery_options.h"
-#include "app/report/report.h"
+#include "app/output/report.h"
 
 namespace orris {
 

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "app/input/common.h"
-#include "app/report/report.h"
+#include "app/output/report.h"
 #include <orris/core/files/file_source.h>
 #include <orris/pack/shader_pack.h>
 #include <orris/world/world.h>

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "app/input/inputs.h"
-#include "app/report/child_process.h"
+#include "app/output/child_process.h"
 #include <orris/chart/page/chart_page.h>
 #include <orris/chart/page/chart_text.h>
 

@@ -1,7 +1,7 @@
 // What `orris chart` leaves in its folder: tables, plots, the page.
 #pragma once
 
-#include "app/report/report.h"
+#include "app/output/report.h"
 #include <orris/chart/page/chart_data.h>
 #include <orris/chart/study/study_files.h>
 

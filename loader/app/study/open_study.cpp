@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "app/input/inputs.h"
-#include "app/report/progress.h"
+#include "app/output/progress.h"
 
 namespace orris {
 namespace {

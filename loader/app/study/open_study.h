@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "app/report/report.h"
+#include "app/output/report.h"
 #include "app/study/study_options.h"
 #include <orris/chart/study/study.h>
 

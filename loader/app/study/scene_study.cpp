@@ -9,7 +9,7 @@
 #include "app/commands/trace_loop.h"
 #include "app/commands/trace_scene_input.h"
 #include "app/input/inputs.h"
-#include "app/report/progress.h"
+#include "app/output/progress.h"
 #include "app/study/open_study.h"
 #include <orris/chart/scenes/row_meter.h>
 #include <orris/trace/edge_pixels.h>

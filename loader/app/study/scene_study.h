@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/report/report.h"
+#include "app/output/report.h"
 #include "app/study/study_options.h"
 
 namespace orris {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/input/common.h"
-#include "app/report/report_options.h"
+#include "app/output/report_options.h"
 #include "app/validate/matrix_options.h"
 #include <orris/validate/validate_options.h>
 

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "app/input/common.h"
-#include "app/report/report.h"
+#include "app/output/report.h"
 #include "app/view/files/background_watch.h"
 #include "app/view/pack/buffer_inspector.h"
 #include "app/view/pack/live_pack.h"

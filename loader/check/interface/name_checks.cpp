@@ -7,7 +7,7 @@
 #include <orris/check/interface/declaration_checks.h>
 #include <orris/check/interface/glsl_types.h>
 #include <orris/check/interface/known_names.h>
-#include <orris/check/interface/sampler_facts.h>
+#include <orris/check/interface/sampler_checks.h>
 #include <orris/check/pack/pack_texts.h>
 #include <orris/pack/files/text.h>
 

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "app/input/common.h"
-#include "app/report/report.h"
+#include "app/output/report.h"
 #include <orris/gl/context.h>
 #include <orris/render/session/render_session.h>
 

@@ -13,7 +13,7 @@ layout(r32ui) uniform readonly uimage2D face_memory;
 
 #define READ_VOXELS
 const int lamp_candidates = 16;
-#include "/include/gi/lamp_sample.glsl"
+#include "/include/lights/lamp_sample.glsl"
 #include "/include/gi/leaves.glsl"
 #include "/include/math/half.glsl"
 

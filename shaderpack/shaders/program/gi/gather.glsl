@@ -48,7 +48,7 @@ uniform sampler2D colortex8;
 layout(r32ui) uniform readonly uimage2D face_list;
 layout(r32ui) uniform readonly uimage2D face_tally;
 const int lamp_candidates = 4;
-#include "/include/gi/lamp_sample.glsl"
+#include "/include/lights/lamp_sample.glsl"
 #endif
 
 #if LAMPS

@@ -1,4 +1,4 @@
-#include "app/report/report.h"
+#include "app/output/report.h"
 
 #include <fmt/format.h>
 

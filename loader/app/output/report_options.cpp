@@ -1,4 +1,4 @@
-#include "app/report/report_options.h"
+#include "app/output/report_options.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // Where the reports of `orris validate` go: standard output, standard error and files.
 #pragma once
 
-#include "app/report/report.h"
-#include "app/report/report_options.h"
+#include "app/output/report.h"
+#include "app/output/report_options.h"
 #include <orris/report/report_format.h>
 
 namespace orris {

@@ -1,4 +1,4 @@
-#include <orris/check/interface/sampler_facts.h>
+#include <orris/check/interface/sampler_checks.h>
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "app/report/report_output.h"
+#include "app/output/report_output.h"
 
 #include <fmt/format.h>
 #include <unistd.h>

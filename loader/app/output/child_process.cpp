@@ -1,4 +1,4 @@
-#include "app/report/child_process.h"
+#include "app/output/child_process.h"
 
 #include <fcntl.h>
 #include <signal.h>

@@ -2,8 +2,8 @@
 // hemisphere find lamps too, near ones more surely: both count a share of each, by the balance
 // heuristic (Veach & Guibas 1995), and together all of it. The images face_list and face_tally belong to
 // the program, and lamp_candidates: how many lamps are looked at for each that gets a ray; all if there are no more.
-#if !defined INCLUDED_GI_LAMP_SAMPLE
-#define INCLUDED_GI_LAMP_SAMPLE
+#if !defined INCLUDED_LIGHTS_LAMP_SAMPLE
+#define INCLUDED_LIGHTS_LAMP_SAMPLE
 
 #include "/include/face_cache/face_cache.glsl"
 #include "/include/gi/hit.glsl"
