@@ -146,5 +146,12 @@ TEST(LanguageCover, what_the_screens_show_without_a_text_is_one_finding) {
   EXPECT_THAT(checkedLanguage(checkLanguageCover, "", "/lang/de_de.lang"), IsEmpty());
 }
 
+TEST(LanguageCover, profiles_that_no_screen_offers_need_no_text) {
+  EXPECT_THAT(found(checkLanguageCover, {{"/settings.glsl", kLanguageOptions},
+                                         {"/shaders.properties", "profile.HIGH = WATER_FOG\n"},
+                                         {"/lang/en_us.lang", "option.MODE=a\n"}}),
+              IsEmpty());
+}
+
 }  // namespace
 }  // namespace orris

@@ -42,6 +42,7 @@ TEST(IdMapTable, blocks) {
       {"block.1=mod:lamp:lit=true", "mod:lamp", {{"lit", "true"}}, 1},
       {"block.1=lamp:lit=true:on=1", "minecraft:lamp", {{"lit", "true"}, {"on", "2"}}, -1},
       {"block.1=lamp:lit=true,false", "minecraft:lamp", {{"lit", "false"}}, 1},
+      {"block.1=lamp:lit=true:lit=false", "minecraft:lamp", {{"lit", "false"}}, 1},
       {"block.1=lamp:age=1,2", "minecraft:lamp", {{"age", "3"}}, -1},
       // The first that fits counts; of a key the last line, at the place of the first.
       {"block.1=lamp\nblock.2=lamp:lit=true", "minecraft:lamp", {{"lit", "true"}}, 1},

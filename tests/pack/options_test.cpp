@@ -125,8 +125,8 @@ TEST(Options, a_third_line_brings_an_ambiguous_option_back) {
   EXPECT_EQ(options.find("A")->at.size(), 3u);
   ASSERT_EQ(diagnostics.size(), 1u);
   EXPECT_EQ(diagnostics[0].message,
-            "A is false here and true in /a.glsl:1, so Iris drops it at the second line that it "
-            "meets and takes false back at a later one");
+            "A is false here and true in /a.glsl:1, so Iris drops it where two differ and takes "
+            "false back at a later line");
   EXPECT_EQ(diagnostics[0].severity, Severity::Warning);
 }
 

@@ -82,6 +82,7 @@ class BlockCheck {
       std::vector<std::string> numbers;
       BlockFilter filter = parseBlockFilter(word.text, 0, numbers);
       checkStates(filter, word);
+      keepLastProperties(filter);
       // None says what its author meant: they are reported as what they are.
       if (isMisspelt(filter, word, entry)) continue;
       if (!filter.isTag && !isIdentifier(filter.name)) noIdentifiers_.push_back(word);

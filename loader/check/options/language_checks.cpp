@@ -313,8 +313,11 @@ void checkLanguageCover(std::span<const ShaderPack> folders, Diagnostics& diagno
     return !key.empty() && !english->second.contains(key);
   };
   Missing texts(diagnostics);
+  const bool profiles = std::ranges::any_of(pack.properties.screens, [](const Screen& screen) {
+    return std::ranges::find(screen.entries, "<profile>") != screen.entries.end();
+  });
   for (const PropertyEntry& entry : originalProperties(pack)) {
-    if (entry.key.starts_with("profile.") && missing(entry.key))
+    if (profiles && entry.key.starts_with("profile.") && missing(entry.key))
       texts.add(propertyDiagnostic(Severity::Warning, "language-missing", entry, ""), entry.key);
     if (!isScreenKey(entry.key)) continue;
     for (const PropertyWord& word : locatedWords(entry)) {

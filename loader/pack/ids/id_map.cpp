@@ -136,6 +136,7 @@ void addFilters(const PropertyEntry& entry, int id, BlockIdMap& map, NumberedSta
   for (const PropertyWord& word : locatedWords(entry)) {
     std::vector<std::string> badParts;
     map.filters.push_back(parseBlockFilter(word.text, id, badParts));
+    keepLastProperties(map.filters.back());
     if (badParts.empty()) continue;
     const std::string more =
         badParts.size() == 1 ? " is" : fmt::format(" and {} more are", badParts.size() - 1);
@@ -173,6 +174,16 @@ BlockFilter parseBlockFilter(std::string_view word, int id, std::vector<std::str
     filter.properties.emplace_back(parts[i].substr(0, equals), std::move(values));
   }
   return filter;
+}
+
+// Iris: BlockEntry.parse, a map by name.
+void keepLastProperties(BlockFilter& filter) {
+  decltype(filter.properties) kept;
+  for (auto& property : filter.properties) {
+    std::erase_if(kept, [&](const auto& before) { return before.first == property.first; });
+    kept.push_back(std::move(property));
+  }
+  filter.properties = std::move(kept);
 }
 
 int BlockIdMap::idOf(const std::string& name,

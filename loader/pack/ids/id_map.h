@@ -31,6 +31,8 @@ struct BlockIdMap {
 /// "[%][ns:]name[:property=value...]", a word of a block.<id> line. A part that is no property=value
 /// is left out and added to `badParts`.
 BlockFilter parseBlockFilter(std::string_view word, int id, std::vector<std::string>& badParts);
+/// Of a property given twice the last counts.
+void keepLastProperties(BlockFilter& filter);
 
 /// `text` is already preprocessed, `original` is what the author wrote, line by line the same.
 BlockIdMap parseBlockProperties(const std::string& file, const std::string& text,

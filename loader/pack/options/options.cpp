@@ -98,7 +98,7 @@ class Merger {
                     first.line.value, first.at.file, first.at.line);
     const std::string takenBack =
         kept ? fmt::format(
-                   ", so Iris drops it at the second line that it meets and takes {} back at a later one",
+                   ", so Iris drops it where two differ and takes {} back at a later line",
                    kept->defaultValue)
              : ", so it is no option";
     diagnostics_.push_back({.severity = kept ? Severity::Warning : Severity::Note,
