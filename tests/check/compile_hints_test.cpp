@@ -353,8 +353,8 @@ TEST(FileNames, only_slips_are_warnings) {
                   "go from composite1 to composite99, the first is composite",
                   "/compsite3.fsh: warning: no program is called compsite3 | did you mean "
                   "composite3?",
-                  "/gbuffers_hand.vsh: warning: the program has no gbuffers_hand.fsh, so no "
-                  "host reads it | add the fragment stage, or delete this file",
+                  "/gbuffers_hand.vsh: warning: without a gbuffers_hand.fsh no host "
+                  "makes a program of it | add the fragment stage, or delete this file",
                   "/gbuffers_watter.fsh: warning: no program is called gbuffers_watter | did "
                   "you mean gbuffers_water?",
                   "/setup_a.csh: warning: Iris never runs setup_a: programs of setup have numbers, "

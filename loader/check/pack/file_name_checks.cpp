@@ -131,7 +131,7 @@ class FileNames {
     const std::string fragment = path.substr(0, path.size() - 3) + "fsh";
     if (pack_.source->contains(fragment)) return;
     report(Severity::Warning, "program-file-alone", path,
-           fmt::format("the program has no {}, so no host reads it",
+           fmt::format("without a {} no host makes a program of it",
                        fragment.substr(fragment.rfind('/') + 1)),
            "add the fragment stage, or delete this file");
   }
