@@ -302,30 +302,30 @@ TEST(CompileHints, includes_that_no_line_of_a_common_file_replaces_are_reported_
                                         "#include \"/two.glsl\"")));
 }
 
-TEST(CompileHints, a_stub_without_main_lacks_what_those_of_its_name_include) {
-  const std::string stub = kVersion + "#define X\n#include \"/program/composite.glsl\"\n";
+TEST(CompileHints, a_stage_without_main_lacks_what_those_of_its_name_include) {
+  const std::string including = kVersion + "#define X\n#include \"/program/composite.glsl\"\n";
   const Lines lines =
       compile({{"/program/composite.glsl", "void main() { gl_FragColor = vec4(1.0); }\n"},
                {"/composite.fsh", kVersion + "#define X\n\n"},
-               {"/world1/composite.fsh", stub},
+               {"/world1/composite.fsh", including},
                {"/world1/composite.vsh", kVertexStage}});
   EXPECT_THAT(lines, Contains("/composite.fsh:3: error: the stage has no main(): an #include seems "
                               "to be missing here | #include \"/program/composite.glsl\""));
 }
 
-TEST(CompileHints, a_stub_is_not_offered_the_main_of_another_program) {
-  const auto stub = [](const std::string& name) {
+TEST(CompileHints, a_stage_is_not_offered_the_main_of_another_program) {
+  const auto including = [](const std::string& name) {
     return kVersion + "#include \"/program/" + name + ".glsl\"\n";
   };
   const std::string main = "void main() { gl_FragColor = vec4(1.0); }\n";
   const auto lines = compile({{"/program/gbuffers_water.glsl", main},
-                              {"/world1/gbuffers_water.fsh", stub("gbuffers_water")},
+                              {"/world1/gbuffers_water.fsh", including("gbuffers_water")},
                               {"/world1/gbuffers_water.vsh", kVertexStage},
                               {"/composite.fsh", kVersion + "#define X\n\n"}});
   EXPECT_THAT(lines, testing::Not(Contains(HasSubstr("#include \"/program"))));
 }
 
-TEST(CompileHints, a_stub_without_its_program_is_located) {
+TEST(CompileHints, a_stage_without_its_program_is_located) {
   EXPECT_THAT(compile({{"/composite.fsh", kVersion + "#define X\n\n"}}),
               Contains(HasSubstr("Missing entry point")));
 }

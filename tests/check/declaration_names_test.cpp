@@ -149,6 +149,20 @@ TEST(Types, samplers_and_formats) {
           "which is not compared"));
 }
 
+TEST(Types, hardware_samplers_are_bound_where_shadow_maps_are_compared) {
+  const auto reads = [](const std::string& first) {
+    return messages(fragmentOf(first + "uniform sampler2DShadow shadowtex0HW, shadowtex1HW;\nvoid main() { "
+                                       "gl_FragColor = vec4(texture(shadowtex0HW, vec3(0))); }",
+                               "iris.features.required=SEPARATE_HARDWARE_SAMPLERS\n"),
+                    "iris", true);
+  };
+  EXPECT_THAT(reads(""), ElementsAre("sampler-type /composite.fsh:2:25: warning: shadowtex0HW is bound only "
+                                     "where shadow maps are compared",
+                                     "sampler-type /composite.fsh:2:39: note: shadowtex1HW is bound only "
+                                     "where shadow maps are compared"));
+  EXPECT_THAT(reads("const bool shadowHardwareFiltering = true;\n"), IsEmpty());
+}
+
 TEST(Types, an_image_instead_of_a_buffer_is_flat) {
   EXPECT_THAT(messages(fragmentOf("uniform samplerCube colortex4;\nvoid main() { gl_FragColor = "
                                   "texture(colortex4, vec3(0)); }",
@@ -178,6 +192,20 @@ TEST(Types, custom_images_and_their_samplers_have_the_type_of_their_format) {
                   "format is R32UI",
                   "sampler-format /composite.fsh:3:19: warning: sampler3D cannot read cellSampler, "
                   "whose format is R32UI"));
+}
+
+TEST(Types, integer_images_of_one_float_are_a_note) {
+  EXPECT_THAT(
+      messages(fragmentOf("/*\nconst int colortex4Format = R32F;\nconst int colortex5Format = RG32F;\n"
+                          "*/\nlayout(r32ui) uniform uimage2D colorimg4;\n"
+                          "layout(rg32ui) uniform uimage2D colorimg5;\n"
+                          "void main() { imageAtomicMin(colorimg4, ivec2(0), 1u); "
+                          "imageStore(colorimg5, ivec2(0), uvec4(0)); gl_FragColor = vec4(1); }"),
+               "iris", true),
+      AllOf(Contains("sampler-format /composite.fsh:6:32: note: uimage2D cannot read colortex4, "
+                     "whose format is R32F"),
+            Contains("sampler-format /composite.fsh:7:33: warning: uimage2D cannot read colortex5, "
+                     "whose format is RG32F")));
 }
 
 TEST(Types, a_raw_texture_may_have_any_type) {

@@ -347,6 +347,13 @@ TEST(validate, a_head_inside_an_if_is_closed_as_the_if_is_indented) {
                          "/a.fsh:3\n"));
 }
 
+TEST(validate, a_name_behind_an_unknown_type_cannot_stand_there) {
+  EXPECT_EQ(fragmentMessages("float random (float2 uv) {\n  return 1.0;\n}\nvoid main() { random(gl_FragCoord.xy); }\n"),
+            "/a.fsh:2:22: error: syntax error: expected ')' before 'uv'\n"
+            "  float random (float2 uv) {\n"
+            "                       ^\n");
+}
+
 TEST(validate, the_line_that_lacks_a_parenthesis_is_reported_and_not_the_end_of_its_statement) {
   EXPECT_EQ(
       fragmentMessages("float f(float x) {\n"

@@ -206,7 +206,8 @@ TEST(OptionTable, a_define_that_is_no_option_says_why) {
       discoverOptions({{"/a",
                         {"#define FOG", "#define STEPS 4", "#define MODE 1 // [1 2]",
                          "#define MODE 2 // [1 2]", "#define CLOUDS", "#ifdef CLOUDS",
-                         "#define DENSITY 2. // [1. 2.] of water", "//#define RAIN 1 // [1 2]"}}},
+                         "#define DENSITY 2. // [1. 2.] of water", "//#define RAIN 1 // [1 2]",
+                         "#define WAVES", "  #ifndef WAVES // still water"}}},
                       diagnostics);
   EXPECT_EQ(missingOptionHint(options, "FOG"),
             "/a:1 defines it, but no line that a program reads is #ifdef FOG or #ifndef FOG");
@@ -217,6 +218,9 @@ TEST(OptionTable, a_define_that_is_no_option_says_why) {
   EXPECT_EQ(missingOptionHint(options, "DENSITY"),
             "/a:7 defines it, but Iris takes a word or a number for its value, 2.0 and not 2. or (2.0)");
   EXPECT_EQ(missingOptionHint(options, "RAIN"), "/a:8 defines it, but that line is a comment");
+  EXPECT_EQ(missingOptionHint(options, "WAVES"),
+            "/a:9 defines it, but Iris overlooks /a:10, for the text behind the name: put it on a line of "
+            "its own");
   EXPECT_EQ(missingOptionHint(options, "CLOUD"), "did you mean CLOUDS?");
   EXPECT_EQ(missingOptionHint(options, "WATER_WAVES"), "");
 }

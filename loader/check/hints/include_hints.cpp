@@ -156,7 +156,7 @@ std::string_view IncludeHints::textBefore(std::size_t line) const {
   return std::string_view(stage_.text.text).substr(0, end);
 }
 
-// A stage without main is a stub whose only #include is missing.
+// A stage without main lacks the #include that was all of it.
 void IncludeHints::explainEntry(std::size_t index) {
   if (files_.empty()) return;
   const auto lines = index_.files().find(files_.front());

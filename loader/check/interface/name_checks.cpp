@@ -92,7 +92,7 @@ class StageNames {
     if (const auto problem = samplerProblem(pack_, *program_.program, global)) {
       const bool noted = !global.used && problem->id != "sampler-type";
       report_.add(stage_, global.place,
-                  {noted ? Severity::Note : Severity::Warning,
+                  {noted ? Severity::Note : problem->severity,
                    problem->id,
                    problem->message,
                    problem->hint,

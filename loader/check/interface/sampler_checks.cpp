@@ -14,6 +14,8 @@ namespace {
 
 using BufferKind = BufferName::Kind;
 
+constexpr std::string_view kOneWord = "R32F";
+
 /// What a name stands for.
 struct Bound {
   std::string what;      ///< for people: "colortex4 (RGB32UI)"
@@ -21,6 +23,7 @@ struct Bound {
   int dimensions = 2;
   bool depth = false;     ///< a depth texture
   bool compares = false;  ///< ... with comparison
+  bool oneWord = false;   ///< R32F: one float of 32 bits
 };
 
 char componentOf(std::string_view format) {
@@ -58,8 +61,10 @@ Bound targetOf(const ShaderPack& pack, bool shadow, int index) {
   const auto found = targets.find(index);
   const std::string format = found == targets.end() ? "RGBA" : found->second.format;
   return {
-      fmt::format("{}{}, whose format is {}", shadow ? "shadowcolor" : "colortex", index, format),
-      componentOf(format)};
+      .what = fmt::format("{}{}, whose format is {}", shadow ? "shadowcolor" : "colortex", index,
+                          format),
+      .component = componentOf(format),
+      .oneWord = format == kOneWord};
 }
 
 /// Does any file of any folder ask for comparison? Then a folder without shadows may lack it.
@@ -105,7 +110,8 @@ std::optional<Bound> boundTo(const ShaderPack& pack, const ProgramSource& progra
     if ((image ? custom.name : custom.sampler) != name) continue;
     return Bound{.what = fmt::format("{}, whose format is {}", name, custom.internalFormat),
                  .component = componentOf(custom.internalFormat),
-                 .dimensions = custom.dimensions};
+                 .dimensions = custom.dimensions,
+                 .oneWord = custom.internalFormat == kOneWord};
   }
   const auto textures =
       image ? std::vector<const TextureBinding*>() : replacementsOf(pack, program, name);
@@ -135,6 +141,14 @@ std::optional<SamplerProblem> samplerProblem(const ShaderPack& pack, const Progr
                           fmt::format("{} cannot read {}", global.type, bound->what),
                           fmt::format("declare it as {}", wanted)};
   }
+  // Iris: IrisSamplers
+  if (!bound->compares && global.name.starts_with("shadowtex") && global.name.ends_with("HW")) {
+    return SamplerProblem{
+        "sampler-type",
+        fmt::format("{} is bound only where shadow maps are compared", global.name),
+        "set const bool shadowHardwareFiltering = true;, or read shadowtex0 or shadowtex1",
+        global.used ? Severity::Warning : Severity::Note};
+  }
   if (type.shadow && !bound->compares) {
     return SamplerProblem{
         "sampler-type", fmt::format("{} reads {}, which is not compared", global.type, bound->what),
@@ -143,9 +157,15 @@ std::optional<SamplerProblem> samplerProblem(const ShaderPack& pack, const Progr
             : "declare it as sampler2D"};
   }
   if (!type.shadow && type.component != bound->component) {
-    return SamplerProblem{"sampler-format",
-                          fmt::format("{} cannot read {}", global.type, bound->what),
-                          fmt::format("declare it as {}", wanted)};
+    // Atomics are for integers alone, so that packs give them the bits of floats.
+    const bool bits = type.image && bound->oneWord;
+    return SamplerProblem{
+        "sampler-format", fmt::format("{} cannot read {}", global.type, bound->what),
+        bits ? fmt::format("declare it as {}, unless you mean the bits of the floats: many drivers "
+                           "give them, no specification says so",
+                           wanted)
+             : fmt::format("declare it as {}", wanted),
+        bits ? Severity::Note : Severity::Warning};
   }
   return std::nullopt;
 }

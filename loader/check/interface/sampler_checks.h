@@ -13,6 +13,7 @@ struct SamplerProblem {
   std::string id;
   std::string message;
   std::string hint;
+  Severity severity = Severity::Warning;
 };
 
 /// nullopt when the declaration fits, or when `global` is no sampler or image, or is bound to

@@ -20,6 +20,7 @@
 
 #include <orris/check/workers/sandbox.h>
 #include <orris/core/files/read_places.h>
+#include <orris/core/process_limits.h>
 
 namespace orris {
 namespace {
@@ -78,14 +79,6 @@ void limitProcessorTime(const IsolatedJobs& jobs) {
   getrlimit(RLIMIT_CPU, &limit);
   limit.rlim_cur = std::min(limit.rlim_max, secondsUsed() + secondsOf(jobs));
   setrlimit(RLIMIT_CPU, &limit);
-}
-
-void limitTo(__rlimit_resource resource, rlim_t most) {
-  rlimit limit{};
-  getrlimit(resource, &limit);
-  most = std::min(most, limit.rlim_max);
-  limit = {most, most};
-  setrlimit(resource, &limit);
 }
 
 void limitProcess(const IsolatedJobs& jobs) {

@@ -62,10 +62,21 @@ bool isA(const Token& token, std::string_view word) {
   return isName(word) || token.text == inLowerCase(word);
 }
 
+/// float, ivec2, mat4x3: a name may follow.
+bool isTypeOfNumbers(std::string_view word) {
+  constexpr std::array<std::string_view, 6> kScalars{"void", "bool", "int", "uint", "float", "double"};
+  if (std::ranges::find(kScalars, word) != kScalars.end()) return true;
+  const std::size_t size = word.find_first_of("234");
+  if (size == word.npos || word.find_first_not_of("234x", size) != word.npos) return false;
+  constexpr std::array<std::string_view, 7> kStems{"vec", "ivec", "uvec", "bvec", "dvec", "mat", "dmat"};
+  return std::ranges::find(kStems, word.substr(0, size)) != kStems.end();
+}
+
 /// Can nothing but an operator or punctuator follow?
 bool endsOperand(const Token& token) {
-  return token.kind == TokenKind::Number || token.text == ")" || token.text == "]" ||
-         (token.kind == TokenKind::Identifier && token.text != "return" && token.text != "else");
+  if (token.kind != TokenKind::Identifier)
+    return token.kind == TokenKind::Number || token.text == ")" || token.text == "]";
+  return token.text != "return" && token.text != "else" && !isTypeOfNumbers(token.text);
 }
 
 /// The first token of the kind in the line that cannot follow what is before it, else the first.

@@ -20,6 +20,43 @@ std::optional<Number> parseWhole(std::string_view text) {
   return value;
 }
 
+/// The words of a name in small letters: "rain_strength" and "rainStrength" have two.
+std::vector<std::string> wordsOfName(std::string_view name) {
+  std::vector<std::string> words(1);
+  for (size_t i = 0; i < name.size(); ++i) {
+    const auto isUpper = [&](size_t at) { return name[at] >= 'A' && name[at] <= 'Z'; };
+    const bool begins = i > 0 && isUpper(i) && !isUpper(i - 1);
+    if ((begins || name[i] == '_') && !words.back().empty()) words.emplace_back();
+    if (name[i] != '_') words.back() += lowerCase(name.substr(i, 1));
+  }
+  return words;
+}
+
+/// Another word, and no slip of the finger: "wind" for "rain", "get" for "set".
+bool isOtherWord(std::string_view word, std::string_view other) {
+  if (word.starts_with(other) || other.starts_with(word)) return false;
+  const size_t distance = editDistance(word, other), longer = std::max(word.size(), other.size());
+  if (longer > 3) return distance > longer / 3;
+  const bool exchanged =
+      word.size() > 1 && std::is_permutation(word.begin(), word.end(), other.begin(), other.end());
+  return word.size() == other.size() ? !exchanged : distance > 1;
+}
+
+/// Is `candidate` another name of the same pattern, as windStrength beside rainStrength and 1.0
+/// beside 10, so that nobody can have meant it?
+bool isSibling(std::string_view name, std::string_view candidate) {
+  const auto number = parseFloat(name), other = parseFloat(candidate);
+  if (number && other) return *number != *other;
+  const auto words = wordsOfName(name), others = wordsOfName(candidate);
+  if (words.size() < 2 || words.size() != others.size()) return false;
+  for (size_t i = 0; i < words.size(); ++i) {
+    // "vertexPosition" for "vaPosition": a prefix of two letters says where a name comes from.
+    const bool prefix = i == 0 && std::min(words[i].size(), others[i].size()) <= 2;
+    if (!prefix && isOtherWord(words[i], others[i])) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::string_view trim(std::string_view text) {
@@ -150,7 +187,7 @@ std::string nearestName(std::string_view name, const std::vector<std::string>& n
                                           : lowerCandidate.starts_with(lower.front());
     const bool atLimit = nearest.empty() && distance == best && lower.size() > 1 &&
                          (lower.size() > kShort || likely);
-    if (distance < best || atLimit) {
+    if ((distance < best || atLimit) && !isSibling(name, candidate)) {
       best = distance;
       nearest = candidate;
     }

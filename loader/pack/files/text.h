@@ -40,7 +40,8 @@ std::string upperCase(std::string_view text);
 
 /// Least number of slips: characters inserted, removed, replaced, and neighbours exchanged.
 size_t editDistance(std::string_view a, std::string_view b);
-/// The name with the fewest edits from `name`, "" when none is within a third of its length.
+/// The name with the fewest edits from `name`, "" when none is within a third of its length. None
+/// that differs in a whole word, as rainStrength does from windStrength, or in its number.
 std::string nearestName(std::string_view name, const std::vector<std::string>& names);
 /// "did you mean X?" or "".
 std::string suggest(std::string_view name, const std::vector<std::string>& names);

@@ -22,13 +22,31 @@ SourceLocation place(const std::string& file, size_t index, const std::string& l
           static_cast<int>(column == std::string::npos ? 0 : column) + 1};
 }
 
-std::set<std::string, std::less<>> findReferences(const std::map<std::string, FileLines>& files) {
-  std::set<std::string, std::less<>> references;
+/// The names that lines ask for by #ifdef or #ifndef.
+struct References {
+  std::set<std::string, std::less<>> names;
+  /// Where Iris overlooks it, since text stands behind the name.
+  std::map<std::string, SourceLocation, std::less<>> overlooked;
+};
+
+/// The name after #ifdef or #ifndef, whatever follows it.
+std::string_view askedName(std::string_view line) {
+  line = trim(line);
+  const std::string_view directive = line.substr(0, line.find_first_of(" \t"));
+  if (directive != "#ifdef" && directive != "#ifndef") return "";
+  return leadingWord(trim(line.substr(directive.size())));
+}
+
+References findReferences(const std::map<std::string, FileLines>& files) {
+  References references;
   for (const auto& [file, lines] : files) {
-    for (const std::string& line : lines) {
-      if (line.find("#if") == std::string::npos) continue;
-      const std::string_view name = booleanReference(line);
-      if (!name.empty()) references.emplace(name);
+    for (size_t i = 0; i < lines.size(); ++i) {
+      if (lines[i].find("#if") == std::string::npos) continue;
+      const std::string_view name = booleanReference(lines[i]), asked = askedName(lines[i]);
+      if (!name.empty())
+        references.names.emplace(name);
+      else if (!asked.empty())
+        references.overlooked.try_emplace(std::string(asked), place(file, i, lines[i]));
     }
   }
   return references;
@@ -147,7 +165,13 @@ class OptionLimit {
 };
 
 /// Why a line that defines `name` makes no option. Iris: OptionAnnotatedSource
-std::string reasonAgainst(std::string_view line, std::string_view name, bool isBoolean) {
+std::string reasonAgainst(std::string_view line, std::string_view name, bool isBoolean,
+                          const References& references) {
+  const auto overlooked = references.overlooked.find(name);
+  if (isBoolean && overlooked != references.overlooked.end()) {
+    return fmt::format("Iris overlooks {}:{}, for the text behind the name: put it on a line of its own",
+                       overlooked->second.file, overlooked->second.line);
+  }
   if (isBoolean) return fmt::format("no line that a program reads is #ifdef {0} or #ifndef {0}", name);
   const size_t comment = line.find("//", line.find("#define"));
   const size_t open = line.find('[', comment);
@@ -207,12 +231,12 @@ OptionSet discoverOptions(const std::map<std::string, FileLines>& files, Diagnos
     const FileLines& lines = files.at(file);
     for (size_t i = 0; i < lines.size(); ++i) {
       const auto option = parseOptionLine(lines[i]);
-      if (option && (!option->isBoolean || references.contains(option->name))) {
+      if (option && (!option->isBoolean || references.names.contains(option->name))) {
         if (limit.fits(*option, place(file, i, lines[i])))
           merger.add(*option, place(file, i, lines[i]), lines[i]);
       } else if (const std::string_view name = definedName(lines[i]); !name.empty()) {
         reject(options, name, place(file, i, lines[i]),
-               reasonAgainst(lines[i], name, option.has_value()));
+               reasonAgainst(lines[i], name, option.has_value(), references));
       }
     }
     merger.endFile();
