@@ -2,6 +2,18 @@ cmake_minimum_required(VERSION 3.22)
 # Every #include <orris/x/...> of a folder must name the folder itself or one of its USES (direct or
 # inherited through them is not enough: what is used is listed).
 file(GLOB_RECURSE sources ${FOLDER}/*.h ${FOLDER}/*.cpp)
+# A folder that one reads at a glance: a topic with more files has parts of its own.
+set(MOST_FILES 30)
+file(GLOB_RECURSE paths LIST_DIRECTORIES true ${FOLDER}/*)
+foreach(path IN LISTS paths)
+  if(IS_DIRECTORY ${path})
+    file(GLOB entries LIST_DIRECTORIES false ${path}/*)
+    list(LENGTH entries count)
+    if(count GREATER MOST_FILES)
+      message(SEND_ERROR "${path} has ${count} files, at most ${MOST_FILES}: move those of one topic to a folder")
+    endif()
+  endif()
+endforeach()
 foreach(source IN LISTS sources)
   file(STRINGS ${source} includes REGEX "^#include <orris/[a-z]+/")
   foreach(line IN LISTS includes)

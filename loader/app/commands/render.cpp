@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/commands.h"
-#include "app/commands/frame_end.h"
-#include "app/commands/frame_probe.h"
-#include "app/commands/render_output.h"
+#include "app/drawing/frame_end.h"
+#include "app/drawing/frame_probe.h"
+#include "app/drawing/render_output.h"
 #include "app/drawing/supervised_run.h"
 #include "app/input/inputs.h"
 #include "app/output/progress.h"

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <poll.h>
 #include <sys/prctl.h>
-#include <sys/resource.h>
 #include <sys/signalfd.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -19,6 +18,7 @@
 
 #include <orris/check/workers/sandbox.h>
 #include <orris/core/files/read_places.h>
+#include <orris/core/process_limits.h>
 #include <orris/core/work_record.h>
 #include <orris/image/codecs/image_codecs.h>
 #include <orris/validate/driver_check.h>
@@ -32,14 +32,6 @@ using Clock = std::chrono::steady_clock;
 constexpr std::array kEndSignals = {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGQUIT};
 
 int brokerSocket = -1;  // of the process that draws, while it has to be confined
-
-void limitTo(__rlimit_resource resource, rlim_t most) {
-  rlimit limit{};
-  getrlimit(resource, &limit);
-  most = std::min(most, limit.rlim_max);
-  limit = {most, most};
-  setrlimit(resource, &limit);
-}
 
 void limitDrawing(std::size_t memory) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "app/commands/render_output.h"
+#include "app/drawing/render_output.h"
 #include "app/input/inputs.h"
 #include "app/view/pack/plain_pack.h"
 #include "app/view/viewer.h"

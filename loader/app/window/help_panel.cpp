@@ -1,5 +1,5 @@
 // All keys.
-#include "app/view/surface/view_keys.h"
+#include "app/view/surface/key_bindings.h"
 #include "app/window/panel_parts.h"
 #include "app/window/panels.h"
 

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/view/script/script_files.h"
-#include "app/view/surface/view_keys.h"
+#include "app/view/surface/key_bindings.h"
 
 namespace orris {
 namespace {

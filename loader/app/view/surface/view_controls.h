@@ -6,7 +6,7 @@
 
 #include "app/view/surface/fly_camera.h"
 #include "app/view/surface/view_event.h"
-#include "app/view/surface/view_keys.h"
+#include "app/view/surface/key_bindings.h"
 
 namespace orris {
 

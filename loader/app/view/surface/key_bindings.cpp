@@ -1,4 +1,4 @@
-#include "app/view/surface/view_keys.h"
+#include "app/view/surface/key_bindings.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>

@@ -1,4 +1,4 @@
-#include "app/commands/render_output.h"
+#include "app/drawing/render_output.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "app/commands/frame_probe.h"
+#include "app/drawing/frame_probe.h"
 #include "app/input/inputs.h"
 #include <orris/image/image.h>
 #include <orris/pack/files/text.h>

@@ -1,4 +1,4 @@
-#include "app/commands/frame_probe.h"
+#include "app/drawing/frame_probe.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

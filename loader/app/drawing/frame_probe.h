@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "app/commands/render_output.h"
+#include "app/drawing/render_output.h"
 #include "app/input/shown_buffer.h"
 #include <orris/render/inspect/finite_check.h>
 #include <orris/render/inspect/pixel_probe.h>

@@ -1,4 +1,4 @@
-#include "app/commands/frame_end.h"
+#include "app/drawing/frame_end.h"
 
 #include <fmt/format.h>
 
