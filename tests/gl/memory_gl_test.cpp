@@ -39,6 +39,12 @@ void leaveSecrets() {
   Finish();
 }
 
+/// As gmock's Each(0), in a hundredth of the time.
+template <class T>
+bool allZero(const std::vector<T>& values) {
+  return std::all_of(values.begin(), values.end(), [](T value) { return value == 0; });
+}
+
 bool holdsSecret(const std::vector<std::uint32_t>& words) {
   return std::find(words.begin(), words.end(), kSecret) != words.end();
 }
@@ -52,7 +58,7 @@ TEST_F(MemoryTest, buffers_of_another_are_not_in_new_ones) {
     std::vector<std::uint32_t> words(kBytes / 4, 1);
     read(buffer, 0, kBytes, words.data());
     EXPECT_FALSE(holdsSecret(words));
-    EXPECT_THAT(words, testing::Each(0u));
+    EXPECT_TRUE(allZero(words));
   }
 }
 
@@ -70,7 +76,7 @@ TEST_F(MemoryTest, pictures_of_another_are_not_in_new_ones) {
         GetTextureImage(texture.id(), level, pixels, type, GLsizei(words.size() * 4), words.data());
         // Alpha that a format lacks is read as one.
         for (std::size_t at = 0; at < words.size(); ++at)
-          ASSERT_TRUE(words[at] == 0 || at % 4 == 3) << name << " level " << level;
+          if (at % 4 != 3 && words[at] != 0) FAIL() << name << " level " << level;
       }
     }
   }
@@ -83,7 +89,7 @@ TEST_F(MemoryTest, depth_of_another_is_not_in_a_new_one) {
     std::vector<float> values(std::size_t{kSide} * kSide, 0.5f);
     GetTextureImage(depth.id(), 0, GL_DEPTH_COMPONENT, GL_FLOAT, GLsizei(values.size() * 4),
                     values.data());
-    EXPECT_THAT(values, testing::Each(0.0f));
+    EXPECT_TRUE(allZero(values));
   }
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <orris/gl/clear_stack.h>
 #include <orris/gl/functions.h>
 #include <orris/render/scene/engine_geometry.h>
 #include <orris/render/frame_renderer.h>
@@ -57,9 +58,10 @@ void EnginePass::drawTriangles(unsigned first, unsigned count, unsigned indexBuf
                                unsigned indexType, std::size_t indexOffset) const {
   if (patches()) gl::PatchParameteri(GL_PATCH_VERTICES, 3);
   const unsigned mode = patches() ? GL_PATCHES : GL_TRIANGLES;
+  gl::BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indexBuffer);
+  gl::clearStack();
   if (indexBuffer == 0)
     return gl::DrawArrays(mode, static_cast<int>(first), static_cast<int>(count));
-  gl::BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indexBuffer);
   gl::DrawElementsBaseVertex(mode, static_cast<int>(count), indexType,
                              reinterpret_cast<const void*>(indexOffset), static_cast<int>(first));
 }

@@ -20,36 +20,38 @@ ImageF flipped(const std::vector<float>& pixels, int width, int height, int chan
   return image;
 }
 
+ImageF read(const gl::Texture& texture) {
+  int channels = 0;
+  const std::vector<float> pixels = gl::readPixels(texture, channels);
+  return flipped(pixels, texture.width, texture.height * texture.depth, channels);
+}
+
+/// Its colours, each value by itself.
+template <class Picture, class Convert>
+Picture colorsOf(const ImageF& image, const Convert& convert) {
+  Picture result(image.width, image.height, 3);
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      for (int c = 0; c < 3; ++c) result.at(x, y)[c] = convert(image.at(x, y)[c]);
+  return result;
+}
+
 float fromSrgb(float v) {
   return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f);
+}
+
+std::uint8_t toByte(float v) {
+  return static_cast<std::uint8_t>(std::lround(std::clamp(v, 0.0f, 1.0f) * 255));
 }
 
 }  // namespace
 
 Image8 FrameRenderer::screenshot() const {
-  int channels = 0;
-  const gl::Texture& screen = loaded_->targets->screen();
-  const std::vector<float> pixels = gl::readPixels(screen, channels);
-  const ImageF image = flipped(pixels, screen.width, screen.height, channels);
-  Image8 result(image.width, image.height, 3);
-  for (int y = 0; y < image.height; ++y)
-    for (int x = 0; x < image.width; ++x)
-      for (int c = 0; c < 3; ++c)
-        result.at(x, y)[c] =
-            static_cast<std::uint8_t>(std::lround(std::clamp(image.at(x, y)[c], 0.0f, 1.0f) * 255));
-  return result;
+  return colorsOf<Image8>(read(loaded_->targets->screen()), toByte);
 }
 
 ImageF FrameRenderer::screenshotLinear() const {
-  int channels = 0;
-  const gl::Texture& screen = loaded_->targets->screen();
-  const std::vector<float> pixels = gl::readPixels(screen, channels);
-  const ImageF image = flipped(pixels, screen.width, screen.height, channels);
-  ImageF result(image.width, image.height, 3);
-  for (int y = 0; y < image.height; ++y)
-    for (int x = 0; x < image.width; ++x)
-      for (int c = 0; c < 3; ++c) result.at(x, y)[c] = fromSrgb(image.at(x, y)[c]);
-  return result;
+  return colorsOf<ImageF>(read(loaded_->targets->screen()), fromSrgb);
 }
 
 const gl::Texture* FrameRenderer::texture(const BufferSide& side) const {
@@ -83,9 +85,7 @@ BufferSide FrameRenderer::finalSide(const std::string& name) const {
 std::optional<ImageF> FrameRenderer::dump(const BufferSide& side) const {
   const gl::Texture* buffer = texture(side);
   if (buffer == nullptr) return std::nullopt;
-  int channels = 0;
-  const std::vector<float> pixels = gl::readPixels(*buffer, channels);
-  return flipped(pixels, buffer->width, buffer->height * buffer->depth, channels);
+  return read(*buffer);
 }
 
 std::optional<ImageF> FrameRenderer::dump(const std::string& name) const {

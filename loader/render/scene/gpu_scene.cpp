@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <orris/core/parallel.h>
+#include <orris/gl/clear_stack.h>
 #include <orris/gl/functions.h>
 #include <orris/plan/scene/shapes.h>
 #include <orris/world/atlas/atlas_levels.h>
@@ -208,6 +209,7 @@ void GpuScene::drawSorted(const MeshSection& section, bool patches) const {
   gl::BindBuffer(GL_ELEMENT_ARRAY_BUFFER, sortedIndices_.id());
   if (patches) gl::PatchParameteri(GL_PATCH_VERTICES, 3);
   const size_t offset = size_t{section.first - firstTranslucent_} / 4 * 6 * sizeof(std::uint32_t);
+  gl::clearStack();
   gl::DrawElements(patches ? GL_PATCHES : GL_TRIANGLES, static_cast<int>(section.count / 4 * 6),
                    GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset));
 }
@@ -263,6 +265,7 @@ void GpuScene::bindShapes() const {
 
 void GpuScene::drawQuads(const QuadRange& range, bool patches) const {
   if (patches) gl::PatchParameteri(GL_PATCH_VERTICES, 3);
+  gl::clearStack();
   gl::DrawElementsBaseVertex(patches ? GL_PATCHES : GL_TRIANGLES, static_cast<int>(range.quads * 6),
                              GL_UNSIGNED_INT, nullptr, static_cast<int>(range.firstVertex));
 }

@@ -30,15 +30,13 @@ std::shared_ptr<const ShaderPack> withoutErrors(std::optional<ShaderPack> pack,
 }  // namespace
 
 MacroDefinitions environmentFor(const gl::DriverInfo& driver, const HostVersions& versions) {
-  HostDescription host;
-  host.versions = versions;
-  host.glVendor = driver.vendor;
-  host.glRenderer = driver.renderer;
-  host.glExtensions = driver.extensions;
-  host.glVersion = driver.glVersion;
-  host.glslVersion = driver.glVersion;
-  host.labPbr = true;  // the generated atlas follows it
-  return standardMacros(host);
+  return standardMacros({.glVendor = driver.vendor,
+                         .glRenderer = driver.renderer,
+                         .glExtensions = driver.extensions,
+                         .glVersion = driver.glVersion,
+                         .glslVersion = driver.glVersion,
+                         .versions = versions,
+                         .labPbr = true});  // the generated atlas follows it
 }
 
 RenderSession::RenderSession(SessionRequest request, SceneData scene)
