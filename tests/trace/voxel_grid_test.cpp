@@ -38,7 +38,8 @@ TEST(VoxelGrid, meets_what_a_search_through_all_quads_finds) {
     const TraceScene scene = test::sceneOf(cubes);
     SampleRandom random(11, 0, 0);
     int met = 0, left = 0, wrong = 0, hidden = 0;
-    for (int i = 0; i < 8000; ++i) {
+    const int rays = share > 0.1f ? 2500 : 8000;  // the search takes as long as there are quads
+    for (int i = 0; i < rays; ++i) {
       const glm::vec2 a = random.pair(), b = random.pair(), c = random.pair();
       Ray ray;
       ray.origin = glm::vec3(size) * (glm::vec3(a, b.x) * 3.0f - 1.0f);
@@ -64,7 +65,7 @@ TEST(VoxelGrid, meets_what_a_search_through_all_quads_finds) {
     EXPECT_GT(met, 50);
     EXPECT_GT(left, 20);
     EXPECT_EQ(hidden, 0);
-    EXPECT_LE(wrong, 8) << "more than grazed edges; share " << share;
+    EXPECT_LE(wrong, rays / 1000) << "more than grazed edges; share " << share;
   }
 }
 

@@ -17,6 +17,8 @@ namespace orris {
 
 using Texel8 = std::array<int, 4>;
 
+constexpr Texel8 kRed{200, 10, 10, 255}, kGreen{10, 200, 10, 255}, kBlue{10, 10, 200, 255};
+
 /// A PNG whose texels `colour` gives.
 inline std::string pngOf(int width, int height, const std::function<Texel8(int, int)>& colour) {
   Image16 image(width, height, 4);
@@ -93,6 +95,33 @@ inline void addCubeModels(TestPack& pack) {
   pack.model("cube_all",
              R"({"parent": "block/cube", "textures": {"particle": "#all", "down": "#all",
     "up": "#all", "north": "#all", "south": "#all", "west": "#all", "east": "#all"}})");
+}
+
+/// Cubes of stone with a red texture.
+inline TestPack stonePack() {
+  TestPack pack;
+  addCubeModels(pack);
+  pack.state("stone", R"({"variants": {"": {"model": "minecraft:block/stone"}}})");
+  pack.model("stone",
+             R"({"parent": "minecraft:block/cube_all", "textures": {"all": "block/stone"}})");
+  pack.texture("block/stone", pngOf(16, kRed));
+  return pack;
+}
+
+inline Scene oneBlock(const std::string& state) {
+  Scene scene(glm::ivec3(1));
+  scene.set({0, 0, 0}, state);
+  return scene;
+}
+
+/// Of a picture of the atlas, `place` 0..1 within the tile.
+inline Texel8 texelAt(const Image8& image, const BlockAtlas& atlas, const std::string& name,
+                      glm::vec2 place) {
+  const AtlasTile tile = atlas.tile(name);
+  const glm::vec2 uv = tile.min + place * (tile.max - tile.min);
+  const std::uint8_t* texel =
+      image.at(int(uv.x * float(image.width)), int(uv.y * float(image.height)));
+  return {texel[0], texel[1], texel[2], texel[3]};
 }
 
 }  // namespace orris

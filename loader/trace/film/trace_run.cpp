@@ -18,20 +18,20 @@ struct Work {
   std::uint32_t samples = 0;
 };
 
-void sampleTile(const Work& work, int tile, RayCounts& counts) {
+/// A row of a tile: a picture smaller than a tile has work for several threads, too.
+void sampleRow(const Work& work, int tile, int row, RayCounts& counts) {
   TraceFilm& film = work.film;
   const int left = tile % film.tileColumns() * TraceFilm::kTile;
-  const int top = tile / film.tileColumns() * TraceFilm::kTile;
-  for (int y = top; y < std::min(top + TraceFilm::kTile, film.height); ++y) {
-    for (int x = left; x < std::min(left + TraceFilm::kTile, film.width); ++x) {
-      const PixelView view = work.tracer.view(x, y, counts);
-      const std::size_t pixel = std::size_t(y) * std::size_t(film.width) + std::size_t(x);
-      for (std::size_t half = 0; half < 2; ++half) {
-        glm::dvec3& sum = film.sums[half][pixel];
-        for (std::uint32_t i = film.samples; i < film.samples + work.samples; ++i) {
-          SampleRandom random(work.seed + half * kHalfSeed, std::uint32_t(pixel), i);
-          sum += glm::dvec3(work.tracer.sample(view, random, counts));
-        }
+  const int y = tile / film.tileColumns() * TraceFilm::kTile + row;
+  if (y >= film.height) return;
+  for (int x = left; x < std::min(left + TraceFilm::kTile, film.width); ++x) {
+    const PixelView view = work.tracer.view(x, y, counts);
+    const std::size_t pixel = std::size_t(y) * std::size_t(film.width) + std::size_t(x);
+    for (std::size_t half = 0; half < 2; ++half) {
+      glm::dvec3& sum = film.sums[half][pixel];
+      for (std::uint32_t i = film.samples; i < film.samples + work.samples; ++i) {
+        SampleRandom random(work.seed + half * kHalfSeed, std::uint32_t(pixel), i);
+        sum += glm::dvec3(work.tracer.sample(view, random, counts));
       }
     }
   }
@@ -43,14 +43,16 @@ RayCounts addSamples(TraceFilm& film, const TraceScene& scene, const TraceCamera
                      const TraceSettings& settings, std::uint32_t samples, int threads) {
   const PathTracer tracer(scene, camera, settings);
   const Work work{film, tracer, settings.seed, samples};
-  std::atomic<int> next{0};
+  const int rows = film.tileCount() * TraceFilm::kTile;
+  std::atomic<int> nextRow{0};
   const auto count =
       std::size_t(threads > 0 ? threads : int(std::max(1u, std::thread::hardware_concurrency())));
   std::vector<RayCounts> counts(count);
   const auto serve = [&](std::size_t who) {
     RayCounts own;
-    for (int tile = next++; tile < film.tileCount(); tile = next++) {
-      if (film.holdsTile(tile)) sampleTile(work, tile, own);
+    for (int next = nextRow++; next < rows; next = nextRow++) {
+      const int tile = next / TraceFilm::kTile;
+      if (film.holdsTile(tile)) sampleRow(work, tile, next % TraceFilm::kTile, own);
     }
     counts[who] = own;
   };

@@ -155,12 +155,11 @@ std::vector<BlockFace> makeModelFaces(const std::vector<ModelFace>& faces, bool 
   constexpr float kOnSide = 1e-5f;
   std::vector<BlockFace> result;
   for (const ModelFace& given : faces) {
-    BlockFace face;
-    face.corners = given.corners;
-    face.uv = given.uv;
-    face.normal = given.normal;
-    face.tangent = given.tangent;
-    face.direction = given.direction;
+    BlockFace face{.corners = given.corners,
+                   .uv = given.uv,
+                   .normal = given.normal,
+                   .tangent = given.tangent,
+                   .direction = given.direction};
     setAtlas(face, atlas.tile(given.texture));
     const int axis = normalAxis(face.direction);
     const float end = face.normal[axis] > 0 ? 1 : 0;
