@@ -1,3 +1,3 @@
 #version 430 compatibility
-// The table of the lamps, sorted by place.
-#include "/program/lights/table.glsl"
+// The distance of each cell to the next block, after a change; for RAY_WALK=DISTANCE.
+#include "/program/voxels/distance.glsl"

@@ -1,3 +1,3 @@
 #version 430 compatibility
-// The lamps that reach each cluster, as bits.
-#include "/program/lights/assign.glsl"
+// The table of the lamps, sorted by place.
+#include "/program/lights/table.glsl"

@@ -1,3 +1,3 @@
 #version 430 compatibility
-// The lamps that reach each cluster, as sorted lists.
-#include "/program/lights/lists.glsl"
+// The lamps that reach each cluster, as bits.
+#include "/program/lights/assign.glsl"

@@ -1,3 +1,3 @@
 #version 430 compatibility
-// What table and clusters of the lamps are made for.
-#include "/program/lights/commit.glsl"
+// The lamps that reach each cluster, as sorted lists.
+#include "/program/lights/lists.glsl"

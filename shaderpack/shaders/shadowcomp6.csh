@@ -1,3 +1,3 @@
 #version 430 compatibility
-// The distance of each cell to the next block, after a change; for RAY_WALK=DISTANCE.
-#include "/program/voxels/distance.glsl"
+// What table and clusters of the lamps are made for.
+#include "/program/lights/commit.glsl"

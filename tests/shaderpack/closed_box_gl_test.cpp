@@ -56,6 +56,7 @@ Held heldIn(const Thing& thing, void (*change)(PackTexts&), int frames) {
   setup.options = {{"GI_METHOD", "FACE_CACHE"}, {"VOXEL_SIZE", std::to_string(kFaceVolume)},
                    {"FACE_SHARE", "1"}, {"FACE_WINDOW", "256"}};
   setup.change = change;
+  setup.width = setup.height = 8;  // only faces count
   PackSession pack(setup);
   pack.renderFrames(frames);
   const FaceField field = faceField(pack, kFaceVolume);

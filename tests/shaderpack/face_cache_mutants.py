@@ -8,7 +8,7 @@ COMMIT = "program/face_cache/commit.glsl"
 GI = "program/gi/gather.glsl"
 CACHE = "include/face_cache/face_cache.glsl"
 VOLUME = "include/voxels/volume.glsl"
-LIST = "include/face_cache/face_list.glsl"
+LIST = "include/face_cache/due_faces.glsl"
 CHECKSUM = "include/voxels/checksum.glsl"
 LAMPS = "include/lights/lamp_sample.glsl"
 HIT = "include/gi/hit.glsl"
@@ -152,7 +152,7 @@ MUTANTS = [
     ("view of the volume from the eye on", "picture.view*",
      [("include/debug/voxel_view.glsl", "direction * VOXEL_VIEW_FROM", "direction * 0.0")]),
     ("view shows light as blocks", "picture.view*",
-     [("include/debug/voxel_view.glsl", "#elif VOXEL_VIEW == RADIANCE && FACES", "#elif false")]),
+     [("include/debug/voxel_view.glsl", "#elif VOXEL_VIEW == VOXEL_VIEW_RADIANCE && HAS_FACE_CACHE", "#elif false")]),
     ("stairs are full blocks", "shapes.tread*",
      [("include/voxels/octants.glsl", "octants = code == voxel_stairs ? kept_shape(cell) : octants;",
        ";")]),

@@ -25,7 +25,7 @@ struct SessionSetup {
   std::function<void(PackTexts&)> change;  ///< of the pack's files before they are loaded
 };
 
-/// The atlas of settings.glsl: tiles of volume x volume texels, layer y in tile y.
+/// The atlas of include/derived/sizes.glsl: tiles of volume x volume texels, layer y in tile y.
 struct AtlasLayout {
   int volume = 64, columns = 16;
 };

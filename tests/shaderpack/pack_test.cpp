@@ -65,7 +65,7 @@ TEST(pack, programs_follow_the_methods) {
   EXPECT_TRUE(has({{"GI_METHOD", "FLOODFILL"}, {"FLOODFILL_STORAGE", "ATLAS_2D"}}, "prepare"));
   EXPECT_FALSE(has({{"GI_METHOD", "FLOODFILL"}}, "prepare"));
   EXPECT_TRUE(has({{"GI_METHOD", "FLOODFILL"}}, "prepare2"));
-  EXPECT_TRUE(has({{"GI_METHOD", "BOUNCE_1"}}, "shadowcomp6"));
+  EXPECT_TRUE(has({{"GI_METHOD", "BOUNCE_1"}}, "shadowcomp2"));
   EXPECT_FALSE(has({{"GI_METHOD", "BOUNCE_1"}, {"RAY_WALK", "GRID"}}, "shadowcomp"));
   EXPECT_FALSE(has({{"GI_METHOD", "BOUNCE_4"}}, "prepare"));
   for (const char* program : {"shadowcomp7", "shadowcomp8"}) {
@@ -81,43 +81,6 @@ TEST(pack, programs_follow_the_methods) {
       has({{"GI_METHOD", "NONE"}, {"SHADOW_METHOD", "NONE"}, {"LIGHT_METHOD", "TILED"}}, "shadow"));
 }
 
-TEST(pack, face_cache_has_images_of_the_size_of_its_volume) {
-  const auto images = [](const OptionValues& values) {
-    const std::optional<ShaderPack> pack = loadReferencePack({.values = values});
-    std::map<std::string, std::vector<float>> sizes;
-    for (const CustomImage& image : pack.value().properties.images)
-      sizes[image.name] = {image.size[0], image.size[1], image.size[2]};
-    return sizes;
-  };
-  for (const char* method : {"NONE", "BOUNCE_1", "BOUNCE_4", "FLOODFILL"}) {
-    EXPECT_EQ(images({{"GI_METHOD", method}}).count("face_light"), 0) << method;
-    EXPECT_TRUE(
-        images({{"GI_METHOD", method}, {"RAY_WALK", "GRID"}, {"FLOODFILL_STORAGE", "ATLAS_2D"}})
-            .empty())
-        << method;
-  }
-  for (const float volume : {32, 48, 64, 96, 128}) {
-    const auto sizes = images({{"GI_METHOD", "FACE_CACHE"},
-                               {"SHADOW_RESOLUTION", "2048"},
-                               {"VOXEL_SIZE", std::to_string(static_cast<int>(volume))}});
-    EXPECT_THAT(sizes.at("face_light"), ElementsAre(9 * volume, volume, volume));
-    EXPECT_THAT(sizes.at("face_seen"), ElementsAre(volume, volume, volume));
-  }
-}
-
-TEST(pack, largest_volume_is_not_for_the_face_cache) {
-  const auto sizeOf = [](const char* method, const char* image) {
-    const auto pack = loadReferencePack(
-        {.values = {{"GI_METHOD", method}, {"VOXEL_SIZE", "256"}, {"SHADOW_RESOLUTION", "4096"}}});
-    for (const CustomImage& candidate : pack->properties.images)
-      if (candidate.name == image) return candidate.size;
-    return std::array<float, 3>{};
-  };
-  EXPECT_THAT(sizeOf("FLOODFILL", "voxel_distance"), ElementsAre(32, 128, 256));
-  EXPECT_THAT(sizeOf("FACE_CACHE", "voxel_distance"), ElementsAre(16, 128, 128));
-  EXPECT_THAT(sizeOf("FACE_CACHE", "face_light"), ElementsAre(1152, 128, 128));
-}
-
 TEST(pack, lamps_have_what_their_method_needs) {
   const auto images = [](const ShaderPack& pack) {
     std::set<std::string> names;
@@ -126,7 +89,7 @@ TEST(pack, lamps_have_what_their_method_needs) {
   };
   const auto programs = [](const ShaderPack& pack) {
     std::string found;
-    for (const char* program : {"shadowcomp2", "shadowcomp3", "shadowcomp4", "shadowcomp5"})
+    for (const char* program : {"shadowcomp3", "shadowcomp4", "shadowcomp5", "shadowcomp6"})
       found += pack.find(program) ? program[10] : '-';
     return found;
   };
@@ -134,8 +97,8 @@ TEST(pack, lamps_have_what_their_method_needs) {
   std::set<std::string> grid = table;
   grid.insert({"light_bits", "light_list"});
   const std::tuple<const char*, std::set<std::string>, const char*> expected[] = {
-      {"NONE", {}, "----"},    {"FORWARD", table, "2--5"},  {"DEFERRED", table, "2--5"},
-      {"TILED", grid, "2345"}, {"CLUSTERED", grid, "2345"}, {"AUTO", grid, "2345"}};
+      {"NONE", {}, "----"},    {"FORWARD", table, "3--6"},  {"DEFERRED", table, "3--6"},
+      {"TILED", grid, "3456"}, {"CLUSTERED", grid, "3456"}, {"AUTO", grid, "3456"}};
   for (const auto& [method, names, found] : expected) {
     const auto pack =
         loadReferencePack({.values = {{"GI_METHOD", "NONE"}, {"LIGHT_METHOD", method}}});
@@ -160,7 +123,7 @@ TEST(pack, lamps_without_shadows_have_no_voxels) {
   };
   EXPECT_EQ(images(*without), 0);
   EXPECT_GT(images(*with), 0);
-  for (const char* program : {"shadowcomp", "shadowcomp1", "shadowcomp6"}) {
+  for (const char* program : {"shadowcomp", "shadowcomp1", "shadowcomp2"}) {
     EXPECT_FALSE(without->find(program)) << program;
     EXPECT_TRUE(with->find(program)) << program;
   }
@@ -172,18 +135,6 @@ TEST(pack, automatic_shadows_are_a_map_where_the_host_chooses_nothing) {
       loadReferencePack({.values = {{"GI_METHOD", "NONE"}, {"SHADOW_METHOD", "AUTO"}}});
   EXPECT_TRUE(pack->find("shadow"));
   EXPECT_FALSE(pack->find("shadowvolume"));
-}
-
-TEST(pack, floodfill_buffer_has_the_size_of_its_atlas) {
-  const auto size = [](const OptionValues& values) {
-    return loadReferencePack({.values = values})->properties.bufferSize.at("colortex4").size;
-  };
-  EXPECT_THAT(size({{"VOXEL_SIZE", "32"}}), ElementsAre(1024, 32));
-  EXPECT_THAT(size({{"VOXEL_SIZE", "48"}}), ElementsAre(768, 144));
-  EXPECT_THAT(size({{"VOXEL_SIZE", "64"}}), ElementsAre(1024, 256));
-  EXPECT_THAT(size({{"VOXEL_SIZE", "96"}}), ElementsAre(1024, 256))
-      << "needs a larger shadow target";
-  EXPECT_THAT(size({{"VOXEL_SIZE", "96"}, {"SHADOW_RESOLUTION", "2048"}}), ElementsAre(1920, 480));
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ const vec4 colortex1ClearColor = vec4(0.0, 0.0, 0.0, 0.0);
 const int colortex2Format = RGBA8;
 */
 
-#if VOXELS
+#if HAS_VOXELS
 #if TEMPORAL_FRAMES > 128
 /*
 const int colortex3Format = RGBA32F;
@@ -66,13 +66,13 @@ const vec4 shadowcolor0ClearColor = vec4(0.0, 0.0, 0.0, 0.0);
 */
 #endif
 
-#if RESTS
+#if HAS_REST
 /*
 const bool colortex6Clear = false;
 */
 #endif
 
-#if GLOSSY
+#if HAS_GLOSSY
 #if TEMPORAL_FRAMES > 128
 /*
 const int colortex8Format = RGBA32F;
@@ -87,14 +87,14 @@ const bool colortex8Clear = false;
 */
 #endif
 
-#if LAMPS_FORWARD
+#if HAS_FORWARD_LAMPS
 /*
 const int colortex7Format = RGBA32F;
 */
 #endif
 
-#if AIR_LIGHT && !FLOOD_IMAGE
-#if FLOODFILL_RULE == CONSERVING
+#if HAS_AIR_LIGHT && !HAS_FLOOD_IMAGE
+#if FLOODFILL_RULE == FLOODFILL_RULE_CONSERVING
 /*
 const int colortex4Format = RGBA32F;
 */

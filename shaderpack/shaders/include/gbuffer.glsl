@@ -11,7 +11,7 @@
 const float material_thin = 16.0;
 const float material_gloss = 32.0;
 
-#if defined READ_GBUFFER
+#if defined HAS_GBUFFER_READS
 uniform sampler2D colortex1;
 uniform sampler2D colortex2;
 uniform sampler2D depthtex0;

@@ -7,32 +7,32 @@ void main() { gl_Position = ftransform(); }
 
 #else
 
-#if VOXELS_SHOWN
+#if HAS_VOXEL_VIEW
 #extension GL_ARB_shader_image_load_store : enable
 #endif
-#define READ_GBUFFER
-#if GATHERED
-#define READ_VOXELS
+#define HAS_GBUFFER_READS
+#if HAS_GI
+#define HAS_VOXEL_READS
 #endif
 #include "/include/gbuffer.glsl"
 #include "/include/gi/ambient.glsl"
 #include "/include/brdf/direct.glsl"
-#if GLOSSY
+#if HAS_GLOSSY
 #include "/include/brdf/glossy.glsl"
 
 uniform sampler2D colortex8;
 #endif
 #include "/include/sun/sun_visibility.glsl"
-#if LAMPS_FORWARD
+#if HAS_FORWARD_LAMPS
 #include "/include/lights/lamps.glsl"
 
 uniform sampler2D colortex7;
-#elif LAMPS
+#elif HAS_LAMPS
 #extension GL_ARB_shader_image_load_store : enable
-#define READ_LAMP_VOLUMES
+#define HAS_LAMP_VOLUME_READS
 #include "/include/lights/lit_by_lamps.glsl"
 #endif
-#if GATHERED
+#if HAS_GI
 #include "/include/sun/sun_tint.glsl"
 #include "/include/voxels/volume.glsl"
 #ifdef GI_FILTER
@@ -44,10 +44,10 @@ uniform sampler2D colortex3;
 #endif
 #endif
 
-#if LIGHT_DEBUG_VIEW
+#if HAS_LIGHT_DEBUG
 #include "/include/debug/lights.glsl"
 #endif
-#if VOXELS_SHOWN
+#if HAS_VOXEL_VIEW
 #include "/include/debug/voxel_view.glsl"
 #endif
 
@@ -59,11 +59,11 @@ layout(location = 0) out vec4 out_color;
 /// Mean radiance over the hemisphere, without the direct sun.
 vec3 indirect_radiance(Surface s, ivec2 pixel) {
     vec2 light = s.light;
-#if LAMPS
+#if HAS_LAMPS
     light.x *= unlisted_share(s.player);
 #endif
     vec3 lightmap = ambient_radiance(light, s.normal);
-#if GATHERED
+#if HAS_GI
     return mix(lightmap, texelFetch(GI_RESULT, pixel, 0).rgb + AMBIENT_MINIMUM,
                inside_volume(to_volume(s.player)));
 #else
@@ -89,7 +89,7 @@ vec3 light_surface(Surface s, ivec2 pixel) {
     float level = s.emission / 15.0;
     vec3 radiance = s.albedo * (EMISSION_STRENGTH * level * level);
     vec3 diffuse = s.albedo;
-#if GLOSSY
+#if HAS_GLOSSY
     if (s.gloss > 0) {
         diffuse *= diffuse_share(s.gloss, s.albedo, max(dot(n, v), 0.0));
         radiance += texelFetch(colortex8, pixel, 0).rgb;
@@ -98,19 +98,19 @@ vec3 light_surface(Surface s, ivec2 pixel) {
     radiance += diffuse * indirect_radiance(s, pixel);
 #if DIRECT_LIGHT != NONE
     vec3 sun = light_irradiance() * sun_visibility(pixel, s.player, n, l, s.light.y);
-#if GATHERED
+#if HAS_GI
     sun *= sun_tint(s.player, ivec3(floor(to_volume(s.player + n * 0.02))));
 #endif
-#if GLOSSY
+#if HAS_GLOSSY
     radiance += sun * (s.gloss > 0 ? reflect_glossy(s.gloss, s.albedo, n, v, l)
                                    : reflect_direct(s.albedo, n, v, l));
 #else
     radiance += sun * reflect_direct(s.albedo, n, v, l);
 #endif
 #endif
-#if LAMPS_FORWARD
+#if HAS_FORWARD_LAMPS
     radiance += texelFetch(colortex7, pixel, 0).rgb;
-#elif LAMPS
+#elif HAS_LAMPS
     radiance += lamps_radiance(s.player, s.normal, float(s.thin), diffuse);
 #endif
     return radiance;
@@ -119,21 +119,21 @@ vec3 light_surface(Surface s, ivec2 pixel) {
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     Surface s = read_surface(pixel);
-#if LAMP_VOLUMES
+#if HAS_LAMP_VOLUMES
     read_lamp_volumes(pixel);
 #endif
     // What the sky programs drew: stars, sun, moon.
     vec3 behind = texelFetch(colortex0, pixel, 0).rgb + sky_radiance(normalize(s.player));
     out_color = vec4(s.sky ? behind : light_surface(s, pixel), 1.0);
-#if LIGHT_DEBUG_VIEW
+#if HAS_LIGHT_DEBUG
     out_color = vec4(light_debug(s), 1.0);
 #endif
-#if VOXELS_SHOWN
+#if HAS_VOXEL_VIEW
     out_color = vec4(voxel_view(s.player), 1.0);
 #endif
 #ifdef SHADOW_VIEW
     out_color = vec4(vec3(s.sky ? 1.0 : sun_arrives(s, pixel)), 1.0);
-#if LAMP_VOLUMES
+#if HAS_LAMP_VOLUMES
     for (int i = 0; i < 2 && !s.sky; ++i)
         out_color[i + 1] = lamp_arrives(i, s.player, s.normal, s.thin);
 #endif

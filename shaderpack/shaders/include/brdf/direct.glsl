@@ -15,7 +15,7 @@ vec3 reflect_phong(vec3 albedo, vec3 n, vec3 v, vec3 l) {
            phong_specular * lobe * (phong_exponent + 2.0) / (2.0 * pi);
 }
 
-// As published: the light's power holds pi, and the lobe has neither the cosine nor a norm, so that
+// As published (Pratiwi 2024, README.md): the light's power holds pi, and the lobe has neither the cosine nor a norm, so that
 // it reflects more than it receives at grazing angles and shines on faces turned away.
 const float published_specular = 0.3;
 
@@ -52,9 +52,9 @@ vec3 reflect_ggx(vec3 albedo, vec3 n, vec3 v, vec3 l) {
 /// Radiance toward `v` (unit, from the surface) for irradiance 1 on a plane facing the light.
 vec3 reflect_direct(vec3 albedo, vec3 n, vec3 v, vec3 l) {
     float cosine = max(dot(n, l), 0.0);
-#if DIRECT_LIGHT == LAMBERT_GGX
+#if DIRECT_LIGHT == DIRECT_LIGHT_LAMBERT_GGX
     return cosine * reflect_ggx(albedo, n, v, l);
-#elif DIRECT_LIGHT == PHONG_PUBLISHED
+#elif DIRECT_LIGHT == DIRECT_LIGHT_PHONG_PUBLISHED
     return reflect_as_published(albedo, n, v, l);
 #else
     return cosine * reflect_phong(albedo, n, v, l);

@@ -4,7 +4,7 @@
 #if !defined INCLUDED_DEBUG_COUNT
 #define INCLUDED_DEBUG_COUNT
 
-#if COUNTED
+#if HAS_COUNTERS
 layout(r32ui) uniform uimage2D gi_state;
 
 void count_voxel() { imageAtomicAdd(gi_state, ivec2(0, 0), 1u); }

@@ -16,9 +16,9 @@ vec3 light_debug(Surface s) {
     if (s.sky) return vec3(0.0);
     ivec2 cluster = cluster_of((gbufferModelView * vec4(s.player, 1.0)).xyz);
     uint count = cluster_count(cluster);
-#if LIGHT_DEBUG == COUNT
+#if LIGHT_DEBUG == LIGHT_DEBUG_COUNT
     return vec3(count, cluster.y, cluster.x) / 1000.0;
-#elif LIGHT_DEBUG == SLICE
+#elif LIGHT_DEBUG == LIGHT_DEBUG_SLICE
     int parity = (cluster.x / grid_columns + cluster.x % grid_columns) & 1;
     return vec3(vec2(cluster.y & 7) / 7.0, float(parity));
 #else

@@ -6,9 +6,9 @@
 #define INCLUDED_DEBUG_VOXEL_VIEW
 
 #include "/include/voxels/trace.glsl"
-#if AIR_LIGHT
+#if HAS_AIR_LIGHT
 #include "/include/floodfill/light_field.glsl"
-#elif FACES
+#elif HAS_FACE_CACHE
 #include "/include/face_cache/face_lookup.glsl"
 #endif
 
@@ -23,9 +23,9 @@ vec3 voxel_view(vec3 player) {
     Hit hit = trace(to_volume(direction * VOXEL_VIEW_FROM), direction);
     if (!hit.found) return vec3(0.0);
     if (is_lamp_voxel(hit.voxel.code)) return lamp_radiance(hit.voxel) * hit.transmittance;
-#if VOXEL_VIEW == RADIANCE && AIR_LIGHT
+#if VOXEL_VIEW == VOXEL_VIEW_RADIANCE && HAS_AIR_LIGHT
     vec3 shown = light_solid_aware(hit.position, hit.normal);
-#elif VOXEL_VIEW == RADIANCE && FACES
+#elif VOXEL_VIEW == VOXEL_VIEW_RADIANCE && HAS_FACE_CACHE
     vec3 shown = cached_light(hit.cell, face_of_hit(hit)).rgb;
 #else
     vec3 shown = hit.voxel.color * (0.6 + 0.1 * dot(hit.normal, vec3(1.0, 3.0, 2.0)));

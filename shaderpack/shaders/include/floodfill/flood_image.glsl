@@ -28,7 +28,7 @@ vec3 sound(vec3 light) {
                      light.b >= 0.0 && light.b <= light_max));
 }
 
-#if FLOODFILL_RULE == CONSERVING
+#if FLOODFILL_RULE == FLOODFILL_RULE_CONSERVING
 #define FLOOD_TEXEL vec4
 
 vec4 flood_texel_of(vec3 light, uint traits) { return vec4(light, 1.0); }

@@ -6,9 +6,9 @@
 #include "/include/voxels/voxel.glsl"
 #include "/include/math/sampling.glsl"
 
-#if FLOOD_IMAGE
+#if HAS_FLOOD_IMAGE
 #include "/include/floodfill/flood_image.glsl"
-#if defined STEPS_LIGHT
+#if defined HAS_FLOOD_WRITES
 layout(FLOODFILL_FORMAT) uniform FLOODFILL_IMAGE flood_light;
 const uint steps_back = 1u;  // what this frame's step reads
 #else
@@ -66,7 +66,7 @@ vec3 light_solid_aware(vec3 position, vec3 normal) {
 
 /// Light arriving at a face, as mean radiance. `position` in volume space; `u` random.
 vec3 light_at_face(vec3 position, vec3 normal, vec2 u) {
-#if FLOODFILL_LOOKUP == SOLID_AWARE
+#if FLOODFILL_LOOKUP == FLOODFILL_LOOKUP_SOLID_AWARE
     return light_solid_aware(position, normal);
 #else
     return light_published(position, normal, u);

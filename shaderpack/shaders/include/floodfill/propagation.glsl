@@ -62,7 +62,7 @@ bool closes(int code, ivec3 offset) {
 /// What left the volume as it moved sends none.
 vec3 light_from(Voxel v, ivec3 there, ivec3 scroll, vec3 own) {
     if (is_lamp_voxel(v.code)) return lamp_radiance(v);
-#if FLOODFILL_RULE == CONSERVING
+#if FLOODFILL_RULE == FLOODFILL_RULE_CONSERVING
     if (is_opaque_voxel(v.code)) return v.color * own;
 #else
     if (is_opaque_voxel(v.code)) return vec3(0.0);
@@ -73,7 +73,7 @@ vec3 light_from(Voxel v, ivec3 there, ivec3 scroll, vec3 own) {
 /// `self`: the cell's voxel. `scroll`: a cell was at cell + scroll when the light was stored.
 vec3 propagate(ivec3 cell, Voxel self, ivec3 scroll) {
     vec3 own = vec3(0.0);
-#if FLOODFILL_RULE == CONSERVING
+#if FLOODFILL_RULE == FLOODFILL_RULE_CONSERVING
     own = light_at(cell + scroll);
 #endif
 #if FLOODFILL_SKY == PUBLISHED
@@ -90,13 +90,13 @@ vec3 propagate(ivec3 cell, Voxel self, ivec3 scroll) {
 #if FLOODFILL_SKY == PUBLISHED
         light += daylight_from(v, offset, day);
 #endif
-#if FLOODFILL_RULE == CONSERVING
+#if FLOODFILL_RULE == FLOODFILL_RULE_CONSERVING
         sum += light;
 #else
         sum += to_power(light);
 #endif
     }
-#if FLOODFILL_RULE == CONSERVING
+#if FLOODFILL_RULE == FLOODFILL_RULE_CONSERVING
     return sum / 6.0;
 #else
     return from_power(sum) * (FLOODFILL_ALPHA / 6.0);
@@ -112,7 +112,7 @@ vec3 next_light(ivec3 cell, ivec3 scroll, bool step_now) {
     if (is_lamp_voxel(own.code)) light = lamp_radiance(own);
     if (!in_volume(cell)) light = vec3(0.0);
     light = clamp(light, 0.0, light_max);
-#if FLOODFILL_RULE == CONSERVING
+#if FLOODFILL_RULE == FLOODFILL_RULE_CONSERVING
     return light;
 #else
     return round_to_half(light);

@@ -36,7 +36,7 @@ bool begins_in_leaves(vec3 origin) { return voxel_at(ivec3(floor(origin))).code 
 /// What the side of a block of leaves leaves of a ray from inside; all that has a full block behind it, as it is not
 /// drawn. Without a cache of light it passes on what falls on it as if that went straight on.
 vec3 left_by_leaves(Voxel own, vec3 origin, vec3 direction) {
-#if FACES
+#if HAS_FACE_CACHE
     ivec3 beyond = ivec3(floor(origin + direction * (distance_out(origin, direction) + 0.001)));
     return vec3(is_opaque_voxel(voxel_at(beyond).code) ? 1.0 : leaf_holes);
 #else
@@ -65,7 +65,7 @@ Hit trace_from_face(vec3 origin, vec3 direction) {
     // What is thinner than half a block has its face inside of what stands for it.
     octants = (octants >> uint(dot(within, vec3(1.0, 2.0, 4.0))) & 1u) == 1u ? 0u : octants;
     Meeting met = meet_octants(walk, octants, vec2(-1.0, distance_out(origin, direction)));
-#if NOTICE_CHANGES
+#if HAS_VOXEL_CHANGES
     if (is_post(own.code)) met = meet_post(walk, own.code);
 #endif
     if (met.found)

@@ -4,7 +4,7 @@
 #define INCLUDED_GI_LEAVES
 
 #include "/include/gi/hit.glsl"
-#if FACES
+#if HAS_FACE_CACHE
 #include "/include/face_cache/face_cache.glsl"
 #endif
 
@@ -25,7 +25,7 @@ Hit side_of_leaves(vec3 origin, vec3 direction) {
 vec3 light_of_leaves(vec3 origin, vec3 direction, vec3 light, float sky) {
     Hit side = side_of_leaves(origin, direction);
     vec3 arriving = sun_at(side, light, sky);
-#if FACES
+#if HAS_FACE_CACHE
     // Towards a full block it has no face of its own.
     vec4 cached = trusted(imageLoad(face_light, face_texel(side.cell, face_of(side.normal))));
     if (cached.a == 0.0 || is_opaque_voxel(voxel_at(side.cell + ivec3(side.normal)).code)) return vec3(0.0);

@@ -13,7 +13,7 @@ bool camera_is_still() {
            gbufferProjection == gbufferPreviousProjection;
 }
 
-#if RESTS && defined VERTEX_STAGE
+#if HAS_REST && defined VERTEX_STAGE
 #include "/include/face_cache/face_cache.glsl"
 
 uniform usampler2D face_memory_texture;

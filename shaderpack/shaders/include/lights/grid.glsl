@@ -31,7 +31,7 @@ const float log_slices = float(max(grid_slices - 1, 1));
 /// Distance at which a slice begins. 0 for the first.
 float slice_start(int slice) {
     if (slice <= 0) return 0.0;
-#if LIGHT_SLICING == LINEAR
+#if LIGHT_SLICING == LIGHT_SLICING_LINEAR
     return far_slice * float(slice) / float(grid_slices);
 #else
     return first_slice * exp2(float(slice - 1) * (log2(far_slice / first_slice) / log_slices));
@@ -41,7 +41,7 @@ float slice_start(int slice) {
 /// The slice of a distance. Logarithm and power of a driver need not agree, so the guess is corrected
 /// by the very bounds that lamps are assigned by.
 int slice_of(float distance_along) {
-#if LIGHT_SLICING == LINEAR
+#if LIGHT_SLICING == LIGHT_SLICING_LINEAR
     float guess = distance_along * (float(grid_slices) / far_slice);
 #else
     float guess = 1.0 + log2(max(distance_along, 1e-6) / first_slice) *

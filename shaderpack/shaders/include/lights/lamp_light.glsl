@@ -3,7 +3,7 @@
 #define INCLUDED_LIGHTS_LAMP_LIGHT
 
 #include "/include/lights/lamps.glsl"
-#if LAMP_GLOSS
+#if HAS_LAMP_GLOSS
 #include "/include/brdf/direct.glsl"
 #endif
 #include "/include/math/sampling.glsl"
@@ -77,7 +77,7 @@ vec3 light_irradiance_at(vec4 place, vec4 power, vec3 position, vec3 normal, flo
     return cosine * light_on_facing(place, power, to_lamp, squared, inverse);
 }
 
-#if LAMP_GLOSS
+#if HAS_LAMP_GLOSS
 /// Radiance toward `view`, reflected as the sun's is.
 vec3 light_reflected_at(vec4 place, vec4 power, vec3 position, vec3 normal, float thin, vec3 albedo,
                         vec3 view) {

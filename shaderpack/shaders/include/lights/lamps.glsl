@@ -28,7 +28,7 @@ const uint auto_lamps = 8u;
 bool has_lists(uint lamps) {
 #if LIGHT_METHOD == AUTO
     return lamps > auto_lamps;
-#elif LIGHT_GRID
+#elif HAS_LIGHT_GRID
     return true;
 #else
     return false;

@@ -2,47 +2,47 @@
 #if !defined INCLUDED_LIGHTS_LIT_BY_LAMPS
 #define INCLUDED_LIGHTS_LIT_BY_LAMPS
 
-#if LAMP_SHADOWS
-#define READ_VOXELS
+#if HAS_LAMP_SHADOWS
+#define HAS_VOXEL_READS
 #include "/include/lights/lamp_shadows.glsl"
 #endif
 #include "/include/lights/lamp_light.glsl"
-#if LAMP_VOLUMES && defined READ_LAMP_VOLUMES
+#if HAS_LAMP_VOLUMES && defined HAS_LAMP_VOLUME_READS
 #include "/include/lights/lamp_volumes.glsl"
 #endif
 
 layout(rgba32f) uniform readonly image2D light_table;
 layout(r32ui) uniform readonly uimage2D light_state;
 
-#if LIGHT_GRID
+#if HAS_LIGHT_GRID
 #include "/include/lights/grid.glsl"
 
 layout(r16ui) uniform readonly uimage3D light_list;
 layout(r32ui) uniform readonly uimage3D light_bits;
 #endif
 
-#if LAMP_SHADOWS
+#if HAS_LAMP_SHADOWS
 Strongest strongest;  // of the lamps asked for this point
 #endif
-#if LAMP_GLOSS
+#if HAS_LAMP_GLOSS
 vec3 lamp_albedo;  // of this point
 vec3 lamp_view;    // from it to the eye
 #endif
 
-/// Irradiance; with LAMP_GLOSS what of it is reflected to the eye.
+/// Irradiance; with LIGHT_GLOSS what of it is reflected to the eye.
 vec3 light_of_lamp(uint lamp, vec3 position, vec3 normal, float thin) {
     ivec2 texel = table_texel(lamp);
     vec4 place = imageLoad(light_table, texel);
     vec4 power = imageLoad(light_table, texel + ivec2(1, 0));
-#if LAMP_GLOSS
+#if HAS_LAMP_GLOSS
     vec3 light = light_reflected_at(place, power, position, normal, thin, lamp_albedo, lamp_view);
 #else
     vec3 light = light_irradiance_at(place, power, position, normal, thin);
 #endif
-#if LAMP_VOLUMES && defined READ_LAMP_VOLUMES
+#if HAS_LAMP_VOLUMES && defined HAS_LAMP_VOLUME_READS
     light *= arrives_past_volumes(place.xyz);
 #endif
-#if LAMP_SHADOWS
+#if HAS_LAMP_SHADOWS
     keep_strongest(strongest, light, place.xyz);
 #endif
     return light;
@@ -50,7 +50,7 @@ vec3 light_of_lamp(uint lamp, vec3 position, vec3 normal, float thin) {
 
 uint lamp_count() { return imageLoad(light_state, ivec2(state_lamps, 0)).r; }
 
-#if LIGHT_GRID
+#if HAS_LIGHT_GRID
 bool has_list(ivec2 cluster) { return has_lists(lamp_count()) && cluster != no_cluster; }
 
 /// Lamps to ask at the cluster; without a list all.
@@ -90,23 +90,23 @@ vec3 table_irradiance(vec3 position, vec3 normal, float thin) {
 /// What a surface reflects of the lamps; `thin`: 1 if it is lit from either side.
 vec3 lamps_radiance(vec3 player, vec3 normal, float thin, vec3 albedo) {
     vec3 position = to_lamp_space(player);
-#if LAMP_GLOSS
+#if HAS_LAMP_GLOSS
     lamp_albedo = albedo;
     lamp_view = -normalize(player);
 #endif
-#if LAMP_SHADOWS
+#if HAS_LAMP_SHADOWS
     strongest = no_lamps();
 #endif
-#if LIGHT_GRID
+#if HAS_LIGHT_GRID
     vec3 view = (gbufferModelView * vec4(player, 1.0)).xyz;
     vec3 light = cluster_irradiance(cluster_of(view), position, normal, thin);
 #else
     vec3 light = table_irradiance(position, normal, thin);
 #endif
-#if LAMP_SHADOWS
+#if HAS_LAMP_SHADOWS
     light = max(light - hidden_light(strongest, player, normal), 0.0);
 #endif
-#if LAMP_GLOSS
+#if HAS_LAMP_GLOSS
     return light;
 #else
     return albedo / pi * light;

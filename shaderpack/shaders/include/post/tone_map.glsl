@@ -13,9 +13,9 @@ vec3 tone_map_reinhard(vec3 color) {
 vec3 tone_map_aces(vec3 x) { return x * (2.2 * x + 0.05) / (x * (2.2 * x + 0.85) + 0.2217); }
 
 vec3 tone_map(vec3 color) {
-#if TONE_MAP == ACES
+#if TONE_MAP == TONE_MAP_ACES
     return tone_map_aces(color);
-#elif TONE_MAP == REINHARD
+#elif TONE_MAP == TONE_MAP_REINHARD
     return tone_map_reinhard(color);
 #else
     return color;

@@ -7,23 +7,23 @@
 /// Where there is no map: the sky's level, 0..1, keeps the sun out of caves.
 float unmapped_visibility(float sky) { return smoothstep(0.3, 0.6, sky); }
 
-#if SHADOW_MAP
+#if HAS_SHADOW_MAP
 
-#if SHADOW_COMPARE == HARDWARE
+#if SHADOW_COMPARE == SHADOW_COMPARE_HARDWARE
 const bool shadowHardwareFiltering1 = true;
 uniform sampler2DShadow shadowtex1;
 #else
 uniform sampler2D shadowtex1;
 #endif
 
-#if SHADOW_METHOD == MAP
+#if SHADOW_METHOD == SHADOW_METHOD_MAP
 const int shadow_radius = 0;
 #else
 const int shadow_radius = 1;
 #endif
 
 /// How far from its middle a tap reads, in texels.
-const float shadow_tap = SHADOW_COMPARE == HARDWARE ? 1.0 : 0.5;
+const float shadow_tap = SHADOW_COMPARE == SHADOW_COMPARE_HARDWARE ? 1.0 : 0.5;
 
 /// Receiver and bias for a surface: xyz texel position and depth 0..1, w depth to allow.
 vec4 shadow_receiver(vec3 player, vec3 normal, vec3 light, int radius) {
@@ -47,7 +47,7 @@ vec4 shadow_receiver(vec3 player, vec3 normal, vec3 light, int radius) {
 
 /// Share of one tap that is lit. `position` in texels of the map.
 float lit_at(vec2 position, float depth) {
-#if SHADOW_COMPARE == HARDWARE
+#if SHADOW_COMPARE == SHADOW_COMPARE_HARDWARE
     // Of four texels; none may be a row of the voxels.
     position = clamp(position, vec2(0.5), vec2(shadow_map_size) - 0.5);
     vec2 uv = (position + vec2(0.0, shadow_map_bottom)) / float(SHADOW_TARGET);
@@ -71,7 +71,7 @@ float light_visibility(vec3 player, vec3 normal, vec3 light, int radius, float s
     return outside ? unmapped_visibility(sky) : lit / taps;
 }
 
-#if SHADOW_VOLUMES && defined READ_VOXELS
+#if HAS_SHADOW_VOLUMES && defined HAS_VOXEL_READS
 #include "/include/shadow/sheets.glsl"
 #include "/include/voxels/voxel.glsl"
 

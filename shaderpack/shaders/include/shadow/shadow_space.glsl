@@ -5,7 +5,7 @@
 
 #include "/include/uniforms.glsl"
 
-#if VOXELS
+#if HAS_VOXELS
 const int shadow_map_bottom = ATLAS_ROWS * VOLUME;
 #else
 const int shadow_map_bottom = 0;

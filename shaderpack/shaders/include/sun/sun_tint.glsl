@@ -1,4 +1,4 @@
-// The colour of sun or moon light in water, in stained glass and behind it. READ_VOXELS.
+// The colour of sun or moon light in water, in stained glass and behind it. Needs HAS_VOXEL_READS.
 #if !defined INCLUDED_SUN_SUN_TINT
 #define INCLUDED_SUN_SUN_TINT
 
@@ -6,7 +6,7 @@
 #include "/include/shadow/sheets.glsl"
 #include "/include/voxels/voxel.glsl"
 
-#if SHADOW_MAP
+#if HAS_SHADOW_MAP
 uniform sampler2D shadowtex0;
 
 // Nearer than this, in blocks, the surface in the map is the one that is lit.

@@ -4,14 +4,14 @@
 
 #include "/include/shadow/shadow.glsl"
 
-#if SHADOW_VOLUMES
+#if HAS_SHADOW_VOLUMES
 
 // Number of shadow volumes that hold what the pixel shows, modulo 256.
 uniform usampler2D stenciltex0;
 
 float sun_visibility(ivec2 pixel, vec3 player, vec3 normal, vec3 light, float sky) {
     float lit = float(texelFetch(stenciltex0, pixel, 0).r == 0u);
-#if SHADOW_MAP && defined READ_VOXELS
+#if HAS_SHADOW_MAP && defined HAS_VOXEL_READS
     lit *= open_share(player, normal, light);
 #endif
     return lit;

@@ -14,7 +14,7 @@
 const int farthest_reach = 8;
 const int words_of_row = (VOLUME + 31) / 32;
 
-#if defined MAKES_DISTANCES
+#if defined HAS_DISTANCE_WRITES
 layout(r32ui) uniform readonly uimage2D voxel_memory;
 
 bool distances_are_old() {

@@ -48,7 +48,7 @@ bool has_octants(int code) {
     return code == voxel_stairs || code == voxel_slab_bottom || code == voxel_slab_top;
 }
 
-#if defined MAKES_OCTANTS
+#if defined HAS_OCTANT_WRITES
 /// The octants behind a quad that reaches from `low` to `high`, as seen from the middle of its block.
 uint octants_behind(vec3 low, vec3 high, vec3 normal) {
     const float on_plane = 1.0 / 32.0;
@@ -72,13 +72,13 @@ void note_height(vec3 top, float level) {
     if (level > 0.5) imageAtomicMax(voxel_sums, lit_floor_texel(column), height_end - stored_height(top.y));
 }
 #else
-#if NOTICE_CHANGES
+#if HAS_VOXEL_CHANGES
 layout(r32ui) uniform readonly uimage2D voxel_sums;
 #endif
 
 /// The byte that stairs and posts have.
 uint kept_shape(ivec3 cell) {
-#if NOTICE_CHANGES
+#if HAS_VOXEL_CHANGES
     return imageLoad(voxel_sums, octants_texel(cell)).r >> uint(octants_shift(cell)) & all_octants;
 #else
     return 0u;
@@ -88,7 +88,7 @@ uint kept_shape(ivec3 cell) {
 /// Does light of the sky come to a place at the edge of the volume? Above all opaque blocks of its column, and above the
 /// lowest of their floors that gets some: caves lie below that. Only the face cache keeps the heights.
 bool sky_comes_to(vec3 position) {
-#if FACES
+#if HAS_FACE_CACHE
     ivec2 column = clamp(ivec2(floor(position.xz)), ivec2(0), volume_size.xz - 1);
     uint height = stored_height(position.y + 0.25);
     uint lit_floor = height_end - imageLoad(voxel_sums, lit_floor_texel(column)).r;
@@ -104,7 +104,7 @@ uint octants_of(int code, ivec3 cell) {
     uint octants = full ? all_octants : 0u;
     octants = code == voxel_slab_bottom ? lower_octants : octants;
     octants = code == voxel_slab_top ? upper_octants : octants;
-#if NOTICE_CHANGES
+#if HAS_VOXEL_CHANGES
     octants = code == voxel_stairs ? kept_shape(cell) : octants;
 #endif
     return octants;

@@ -6,7 +6,7 @@
 #include "/include/debug/count.glsl"
 #include "/include/voxels/octants.glsl"
 #include "/include/voxels/voxel.glsl"
-#if DISTANCES
+#if HAS_DISTANCES
 #include "/include/voxels/distance.glsl"
 #endif
 
@@ -55,7 +55,7 @@ void leave_cube(inout Walk walk, float reach) {
     bool x = leave.x < leave.y && leave.x < leave.z;
     bool y = !x && leave.y < leave.z;
     vec3 there = walk.cell;
-#if DISTANCES
+#if HAS_DISTANCES
     there = floor(walk.origin + walk.direction * min(leave.x, min(leave.y, leave.z)));
     there = clamp(there, walk.cell - (reach - 1.0), walk.cell + (reach - 1.0));
 #endif
@@ -64,7 +64,7 @@ void leave_cube(inout Walk walk, float reach) {
 
 /// On to the next cell that is not known to be empty.
 void walk_on(inout Walk walk) {
-#if DISTANCES
+#if HAS_DISTANCES
     walk.reach = max(1, walk.reach);
     for (int i = 0; i < 3 * VOLUME && uint(walk.reach - 1) < uint(stopped - 1); ++i) {
         leave_cube(walk, float(walk.reach));
@@ -181,14 +181,14 @@ Meeting meet(Walk walk, int code) {
     float miss_squared = dot(to_center, to_center) - along * along;
     met.found = met.found || (is_ball(code) &&
                               miss_squared < small_lamp_radius * small_lamp_radius);
-#if NOTICE_CHANGES
+#if HAS_VOXEL_CHANGES
     Meeting post = meet_post(walk, code);
     if (post.found) return post;
 #endif
     return met;
 }
 
-#if NOTICE_CHANGES
+#if HAS_VOXEL_CHANGES
 /// Of glass that a ray meets from within: its light comes by the side that is opposite, of this block or of glass beyond.
 /// Without one, where that stands before a wall, the light of its own outer side stands for it.
 void find_lit_side(inout Hit hit) {
@@ -217,7 +217,7 @@ void describe(inout Hit hit, Walk walk, Meeting met, vec4 texel) {
         walk.origin + walk.direction * (inside ? met.t : max(came.x, max(came.y, came.z)));
     hit.inner = inside && !is_post(hit.voxel.code) && hit.voxel.code != voxel_lava;
     hit.normal = -(inside ? met.axis : vec3(x, y, !x && !y)) * walk.stride;
-#if NOTICE_CHANGES
+#if HAS_VOXEL_CHANGES
     if (inside && is_glass(hit.voxel.code)) find_lit_side(hit);
 #endif
 }

@@ -100,7 +100,7 @@ vec3 voxel_albedo(Voxel v) { return is_ball(v.code) ? vec3(0.0) : v.color; }
 /// What is left of light after so many blocks of a translucent colour.
 vec3 filtered(vec3 color, float thickness) { return pow(max(color, vec3(1e-3)), vec3(thickness)); }
 
-#if defined READ_VOXELS
+#if defined HAS_VOXEL_READS
 #include "/include/voxels/volume.glsl"
 
 uniform sampler2D shadowcolor0;

@@ -11,7 +11,7 @@ layout(r32ui) uniform readonly uimage2D face_list;
 layout(r32ui) uniform readonly uimage2D face_tally;
 layout(r32ui) uniform readonly uimage2D face_memory;
 
-#define READ_VOXELS
+#define HAS_VOXEL_READS
 const int lamp_candidates = 16;
 #include "/include/lights/lamp_sample.glsl"
 #include "/include/gi/leaves.glsl"

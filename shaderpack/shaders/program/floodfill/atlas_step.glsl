@@ -9,7 +9,7 @@ void main() { gl_Position = ftransform(); }
 
 #else
 
-#define READ_VOXELS
+#define HAS_VOXEL_READS
 #include "/include/floodfill/propagation.glsl"
 
 /* RENDERTARGETS: 4 */

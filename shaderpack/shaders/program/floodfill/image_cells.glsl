@@ -5,7 +5,7 @@
 layout(local_size_x = 64) in;
 const ivec3 workGroups = ivec3(16, 1, 1);
 
-#define READ_VOXELS
+#define HAS_VOXEL_READS
 #include "/include/voxels/voxel.glsl"
 #include "/include/floodfill/active_bricks.glsl"
 

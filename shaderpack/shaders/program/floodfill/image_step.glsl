@@ -5,8 +5,8 @@
 layout(local_size_x = 64) in;
 const ivec3 workGroups = ivec3(16, 1, 1);
 
-#define READ_VOXELS
-#define STEPS_LIGHT
+#define HAS_VOXEL_READS
+#define HAS_FLOOD_WRITES
 #if FLOODFILL_RULE == PUBLISHED && FLOODFILL_SKY == NONE
 #include "/include/floodfill/power_step.glsl"
 #else

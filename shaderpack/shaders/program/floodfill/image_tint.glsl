@@ -5,8 +5,8 @@
 layout(local_size_x = 64) in;
 const ivec3 workGroups = ivec3(4, 1, 1);
 
-#define READ_VOXELS
-#define STEPS_LIGHT
+#define HAS_VOXEL_READS
+#define HAS_FLOOD_WRITES
 #include "/include/floodfill/power_step.glsl"
 #include "/include/floodfill/active_bricks.glsl"
 

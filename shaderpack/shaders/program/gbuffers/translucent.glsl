@@ -1,76 +1,59 @@
 // Water, glass, weather (PROGRAM_WEATHER) and clouds (PROGRAM_CLOUDS): lit where they are drawn, blended over the lit
 // scene.
 #include "/settings.glsl"
+#include "/include/block_vertex.glsl"
 #include "/include/blocks.glsl"
-#include "/include/uniforms.glsl"
 
 #if defined VERTEX_STAGE
 
-in vec2 mc_Entity;
-
-out vec2 uv;
-out vec4 tint;
-out vec2 light;
 out vec3 player;
-flat out vec3 normal;
 flat out float is_water;
 flat out float emission;  // level 0..15
-in vec4 at_midBlock;
-#if FACES && !LAMPS
+#if HAS_FACE_CACHE && !HAS_LAMPS
 flat out vec3 block;  // its middle, player space
 #endif
 
 void main() {
-    gl_Position = ftransform();
-    uv = (gl_TextureMatrix[0] * gl_MultiTexCoord0).xy;
-    tint = gl_Color;
-    vec2 lightmap = (gl_TextureMatrix[1] * gl_MultiTexCoord1).xy;
-    light = clamp((lightmap - 1.0 / 32.0) * 16.0 / 15.0, 0.0, 1.0);
+    int id = place_vertex();
 #if defined PROGRAM_CLOUDS
     // They have no light levels, which reads as full; no lamp reaches them.
     light = vec2(0.0, 1.0);
 #endif
     player = (gbufferModelViewInverse * (gl_ModelViewMatrix * gl_Vertex)).xyz;
-    normal = normalize(mat3(gbufferModelViewInverse) * (gl_NormalMatrix * gl_Normal));
-#if FACES && !LAMPS
+#if HAS_FACE_CACHE && !HAS_LAMPS
     block = player + at_midBlock.xyz / 64.0;
 #endif
-    int id = int(floor(mc_Entity.x + 0.5));
     is_water = float(id == block_water);
     emission = block_emission(id, at_midBlock.w);
 }
 
 #else
 
-#if LAMPS || FLOOD_IMAGE || FACES
+#if HAS_LAMPS || HAS_FLOOD_IMAGE || HAS_FACE_CACHE
 #extension GL_ARB_shader_image_load_store : enable
 #endif
-#if VOXELS
-#define READ_VOXELS
+#if HAS_VOXELS
+#define HAS_VOXEL_READS
 #endif
 #include "/include/math/color.glsl"
 #include "/include/gi/ambient.glsl"
 #include "/include/brdf/direct.glsl"
 #include "/include/shadow/shadow.glsl"
-#if LAMPS
+#if HAS_LAMPS
 #include "/include/lights/lit_by_lamps.glsl"
 #endif
-#if AIR_LIGHT
+#if HAS_AIR_LIGHT
 #include "/include/floodfill/light_field.glsl"
 #endif
-#if FACES
+#if HAS_FACE_CACHE
 #include "/include/face_cache/face_lookup.glsl"
 #include "/include/gi/hit.glsl"
 #endif
 
-in vec2 uv;
-in vec4 tint;
-in vec2 light;
 in vec3 player;
-flat in vec3 normal;
 flat in float is_water;
 flat in float emission;
-#if FACES && !LAMPS
+#if HAS_FACE_CACHE && !HAS_LAMPS
 flat in vec3 block;
 #endif
 
@@ -80,20 +63,20 @@ uniform sampler2D gtexture;
 layout(location = 0) out vec4 out_color;
 
 /// Mean radiance over the hemisphere: with floodfill, lamps from its cells instead of the lightmap;
-/// with the face cache, that of the block's face. Both hold the lamps' light, which LAMPS adds itself.
+/// with the face cache, that of the block's face. Both hold the lamps' light, which lamps of a list add themselves.
 vec3 indirect_radiance(vec3 n) {
-#if AIR_LIGHT && !LAMPS
+#if HAS_AIR_LIGHT && !HAS_LAMPS
     vec3 position = to_volume(player);
     if (in_volume(ivec3(floor(position))))
         return ambient_radiance(vec2(0.0, light.y), n) +
                light_solid_aware(position, n) * FLOODFILL_STRENGTH;
 #endif
     vec2 levels = light;
-#if LAMPS
+#if HAS_LAMPS
     levels.x *= unlisted_share(player);
 #endif
     vec3 lightmap = ambient_radiance(levels, n);
-#if FACES && !LAMPS
+#if HAS_FACE_CACHE && !HAS_LAMPS
     vec3 middle = to_volume(block);
     vec4 cached = cached_light_at(to_volume(player), ivec3(floor(middle)), face_of(n));
     float share = cached.a > 0.0 ? inside_volume(middle) : 0.0;
@@ -103,7 +86,7 @@ vec3 indirect_radiance(vec3 n) {
 #endif
 }
 
-#if FACES
+#if HAS_FACE_CACHE
 /// The light on what the water mirrors. Of a face beside a surface of water most lies below it: what is
 /// above sees half of what the block's top sees.
 vec3 light_beside(Hit hit) {
@@ -117,7 +100,7 @@ vec3 light_beside(Hit hit) {
 /// What water mirrors: the scene, as the voxels know it, or the sky where that reaches it.
 vec3 mirrored_radiance(vec3 n, vec3 direction, vec3 l) {
     float sky = light.y * light.y;
-#if FACES
+#if HAS_FACE_CACHE
     vec3 position = to_volume(player);
     if (inside_volume(position) > 0.0) {
         Hit hit = trace(position + n * pixel_offset(player), direction);
@@ -133,7 +116,7 @@ void main() {
 #ifdef SHADOW_VIEW
     discard;
 #endif
-#if VOXELS_SHOWN
+#if HAS_VOXEL_VIEW
     discard;
 #endif
     vec4 color = texture(gtexture, uv) * vec4(tint.rgb, 1.0);
@@ -152,7 +135,7 @@ void main() {
     radiance += light_irradiance() * light_visibility(player, n, l, shadow_radius, light.y) *
                 reflect_direct(albedo, n, v, l);
 #endif
-#if LAMPS
+#if HAS_LAMPS
     radiance += lamps_radiance(player, n, 0.0, albedo);
 #endif
 

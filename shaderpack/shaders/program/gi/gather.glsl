@@ -6,71 +6,71 @@
 
 #include "/include/gi/rest.glsl"
 
-#if FACES
+#if HAS_FACE_CACHE
 flat out int drawing;
 #endif
 
 void main() {
     gl_Position = drawn_corner(ftransform());
-#if FACES
+#if HAS_FACE_CACHE
     drawing = number_of_drawing();
 #endif
 }
 
 #else
 
-#if NOTICE_CHANGES
+#if HAS_VOXEL_CHANGES
 #extension GL_ARB_shader_image_load_store : enable
 #endif
 
-#define READ_GBUFFER
-#define READ_VOXELS
+#define HAS_GBUFFER_READS
+#define HAS_VOXEL_READS
 #include "/include/gbuffer.glsl"
 #include "/include/plane.glsl"
 #include "/include/math/random.glsl"
 #include "/include/gi/hit.glsl"
 #include "/include/gi/rest.glsl"
-#if AIR_LIGHT
+#if HAS_AIR_LIGHT
 #include "/include/floodfill/light_field.glsl"
 #endif
-#if FACES
+#if HAS_FACE_CACHE
 layout(rgba16f) uniform readonly image3D face_light;
 layout(r32ui) uniform readonly uimage2D face_memory;
 #include "/include/face_cache/face_cache.glsl"
 #endif
 #include "/include/gi/leaves.glsl"
-#if GLOSSY
+#if HAS_GLOSSY
 #include "/include/brdf/glossy.glsl"
 
 uniform sampler2D colortex8;
 #endif
-#if LAMP_RAYS
+#if HAS_LAMP_RAYS
 layout(r32ui) uniform readonly uimage2D face_list;
 layout(r32ui) uniform readonly uimage2D face_tally;
 const int lamp_candidates = 4;
 #include "/include/lights/lamp_sample.glsl"
 #endif
 
-#if LAMPS
+#if HAS_LAMPS
 #include "/include/lights/lamps.glsl"
 #endif
 
-#if GI_METHOD == BOUNCE_4
+#if GI_METHOD == GI_METHOD_BOUNCE_4
 const int gi_bounces = 4;
-#elif GI_METHOD == BOUNCE_2 || FACES
+#elif GI_METHOD == GI_METHOD_BOUNCE_2 || HAS_FACE_CACHE
 const int gi_bounces = 2;
 #else
 const int gi_bounces = 1;
 #endif
 
-#if FACES
+#if HAS_FACE_CACHE
 flat in int drawing;
 #endif
 
 uniform sampler2D colortex3;
 uniform sampler2D colortex5;
 
-#if GLOSSY
+#if HAS_GLOSSY
 /* RENDERTARGETS: 3,5,8 */
 layout(location = 2) out vec4 out_mirrored;
 #else
@@ -81,7 +81,7 @@ layout(location = 1) out vec4 out_plane;
 
 /// Does deferred4 add the light of a lamp that the ray from the pixel hits here?
 bool lit_directly(int bounce, vec3 position) {
-#if LAMPS
+#if HAS_LAMPS
     return bounce == 0 && in_lamp_volume(ivec3(floor(to_lamp_space(from_volume(position)))));
 #else
     return false;
@@ -104,7 +104,7 @@ vec3 gather(Surface s, vec3 light, int number) {
     vec3 origin = to_volume(s.player) + normal * pixel_offset(s.player);
     vec3 radiance = vec3(0.0);
     begins_on_lamp = s.emission > 0.0;
-#if LAMP_RAYS
+#if HAS_LAMP_RAYS
     // Rays into the hemisphere and to lamps take turns, over frames and over squares of 4 x 4 pixels: processors draw these
     // together, so that what either kind of ray costs is spent on half of the picture.
     uint lamps = listed_lamps();
@@ -115,12 +115,12 @@ vec3 gather(Surface s, vec3 light, int number) {
 #endif
     for (int bounce = 0; bounce < gi_bounces; ++bounce) {
         vec2 u = next_random().xy;
-#if FACES
+#if HAS_FACE_CACHE
         if (bounce == 0) u = spread_point(ivec2(gl_FragCoord.xy), number);
 #endif
         vec3 direction = cosine_direction(normal, u);
         vec3 from = origin;
-#if LAMP_RAYS
+#if HAS_LAMP_RAYS
         LampSample lamp;
         for (int i = 0; i < int(aimed); ++i) {
             lamp = choose_lamp(Receiver(origin, normal), lamps, u);
@@ -143,7 +143,7 @@ vec3 gather(Surface s, vec3 light, int number) {
             break;
         }
         if (is_lamp_voxel(hit.voxel.code)) {
-#if LAMP_RAYS
+#if HAS_LAMP_RAYS
             radiance += throughput * met_lamp(hit, Receiver(origin, normal), direction);
 #else
             radiance += throughput * lamp_light(hit.voxel) *
@@ -155,16 +155,16 @@ vec3 gather(Surface s, vec3 light, int number) {
         begins_on_lamp = false;
         throughput *= voxel_albedo(hit.voxel);
         radiance += throughput * sun_at(hit, light, s.light.y);
-#if AIR_LIGHT
+#if HAS_AIR_LIGHT
         // The cells before a lamp hold its own light: what it reflects is not known.
         if (is_lamp_voxel(hit.voxel.code)) break;
         radiance += throughput * light_at_face(hit.position, normal, next_random().xy) *
                     FLOODFILL_STRENGTH;
-#elif FACES
+#elif HAS_FACE_CACHE
         // From so near the mean of a face is not what is seen of it: gathered anew, as final gathering with photon
         // maps does (Jensen 2001, "Realistic Image Synthesis Using Photon Mapping").
         if (bounce == 0 && distance(hit.position, from) < FACE_NEAR) {
-#if LAMP_RAYS
+#if HAS_LAMP_RAYS
             aimed = lamps > 0u && next_random().x < 0.5;
 #endif
             continue;
@@ -179,7 +179,7 @@ vec3 gather(Surface s, vec3 light, int number) {
     return radiance;
 }
 
-#if GLOSSY
+#if HAS_GLOSSY
 /// One sample of what a polished block or a metal mirrors.
 vec3 mirrored(Surface s, vec3 light) {
     vec3 v = -normalize(s.player);
@@ -216,14 +216,14 @@ vec4 history(Surface s) {
 
 // While the cache still fills, early frames are wrong rather than noisy: let them fade as the
 // frames' number cubed instead of keeping them in a plain mean.
-#if AIR_LIGHT || FACES
+#if HAS_AIR_LIGHT || HAS_FACE_CACHE
 const float history_ramp = 3.0;
 #else
 const float history_ramp = 1.0;
 #endif
 
 vec4 accumulate(vec3 radiance, vec4 before) {
-#if FACES
+#if HAS_FACE_CACHE
     if (light_changes(imageLoad(face_memory, memory_last).r))
         before.a = min(before.a, face_edited_updates);
 #endif
@@ -243,7 +243,7 @@ void main() {
     vec3 radiance = vec3(0.0);
     // Of the sky no ray is sent: a loop without turns costs nothing, a branch may.
     int samples = s.sky ? 0 : GI_SAMPLES;
-#if FACES
+#if HAS_FACE_CACHE
     int first = drawing * GI_SAMPLES;
 #else
     int first = 0;
@@ -255,7 +255,7 @@ void main() {
 #ifdef TEMPORAL_ACCUMULATION
     out_radiance = accumulate(radiance, history(s));
 #endif
-#if GLOSSY
+#if HAS_GLOSSY
     // No turn for what is diffuse.
     out_mirrored = vec4(0.0);
     for (int i = 0; i < min(s.gloss, 1); ++i) out_mirrored = vec4(mirrored(s, light), 1.0);

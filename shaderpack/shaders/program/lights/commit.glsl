@@ -10,7 +10,7 @@ void note(int what, uint value) { imageStore(light_state, ivec2(what, 0), uvec4(
 
 void main() {
     bool table = lights_changed();
-#if LIGHT_GRID
+#if HAS_LIGHT_GRID
     if (grid_changed()) {
         note(state_spilled, tally_of(lamp_spilled));
         note(state_longest, tally_of(lamp_longest));

@@ -4,7 +4,7 @@
 
 #include "/include/lights/changes.glsl"
 #include "/include/lights/lamp_light.glsl"
-#if LIGHT_GRID
+#if HAS_LIGHT_GRID
 #include "/include/lights/grid_rest.glsl"
 #endif
 
@@ -32,7 +32,7 @@ void enter(uint slot, ivec3 cell, uint lamp) {
 void main() {
     int rows = lights_changed() ? lamp_volume * lamp_volume : 0;
     int threads = int(gl_NumWorkGroups.x * gl_WorkGroupSize.x);
-#if LIGHT_GRID
+#if HAS_LIGHT_GRID
     clear_rests(int(gl_GlobalInvocationID.x), threads);
 #endif
     for (int i = int(gl_GlobalInvocationID.x); i < rows; i += threads) {

@@ -6,7 +6,7 @@
 #include "/include/shadow/shadow_space.glsl"
 #include "/include/math/color.glsl"
 #include "/include/voxels/voxel.glsl"
-#if VOXELS
+#if HAS_VOXELS
 #include "/include/voxels/volume.glsl"
 #endif
 
@@ -24,7 +24,7 @@ out float vertex_id;
 out float vertex_emission;
 out vec3 vertex_normal;
 out float vertex_sky;  // level 0..15
-#if VOXELS || LAMPS
+#if HAS_VOXELS || HAS_LAMPS
 out vec3 vertex_player;
 #endif
 
@@ -40,7 +40,7 @@ void main() {
     vertex_emission = block_emission(int(floor(mc_Entity.x + 0.5)), at_midBlock.w);
     vertex_normal = mat3(shadowModelViewInverse) * (gl_NormalMatrix * gl_Normal);
     vertex_sky = (gl_TextureMatrix[1] * gl_MultiTexCoord1).y * 16.0 - 0.5;
-#if VOXELS || LAMPS
+#if HAS_VOXELS || HAS_LAMPS
     vertex_player = player;
 #endif
 }
@@ -58,7 +58,7 @@ in float vertex_id[];
 in float vertex_emission[];
 in vec3 vertex_normal[];
 in float vertex_sky[];
-#if VOXELS || LAMPS
+#if HAS_VOXELS || HAS_LAMPS
 in vec3 vertex_player[];
 #endif
 
@@ -68,7 +68,7 @@ flat out vec4 sheet;  // as include/shadow/sheets.glsl stores it; 0: nothing
 flat out vec2 lattice;
 flat out vec4 tile;  // the quad's part of the atlas: low, high
 
-#if VOXELS || LAMPS
+#if HAS_VOXELS || HAS_LAMPS
 
 uniform sampler2D gtexture;
 
@@ -125,7 +125,7 @@ Block block_of_quad() {
 
 #endif
 
-#if LAMPS
+#if HAS_LAMPS
 #extension GL_ARB_shader_image_load_store : enable
 #include "/include/lights/lamp_list.glsl"
 
@@ -137,17 +137,17 @@ void emit_lamp() {
 }
 #endif
 
-#if VOXELS
+#if HAS_VOXELS
 
-#if NOTICE_CHANGES
+#if HAS_VOXEL_CHANGES
 #extension GL_ARB_shader_image_load_store : enable
 #include "/include/voxels/checksum.glsl"
 #include "/include/debug/count.glsl"
-#define MAKES_OCTANTS
+#define HAS_OCTANT_WRITES
 #include "/include/voxels/octants.glsl"
 #endif
-#if FACES
-#include "/include/face_cache/face_list.glsl"
+#if HAS_FACE_CACHE
+#include "/include/face_cache/due_faces.glsl"
 #endif
 
 /// Mean linear colour of the quad, weighted by alpha, and the mean of that: 16 taps over its part of the atlas,
@@ -182,7 +182,7 @@ vec4 block_voxel(int id, float emission, vec3 normal) {
     if (id == block_water || id == block_translucent) return encode_voxel(color, voxel_translucent);
     if (id == block_slab_bottom) return encode_voxel(color, voxel_slab_bottom);
     if (id == block_slab_top) return encode_voxel(color, voxel_slab_top);
-#if NOTICE_CHANGES
+#if HAS_VOXEL_CHANGES
     if (id == block_stairs) return encode_voxel(color, voxel_stairs);
     int holes = clamp(int((1.0 - face.a) * 8.0 + 0.5), 0, 5);
     if (id == block_plate) return encode_voxel(color, voxel_plate + holes);
@@ -204,14 +204,14 @@ void emit_voxel() {
     Block block = block_of_quad();
     ivec3 cell = ivec3(floor(to_volume(block.middle)));
     if (!is_new_quad()) return;
-#if FACES
+#if HAS_FACE_CACHE
     if (vertex_normal[0].y > 0.5 && !lets_light_pass(block.id))
         note_height(to_volume(0.5 * (quad_low() + quad_high())), vertex_sky[0]);
 #endif
     if (!in_volume(cell)) return;
     voxel = block_voxel(block.id, block.emission, vertex_normal[0]);
     if (voxel.a == 0.0) return;
-#if NOTICE_CHANGES
+#if HAS_VOXEL_CHANGES
     count_voxel();
     int code = int(voxel.a * 255.0 + 0.5);
     int face = face_of(vertex_normal[0]);
@@ -228,7 +228,7 @@ void emit_voxel() {
                                         : octants_behind(low, high, normal));
     }
 #endif
-#if FACES
+#if HAS_FACE_CACHE
     // What is thinner than half a block counts as half of it.
     float outward = dot(vertex_player[0] - block.middle, vertex_normal[0]);
     bool inner = has_octants(code) && outward < 0.25;
@@ -263,7 +263,7 @@ void emit_voxel() {
 
 void emit_triangle() {
     sheet = vec4(0.0);
-#if VOXELS
+#if HAS_VOXELS
     sheet = sheet_of_triangle();
 #endif
     lattice = shadow_lattice();
@@ -280,13 +280,13 @@ void emit_triangle() {
 }
 
 void main() {
-#if SHADOW_MAP
+#if HAS_SHADOW_MAP
     emit_triangle();
 #endif
-#if VOXELS
+#if HAS_VOXELS
     emit_voxel();
 #endif
-#if LAMPS
+#if HAS_LAMPS
     emit_lamp();
 #endif
 }

@@ -4,8 +4,8 @@
 layout(local_size_x = 64) in;
 const ivec3 workGroups = ivec3(16, 1, 1);
 
-#define READ_VOXELS
-#define MAKES_DISTANCES
+#define HAS_VOXEL_READS
+#define HAS_DISTANCE_WRITES
 #include "/include/voxels/voxel.glsl"
 #include "/include/voxels/distance.glsl"
 

@@ -6,7 +6,7 @@
 layout(local_size_x = 64) in;
 const ivec3 workGroups = ivec3(16, 1, 1);
 
-#define MAKES_DISTANCES
+#define HAS_DISTANCE_WRITES
 #include "/include/voxels/distance.glsl"
 
 layout(r32ui) uniform readonly uimage3D voxel_bits;
