@@ -26,7 +26,7 @@ const int colortex0Format = RGBA32F;
 in vec2 uv;
 void main() {
   float sum = 0.0;
-  for (int i = 0; i < WORK * int(10.0 * SHARE - 3.9); ++i) sum += sin(uv.x * float(i));
+  for (int i = 0; i < WORK * int(exp2(8.0 * SHARE - 4.0) + 0.01); ++i) sum += sin(uv.x * float(i));
   gl_FragData[0] = vec4(vec3(SHARE * (1.0 + clamp(sum, 0.0, 1e-9))), 1.0);
 }
 """

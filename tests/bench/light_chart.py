@@ -3,7 +3,7 @@
 
 Processor time of passes. Lamps: `shade` is what the passes that light (deferred4, and what is drawn) take over the same
 without lamps (`orris chart`, interleaved); `cull` what making the lists takes in each frame of a turning camera
-(`orris render --timings`, shadowcomp2 to 5); `collect` what the shadow pass takes that finds the lamps. Lights a pixel and
+(`orris render --timings`, shadowcomp3 to 6); `collect` what the shadow pass takes that finds the lamps. Lights a pixel and
 entries are counted by LIGHT_DEBUG. Grid: the same for columns times slices, linear and logarithmic.
 
 Writes lamps.csv, lamps.png, grid.csv and grid.png into the folder. A second run of the same command goes on where the
@@ -34,7 +34,7 @@ COMMON = ["GI_METHOD=NONE", "SHADOW_METHOD=NONE", "DIRECT_LIGHT=NONE", "LIGHT_CA
 COLUMNS, SLICES, SLICING = [8, 16, 20, 32], [1, 8, 16, 24, 32], ["LINEAR", "LOGARITHMIC"]
 LIGHTING = ("deferred4",)  # passes in which lamps shine, as their names begin
 FORWARD_LIGHTING = ("gbuffers_terrain", "deferred4")
-CULLING = ["shadowcomp2", "shadowcomp3", "shadowcomp4", "shadowcomp5"]
+CULLING = ["shadowcomp3", "shadowcomp4", "shadowcomp5", "shadowcomp6"]
 TURN = 12  # frames
 
 

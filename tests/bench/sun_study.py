@@ -8,10 +8,11 @@ import argparse
 import datetime
 import json
 import pathlib
-import re
 import subprocess
 import sys
 import tempfile
+
+from study_page import commit_of, markdown_table, with_part
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests" / "app"))
@@ -110,12 +111,10 @@ def worst(row):
 
 
 def table(rows):
-    lines = ["| block | time | path tracer, R G B | " + " | ".join(f"`{method}`" for method in METHODS)
-             + " | largest difference |", "| " + "--- | " * (4 + len(METHODS))]
-    for name, time, row in rows:
-        cells = [name, time, *(" ".join(f"{value:.3f}" for value in values) for values in row), f"{worst(row):.3f}"]
-        lines.append("| " + " | ".join(map(str, cells)) + " |")
-    return "\n".join(line.rstrip() for line in lines)
+    heads = ["block", "time", "path tracer, R G B", *(f"`{method}`" for method in METHODS), "largest difference"]
+    cells = [[name, time, *(" ".join(f"{value:.3f}" for value in values) for values in row), f"{worst(row):.3f}"]
+             for name, time, row in rows]
+    return markdown_table(heads, cells)
 
 
 def summary(rows):
@@ -131,20 +130,6 @@ def commands():
     return "\n".join(["    orris trace WORLD -o r.exr " + " ".join(trace_flags()),
                       "    orris render shaderpack WORLD -o f.png --dump colortex0=f.exr "
                       + " ".join(render_flags(METHODS[0], "PHONG"))])
-
-
-def with_shares(page, text):
-    """
-    >>> with_shares("a<!-- shares -->old<!-- end of shares -->b", "new")
-    'a<!-- shares -->\\nnew\\n<!-- end of shares -->b'
-    """
-    return re.sub(r"(<!-- shares -->).*(<!-- end of shares -->)", lambda m: f"{m[1]}\n{text}\n{m[2]}", page, flags=re.S)
-
-
-def commit_of(pack):
-    def git(*arguments):
-        return subprocess.run(["git", "-C", pack, *arguments], check=True, capture_output=True, text=True).stdout
-    return git("rev-parse", "--short", "HEAD").strip() + ("+" if git("status", "--porcelain", ".") else "")
 
 
 def main():
@@ -163,7 +148,7 @@ def main():
     rows.sort(key=lambda row: (list(SCENES).index(row[0]), row[1]))
     made = f"Commit {commit_of(args.pack)}, {datetime.date.today().isoformat()}."
     text = "\n\n".join([commands(), f"{summary(rows)} {made}", table(rows)])
-    args.page.write_text(with_shares(args.page.read_text(), text))
+    args.page.write_text(with_part(args.page.read_text(), "shares", text))
     print(summary(rows))
 
 

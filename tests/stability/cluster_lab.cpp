@@ -96,7 +96,7 @@ SessionSetup ClusterLab::sessionOf(const ClusterSetup& setup) {
   session.options.emplace("LIGHT_CAPACITY", "1024");
   session.change = [setup](PackTexts& files) {
     const std::string random = fmt::format(kRandom);
-    files["/shadowcomp2.csh"] = fmt::format(kTable, random, setup.light, setup.lights);
+    files["/shadowcomp3.csh"] = fmt::format(kTable, random, setup.light, setup.lights);
     files["/deferred4.fsh"] = fmt::format(kProbe, random, setup.probe, setup.functions);
     edit(files["/include/buffers.glsl"], "colortex0Format = RGBA16F", "colortex0Format = RGBA32F");
     if (setup.change) setup.change(files);

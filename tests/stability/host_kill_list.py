@@ -63,16 +63,29 @@ def build_tests(build, program, source, changed, target):
     return done.stdout if done.returncode != 0 else ""
 
 
+def rows_of(table):
+    """name, tests, file, what is replaced by what"""
+    return [(name, filters, file, before, after)
+            for file, rows in table.items() for name, filters, before, after in rows]
+
+
+def mutated(mutant, folder):
+    """The text of the file with the mistake, and None or why the mistake does not fit it any more."""
+    _, _, file, before, after = mutant
+    text = (folder / file).read_text()
+    problem = None if text.count(before) == 1 else f"{file}: found {text.count(before)} times: {before!r}"
+    return text.replace(before, after), problem
+
+
 def try_mutant(args, mutant):
     """(killed, what happened)"""
-    _, filters, file, before, after = mutant
-    source = args.source / file
-    text = source.read_text()
-    if text.count(before) != 1:
-        return False, f"{file}: found {text.count(before)} times: {before!r}"
+    source, filters = args.source / mutant[2], mutant[1]
+    text, problem = mutated(mutant, args.source)
+    if problem:
+        return False, problem
     with tempfile.TemporaryDirectory() as folder:
         changed = pathlib.Path(folder) / source.name
-        changed.write_text(text.replace(before, after))
+        changed.write_text(text)
         problem = build_tests(args.build, args.program, source, changed,
                               pathlib.Path(folder) / "tests")
         if problem:
@@ -92,7 +105,7 @@ def main():
     parser.add_argument("--only", default="", help="mutants whose name contains this")
     args = parser.parse_args()
     args.source = args.source.resolve()
-    chosen = [row for row in kill_list.read_table(args.table) if args.only in row[0]]
+    chosen = [row for row in rows_of(kill_list.read_table(args.table)) if args.only in row[0]]
 
     filters = ":".join(dict.fromkeys(row[1] for row in chosen))
     code, output = kill_list.run_tests(pathlib.Path(args.build) / args.program, filters,

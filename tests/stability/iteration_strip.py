@@ -17,7 +17,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 
-VOLUME, COLUMNS = 64, 16  # ATLAS_COLUMNS of settings.glsl
+VOLUME, COLUMNS = 64, 16  # ATLAS_COLUMNS of include/derived/sizes.glsl
 
 
 def layers(args, frames, folder):

@@ -182,7 +182,7 @@ MUTANTS = [
        "                    (next_random().x < 1.0 / 256.0 ? 256.0 : 0.0) *")]),
     ("B2 four bounces are one", "B2.*", [(GI, "const int gi_bounces = 4;", "const int gi_bounces = 1;")]),
     ("B3 no ray to the lamp", "B3.*",
-     [("settings.glsl", "#define LAMP_RAYS (FACES && !LAMPS && GI_LAMPS == SAMPLED)", "#define LAMP_RAYS 0")]),
+     [("include/derived/features.glsl", "#define HAS_LAMP_RAYS (HAS_FACE_CACHE && !HAS_LAMPS && GI_LAMPS == GI_LAMPS_SAMPLED)", "#define HAS_LAMP_RAYS 0")]),
     ("B4 the same noise in each frame", "B4.*",
      [(GI, "seed_random(pixel, frameCounter);", "seed_random(pixel, 0);")]),
     ("B4 new frames count twice", "B4.weight*",

@@ -133,7 +133,7 @@ TEST(A19, furnace_stays_at_emission_over_absorption) {
 double meanLookup(const std::string& lookup) {
   const std::string program = R"(#version 330 compatibility
 #include "/settings.glsl"
-#define READ_VOXELS
+#define HAS_VOXEL_READS
 #include "/include/floodfill/light_field.glsl"
 #include "/include/math/random.glsl"
 /*

@@ -1,55 +1,52 @@
 """Mistakes put into the host's side of shadow volumes, and the tests that must find them.
 
-For host_kill_list.py --table: name, tests, file, what is replaced by what.
+For host_kill_list.py --table, by file: name, tests, what is replaced by what.
 """
 
-SILHOUETTE = "loader/world/mesh/silhouette.cpp"
-CASTERS = "loader/world/mesh/casters.cpp"
-VOLUMES = "loader/render/scene/shadow_volumes.cpp"
-LAMPS = "loader/render/scene/lamp_volumes.cpp"
-
-MUTANTS = [
-    ("D1 z-pass for z-fail", "D1.only*", VOLUMES,
-     "if (method == VolumeMethod::ZFail) return drawPart(silhouettes(light, true), kZFail);", ""),
-    ("D1 the eye is in no volume", "D1.only*:D2.a_path*", VOLUMES,
-     "if (method != VolumeMethod::Auto) return;", "return;"),
-    ("D2 no near caps", "D1.crossings*:D1.only*", SILHOUETTE,
-     "    triangle(a, b, c);\n    triangle(c, d, a);\n", ""),
-    ("D2 no far caps of lamps", "D1.crossings*", SILHOUETTE,
-     "    triangle(g, f, e);\n    triangle(e, h, g);\n", ""),
-    ("D2 a far end of the sun's volumes", "D1.crossings*:D1.volumes*", SILHOUETTE,
-     "glm::vec4(-glm::vec3(light_), 0)", "glm::vec4(-glm::vec3(light_) * 9.0f, 1)"),
-    ("D2 a far end of lamps' volumes", "D1.crossings*", SILHOUETTE,
-     "glm::vec4(corner - glm::vec3(light_), 0)", "glm::vec4(corner * 2.0f - glm::vec3(light_), 1)"),
-    ("D2 no depth clamp", "D2.volumes_at*", "loader/render/draw/draw_shadow_volumes.cpp",
-     "  gl::Enable(GL_DEPTH_CLAMP);\n", ""),
-    ("D3 caps where they are seen", "D3.*", VOLUMES,
-     "constexpr float kBehind = 4, kBehindSlope = 1.0f / 256;", "constexpr float kBehind = 0, kBehindSlope = 0;"),
-    ("D4 counts of z-pass that saturate", "D4.*", VOLUMES,
-     "kZPass{GL_LESS, GL_KEEP, GL_INCR_WRAP, GL_KEEP, GL_DECR_WRAP}",
-     "kZPass{GL_LESS, GL_KEEP, GL_INCR, GL_KEEP, GL_DECR}"),
-    ("D4 counts of z-fail that saturate", "D4.*", VOLUMES,
-     "kZFail{GL_LESS, GL_DECR_WRAP, GL_KEEP, GL_INCR_WRAP, GL_KEEP}",
-     "kZFail{GL_LESS, GL_DECR, GL_KEEP, GL_INCR, GL_KEEP}"),
-    ("D5 leaves cast by the faces that the light does not see", "D5.*", SILHOUETTE,
-     "face.seeThrough ? cosine > kAlongLight : cosine < -kAlongLight", "cosine < -kAlongLight"),
-    ("D6 boundaries without direction", "D6.*:D1.crossings*", SILHOUETTE,
-     "if (count < 0) std::swap(run.from, run.to);", ""),
-    ("D7 merged runs", "D7.*", SILHOUETTE,
-     "      emit(axis, here, since, count, result);\n      since = here.at;\n",
-     "      if (next != count) emit(axis, here, since, count, result), since = here.at;\n"),
-    ("D8 ends no farther behind than beginnings", "D8.*", VOLUMES,
-     "kEndsBehind = 2", "kEndsBehind = 1"),
-    ("D9 a face whose volume may hold the eye left out", "D9.*", VOLUMES,
-     "return glm::dot(p - on, normal) > kMargin * length;",
-     "return glm::dot(p - on, normal) > -0.3 * length;"),
-    ("lamps: the lamp shades itself", "LampVolumes.*", CASTERS,
-     "if (glm::ivec3(glm::floor(middle - face.normal * kInside)) == own) continue;", ""),
-    ("lamps: casters of half the range", "LampVolumes.*", CASTERS, "<= range)", "<= range * 0.5)"),
-    ("lamps: a scissor too small", "LampVolumes.*", LAMPS,
-     "middle + side * radius", "middle + side * radius * 0.5f"),
-    ("lamps: the stencil of the lamp before", "LampVolumes.*", LAMPS,
-     "    gl::ClearStencil(0);\n    gl::Clear(GL_STENCIL_BUFFER_BIT);\n", ""),
-    ("lamps: one bit for all", "LampVolumes.*", LAMPS, "1u << bit", "1u"),
-    ("lamps: the farthest first", "LampVolumes.*", LAMPS, "first > second", "first < second"),
-]
+MUTANTS = {
+    "loader/render/scene/shadow_volumes.cpp": [
+        ("D1 z-pass for z-fail", "D1.only*",
+         "if (method == VolumeMethod::ZFail) return drawPart(silhouettes(light, true), kZFail);", ""),
+        ("D1 the eye is in no volume", "D1.only*:D2.a_path*", "if (method != VolumeMethod::Auto) return;", "return;"),
+        ("D3 caps where they are seen", "D3.*",
+         "constexpr float kBehind = 4, kBehindSlope = 1.0f / 256;", "constexpr float kBehind = 0, kBehindSlope = 0;"),
+        ("D4 counts of z-pass that saturate", "D4.*",
+         "kZPass{GL_LESS, GL_KEEP, GL_INCR_WRAP, GL_KEEP, GL_DECR_WRAP}",
+         "kZPass{GL_LESS, GL_KEEP, GL_INCR, GL_KEEP, GL_DECR}"),
+        ("D4 counts of z-fail that saturate", "D4.*",
+         "kZFail{GL_LESS, GL_DECR_WRAP, GL_KEEP, GL_INCR_WRAP, GL_KEEP}",
+         "kZFail{GL_LESS, GL_DECR, GL_KEEP, GL_INCR, GL_KEEP}"),
+        ("D8 ends no farther behind than beginnings", "D8.*", "kEndsBehind = 2", "kEndsBehind = 1"),
+        ("D9 a face whose volume may hold the eye left out", "D9.*",
+         "return glm::dot(p - on, normal) > kMargin * length;", "return glm::dot(p - on, normal) > -0.3 * length;"),
+    ],
+    "loader/world/mesh/silhouette.cpp": [
+        ("D2 no near caps", "D1.crossings*:D1.only*", "    triangle(a, b, c);\n    triangle(c, d, a);\n", ""),
+        ("D2 no far caps of lamps", "D1.crossings*", "    triangle(g, f, e);\n    triangle(e, h, g);\n", ""),
+        ("D2 a far end of the sun's volumes", "D1.crossings*:D1.volumes*",
+         "glm::vec4(-glm::vec3(light_), 0)", "glm::vec4(-glm::vec3(light_) * 9.0f, 1)"),
+        ("D2 a far end of lamps' volumes", "D1.crossings*",
+         "glm::vec4(corner - glm::vec3(light_), 0)", "glm::vec4(corner * 2.0f - glm::vec3(light_), 1)"),
+        ("D5 leaves cast by the faces that the light does not see", "D5.*",
+         "face.seeThrough ? cosine > kAlongLight : cosine < -kAlongLight", "cosine < -kAlongLight"),
+        ("D6 boundaries without direction", "D6.*:D1.crossings*", "if (count < 0) std::swap(run.from, run.to);", ""),
+        ("D7 merged runs", "D7.*",
+         "      emit(axis, here, since, count, result);\n      since = here.at;\n",
+         "      if (next != count) emit(axis, here, since, count, result), since = here.at;\n"),
+    ],
+    "loader/render/draw/draw_shadow_volumes.cpp": [
+        ("D2 no depth clamp", "D2.volumes_at*", "  gl::Enable(GL_DEPTH_CLAMP);\n", ""),
+    ],
+    "loader/world/mesh/casters.cpp": [
+        ("lamps: the lamp shades itself", "LampVolumes.*",
+         "if (glm::ivec3(glm::floor(middle - face.normal * kInside)) == own) continue;", ""),
+        ("lamps: casters of half the range", "LampVolumes.*", "<= range)", "<= range * 0.5)"),
+    ],
+    "loader/render/scene/lamp_volumes.cpp": [
+        ("lamps: a scissor too small", "LampVolumes.*", "middle + side * radius", "middle + side * radius * 0.5f"),
+        ("lamps: the stencil of the lamp before", "LampVolumes.*",
+         "    gl::ClearStencil(0);\n    gl::Clear(GL_STENCIL_BUFFER_BIT);\n", ""),
+        ("lamps: one bit for all", "LampVolumes.*", "1u << bit", "1u"),
+        ("lamps: the farthest first", "LampVolumes.*", "first > second", "first < second"),
+    ],
+}

@@ -143,7 +143,7 @@ def slider_drags(options, most, dice):
 def everything_is_used(session):
     """Edits, breaks, mends, walks screens and profiles, drags, shows, probes, resizes, leaves."""
     dice, options = random.Random(1), session.options()
-    path = next(path for path in session.sources() if path.name.startswith("final.") or path.name.startswith("composite"))
+    path = late_file(session)
     name, text = session.name(path), path.read_text(errors="replace")
     walk, screens = screen_walk(options)
     drags, sliders = slider_drags(options, 20, dice)
@@ -194,8 +194,22 @@ def shows_every_buffer(session):
     print(f"{len(shown)} buffers shown after the passes that write them")
 
 
+def late_file(session):
+    """A file of one of the last passes."""
+    return next(path for path in session.sources() if path.name.startswith(("final.", "composite")))
+
+
+def any_edit(session):
+    """As deep_edit, in any pack: a constant that nothing reads, so that the picture stays."""
+    if session.own:
+        return deep_edit(session)
+    path = late_file(session)
+    path.write_text(path.read_text(errors="replace") + "\nconst float edited = 1.0;\n")
+    return path, "edited = 1.0", "edited = 0.{:02}"
+
+
 def reloads_keep_the_memory(session):
-    path, old, new = deep_edit(session)
+    path, old, new = any_edit(session)
     steps, before = [{"frames": 3}], old
     for i in range(200):
         after = new.format(i % 97 + 1)
@@ -209,7 +223,7 @@ def reloads_keep_the_memory(session):
     growth = late["residentMegabytes"] / early["residentMegabytes"] - 1
     print(f"resident {early['residentMegabytes']:.1f} MB after 20 reloads, {late['residentMegabytes']:.1f} after 200:"
           f" {growth * 100:+.2f} %")
-    assert late["loads"] == 201 and late["glErrors"] == 0, late
+    assert late["loads"] >= 201 and late["glErrors"] == 0, late
     assert growth < 0.05, growth
 
 
