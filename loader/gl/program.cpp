@@ -106,6 +106,7 @@ void reflect(bool compute, Program& program) {
   const GLuint id = program.id();
   program.uniforms = listActive(id, GL_ACTIVE_UNIFORMS, GL_ACTIVE_UNIFORM_MAX_LENGTH,
                                 GetActiveUniform, GetUniformLocation);
+  GetProgramInterfaceiv(id, GL_SHADER_STORAGE_BLOCK, GL_ACTIVE_RESOURCES, &program.storageBlocks);
   if (compute) {
     program.computeLocalSize.resize(3);
     GetProgramiv(id, GL_COMPUTE_WORK_GROUP_SIZE, program.computeLocalSize.data());

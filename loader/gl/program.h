@@ -28,6 +28,7 @@ struct Program {
   Handle<deleteProgram> handle;
   std::vector<ActiveVariable> uniforms;  ///< samplers and images included
   std::vector<ActiveVariable> attributes;
+  int storageBlocks = 0;                 ///< active ones
   std::vector<int> computeLocalSize;  ///< 3 values for a compute program
   std::vector<std::string> stageLogs;
   std::vector<bool> stageFailed;

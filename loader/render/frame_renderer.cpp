@@ -4,6 +4,7 @@
 #include <malloc.h>
 #include <time.h>
 
+#include <algorithm>
 #include <chrono>
 #include <string>
 #include <utility>
@@ -150,7 +151,10 @@ void FrameRenderer::runStep(const Step& step, const FrameState& state) {
   const ProgramSource* source = step.program < 0 ? nullptr : &pack_->programs[step.program];
   if (step.kind != Step::Kind::Compute)
     note(step.name, source && !source->stages.empty() ? &source->stages.back() : nullptr);
-  if (loaded_->storesFromShaders) gl::MemoryBarrier(GL_ALL_BARRIER_BITS);
+  // A step whose shaders store waits for what came before, and what comes after waits for it; dispatch() sees to
+  // that itself. A software rasteriser would draw all passes one by one if each waited.
+  const bool stores = step.kind != Step::Kind::Compute && storesFromShaders(step);
+  if (std::exchange(stored_, stores) || stores) gl::MemoryBarrier(GL_ALL_BARRIER_BITS);
   switch (step.kind) {
     case Step::Kind::ClearImages:
       loaded_->resources->clearImages(false);
@@ -196,6 +200,12 @@ void FrameRenderer::runStep(const Step& step, const FrameState& state) {
                           processorSeconds() - startOfWork});
   }
   if (watcher_) watcher_(step);
+}
+
+bool FrameRenderer::storesFromShaders(const Step& step) const {
+  return std::ranges::any_of(programsOf(step), [](const GpuProgram* program) {
+    return !program->images.empty() || program->program.storageBlocks > 0;
+  });
 }
 
 void FrameRenderer::note(std::string_view name, const StageText* stage) {

@@ -148,6 +148,8 @@ class FrameRenderer {
   static std::shared_ptr<GpuProgram> buildWanted(const Wanted& wanted, const SourceLines& lines,
                                                  LoadReport& report, Diagnostics& diagnostics);
   void runStep(const Step& step, const FrameState& state);
+  /// May programs of the step write images or storage buffers?
+  bool storesFromShaders(const Step& step) const;
   /// Notes what is drawn next, for whoever watches over this process.
   void note(std::string_view name, const StageText* stage);
   void drawFullscreen(const Step& step, const FrameState& state);
@@ -192,6 +194,7 @@ class FrameRenderer {
   std::unique_ptr<Loaded> loaded_;
   Ahead ahead_;
   bool firstFrame_ = true;
+  bool stored_ = false;  ///< shaders of the last step did, and nothing has waited for it
   int framesOfPack_ = 0;  ///< drawn since setPack()
   float centerDepth_ = 1;
   const DrawLists* lists_ = nullptr;  ///< of the frame that is drawn

@@ -47,6 +47,24 @@ TEST_F(AutoSession, programs_are_those_of_the_value_that_costs_least) {
   EXPECT_NEAR(shown(), 0.5, 0.01);
 }
 
+TEST_F(AutoSession, programs_that_no_edit_reaches_are_taken_over_with_their_choice) {
+  addPack(kByLamps);
+  files_["/composite.vsh"] = files_["/final.vsh"];
+  files_["/composite.fsh"] = files_["/final.fsh"];
+  ASSERT_TRUE(start(withLamps(2))) << messages();
+  draw();
+  const auto program = [this](const char* name) { return session_->renderer().pack().find(name); };
+  const auto running = session_->renderer().sharedPack();
+  files_["/final.fsh"] += "// edited\n";
+  session_->begin("edit", [this](LoadRequest& request, Diagnostics& diagnostics) {
+    return std::make_shared<const ShaderPack>(*loadShaderPack(memorySource(files_), request, diagnostics));
+  });
+  EXPECT_EQ(session_->finish(diagnostics_), true) << messages();
+  EXPECT_EQ(chosen(), "METHOD=ONE");
+  EXPECT_EQ(program("composite"), running->find("composite"));
+  EXPECT_NE(program("final"), running->find("final"));
+}
+
 TEST_F(AutoSession, value_that_was_asked_for_is_not_overruled) {
   addPack(kByLamps);
   ASSERT_TRUE(start(withLamps(20), 32, 32, {.values = {{"METHOD", "ONE"}}})) << messages();

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <orris/gl/functions.h>
 #include <orris/render/frame_renderer.h>
 #include "render/render_fixture.h"
 
@@ -308,6 +309,52 @@ void main() { gl_FragColor = vec4(texelFetch(storeSampler, ivec2(1), 0).r, float
   ASSERT_TRUE(start(floorWorld())) << messages();
   draw(2);
   EXPECT_THAT(pixel("store", 0, 0), ElementsAre(64));
+}
+
+TEST_F(FrameRendererGL, only_passes_that_store_and_those_after_them_wait) {
+  files_["/shaders.properties"] = R"(skipAllRendering=true
+iris.features.required=CUSTOM_IMAGES SSBO
+image.store = storeSampler RED R32F FLOAT false false 4 4
+bufferObject.0 = 16
+)";
+  for (const char* name : {"composite", "composite1", "composite3", "final"}) addProgram(name, kPass);
+  addProgram("composite2",
+             "layout(r32f) uniform image2D store;\nvoid main() {\n  imageStore(store, ivec2(0), vec4(1));\n"
+             "  gl_FragData[0] = vec4(1);\n}\n");
+  addProgram("composite4",
+             "layout(std430, binding = 0) buffer Counter { uint count; };\nvoid main() {\n"
+             "  atomicAdd(count, 1u);\n  gl_FragData[0] = vec4(1);\n}\n");
+  for (const char* name : {"/composite2.fsh", "/composite4.fsh"})
+    files_[name].replace(0, files_[name].find('\n'), "#version 430 compatibility");
+  ASSERT_TRUE(start(floorWorld())) << messages();
+  static int barriers;
+  const auto original = std::exchange(gl::MemoryBarrier, [](GLbitfield) { ++barriers; });
+  std::map<std::string, int> before;
+  session_->renderer().watchSteps([&](const Step& step) { before[step.name] += std::exchange(barriers, 0); });
+  barriers = 0;
+  draw();
+  gl::MemoryBarrier = original;
+  for (const auto& [name, count] : before) {
+    const bool waits = name == "composite2" || name == "composite3" || name == "composite4" || name == "final";
+    EXPECT_EQ(count, waits ? 1 : 0) << name;
+  }
+}
+
+TEST_F(FrameRendererGL, passes_over_the_screen_have_an_alpha_test_that_all_pass) {
+  addProgram("composite", kPass);
+  addProgram("final", kPass);
+  ASSERT_TRUE(start(floorWorld())) << messages();
+  int passes = 0;
+  session_->renderer().watchSteps([&](const Step& step) {
+    if (step.name != "composite" && step.name != "final") return;
+    ++passes;
+    int function = 0;
+    gl::GetIntegerv(GL_ALPHA_TEST_FUNC, &function);
+    EXPECT_TRUE(gl::IsEnabled(GL_ALPHA_TEST)) << step.name;
+    EXPECT_EQ(function, GL_ALWAYS) << step.name;
+  });
+  draw();
+  EXPECT_EQ(passes, 2);
 }
 
 TEST_F(FrameRendererGL, shadow_map_holds_the_casters_and_its_copy_the_opaque_ones) {

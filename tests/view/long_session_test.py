@@ -90,7 +90,7 @@ def edits_reach_the_picture_soon(session):
     for i in range(20):
         after = new.format(i + 1)
         steps += [{"state": f"saved{i}.json"}, {"replace": session.name(path), "old": before, "new": after},
-                  {"until": {"/loads": i + 2}, "seconds": 60}, {"frames": 1}, {"picture": f"edit{i}.png"},
+                  {"until": {"/loads": i + 2}, "seconds": 60}, {"picture": f"edit{i}.png"},
                   {"state": f"drawn{i}.json"}, {"expect": {"/load/succeeded": True, "/glErrors": 0}}]
         before = after
     session.view(steps)

@@ -144,6 +144,14 @@ void loadTextureMatrix(int unit, const glm::mat4& matrix) {
   gl::LoadMatrixf(glm::value_ptr(matrix));
 }
 
+/// Passes all. Mesa's software rasteriser compiles a program that tests nothing twice, for pixels inside and at
+/// edges of triangles, which a pass over the screen has none of.
+void setPassingAlphaTest() {
+  if (gl::isCoreProfile()) return;
+  gl::Enable(GL_ALPHA_TEST);
+  gl::AlphaFunc(GL_ALWAYS, 0);
+}
+
 }  // namespace
 
 glm::mat4 fullscreenProjection() {
@@ -182,7 +190,7 @@ void setFullscreenState(const ProgramSource* program, DrawState& draw) {
   gl::Disable(GL_DEPTH_TEST);
   gl::DepthMask(GL_FALSE);
   gl::Disable(GL_CULL_FACE);
-  unsetAlphaTest();
+  setPassingAlphaTest();
   draw.fullscreen = true;
   draw.blendFunc = program != nullptr && program->blend ? factorsOf(*program->blend) : kNoBlend;
   applyBlend(draw.blendFunc);

@@ -4,27 +4,33 @@
 #include <chrono>
 #include <utility>
 
+#include <orris/pack/rebuild.h>
+
 namespace orris {
 
 namespace {
 
-void settle(const AutoChoices& guess, BackgroundLoad::Result& result) {
+void settle(const AutoChoices& guess, const ShaderPack* before, BackgroundLoad::Result& result) {
   if (!result.pack || guess.all().empty()) return;
-  auto pack = rebuildShaderPack(*result.pack, guess.applied(result.request), result.settledProblems);
+  auto pack = rebuildShaderPack(*result.pack, guess.applied(result.request),
+                                {.earlier = before != nullptr ? before : result.pack.get()},
+                                result.settledProblems);
   if (pack && !hasErrors(result.settledProblems))
     result.settled = std::make_shared<const ShaderPack>(std::move(*pack));
 }
 
 }  // namespace
 
-BackgroundLoad::BackgroundLoad(LoadRequest request, PackLoader load, AutoChoices guess)
+BackgroundLoad::BackgroundLoad(LoadRequest request, PackLoader load, AutoChoices guess,
+                               std::shared_ptr<const ShaderPack> before)
     : result_(std::async(std::launch::async, [request = std::move(request), load = std::move(load),
-                                              guess = std::move(guess)]() mutable {
+                                              guess = std::move(guess),
+                                              before = std::move(before)]() mutable {
         Result result;
         result.pack = load(request, result.problems);
         if (hasErrors(result.problems)) result.pack = nullptr;
         result.request = std::move(request);
-        settle(guess, result);
+        settle(guess, before.get(), result);
         return result;
       })) {}
 

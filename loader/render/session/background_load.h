@@ -26,8 +26,10 @@ class BackgroundLoad {
   };
 
   /// Begins at once. The destructor waits. `guess`: what options that are AUTO will probably become, so
-  /// that no second load is needed where they do.
-  BackgroundLoad(LoadRequest request, PackLoader load, AutoChoices guess);
+  /// that no second load is needed where they do. `before`: a build with such choices, which lends programs
+  /// that nothing of the change reaches; nullptr: none.
+  BackgroundLoad(LoadRequest request, PackLoader load, AutoChoices guess,
+                 std::shared_ptr<const ShaderPack> before);
   /// Waits for so many seconds at most.
   bool readyWithin(double seconds) const;
   void wait() const { result_.wait(); }

@@ -217,9 +217,6 @@ void FrameRenderer::Loaded::resize(const ShaderPack& pack, const Schedule& sched
 
 void FrameRenderer::Loaded::makeBinder(const PackDirectives& directives) {
   for (auto& [key, program] : byText) matchUniforms(*program, custom);
-  storesFromShaders = !resources->images().empty() || resources->hasBuffers() ||
-                      std::any_of(byText.begin(), byText.end(),
-                                  [](const auto& entry) { return !entry.second->images.empty(); });
   binder = std::make_unique<SamplerBinder>(*targets, *scene, *resources, directives, noise);
 }
 

@@ -36,7 +36,6 @@ struct FrameRenderer::Loaded {
   CustomUniforms custom;
   std::unique_ptr<SamplerBinder> binder;
   bool freshTargets = false;       ///< targets were made by this load and hold nothing yet
-  bool storesFromShaders = false;  ///< images or storage buffers are in use
 
  private:
   /// Where programs are that need not be built again.

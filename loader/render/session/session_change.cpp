@@ -18,20 +18,20 @@ void appendTo(Diagnostics& all, Diagnostics more) {
 void RenderSession::begin(const std::string& cause, PackLoader load) {
   change_ = std::make_unique<Change>();
   change_->cause = cause;
-  change_->load.emplace(request_.load, std::move(load), auto_);
+  change_->load.emplace(request_.load, std::move(load), auto_, renderer_->sharedPack());
 }
 
 std::optional<bool> RenderSession::advance(double seconds, Diagnostics& diagnostics) {
   if (ended_) return std::exchange(ended_, std::nullopt);
   if (!change_) return std::nullopt;
   using Clock = std::chrono::steady_clock;
-  const Clock::time_point began = Clock::now();
   if (!change_->pack) {
     // A frame drawn meanwhile would take the processors that the load needs, and come before what it brings.
     if (!change_->load->readyWithin(seconds)) return std::nullopt;
     if (!takeLoaded()) return endChange(false, diagnostics);
     if (!change_->pack) return std::nullopt;
   }
+  const Clock::time_point began = Clock::now();
   while (renderer_->buildAhead(change_->pack, scene_, change_->report, change_->problems))
     if (std::chrono::duration<double>(Clock::now() - began).count() >= seconds) return std::nullopt;
   return endChange(!hasErrors(change_->problems), diagnostics);
@@ -81,7 +81,7 @@ void RenderSession::loadSettled() {
     auto pack = rebuildShaderPack(*asked, request, diagnostics);
     return pack ? std::make_shared<const ShaderPack>(std::move(*pack)) : nullptr;
   };
-  change_->load.emplace(change_->choices.applied(change_->request), again, AutoChoices());
+  change_->load.emplace(change_->choices.applied(change_->request), again, AutoChoices(), nullptr);
 }
 
 bool RenderSession::endChange(bool good, Diagnostics& diagnostics) {
