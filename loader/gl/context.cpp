@@ -222,6 +222,15 @@ bool isSoftware(Backend backend) {
   return backend == Backend::Auto && loadLibrary(ContextRequest().osmesaLibraries) != nullptr;
 }
 
+bool isInstalled(Backend backend) {
+  const ContextRequest request;
+  return loadLibrary(backend == Backend::Egl ? request.eglLibraries : request.osmesaLibraries) != nullptr;
+}
+
+bool isSoftwareRenderer(std::string_view renderer) {
+  return renderer.find("llvmpipe") != renderer.npos || renderer.find("softpipe") != renderer.npos;
+}
+
 Context::~Context() {
   if (functionsOwner == this) functionsOwner = nullptr;
 }

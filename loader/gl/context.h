@@ -85,6 +85,12 @@ class Context {
 /// where OSMesa can be loaded, EGL with LIBGL_ALWAYS_SOFTWARE=1.
 bool isSoftware(Backend backend);
 
+/// Whether the library of a headless backend can be loaded.
+bool isInstalled(Backend backend);
+
+/// Of a context's own name for itself: DriverInfo::renderer.
+bool isSoftwareRenderer(std::string_view renderer);
+
 /// nullptr and one diagnostic that says what was tried, what failed and what to install.
 std::unique_ptr<Context> createContext(const ContextRequest& request, Diagnostics& diagnostics);
 

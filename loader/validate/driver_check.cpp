@@ -128,7 +128,7 @@ Diagnostics runWithContext(gl::Backend backend, const std::string& what,
   jobs.work = [&](std::size_t) {
     Diagnostics found;
     // Never destroyed: the process ends without cleaning up, as drivers may not survive that either.
-    gl::Context* context = gl::createContext({.backend = backend}, found).release();
+    gl::Context* context = gl::createContext({.backend = backend, .visible = false}, found).release();
     if (context) work(*context, found);
     return encodeDiagnostics(found);
   };

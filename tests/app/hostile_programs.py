@@ -1,5 +1,5 @@
 """Programs that kill or stall the driver."""
-from cases import VERSION
+VERSION = "#version 330 compatibility\n"
 
 # One dispatch that no machine finishes.
 ENDLESS = ("#version 430 compatibility\nlayout(local_size_x = 64) in;\n"

@@ -50,7 +50,7 @@ class BackgroundWatchTest : public testing::Test {
 };
 
 TEST_F(BackgroundWatchTest, an_edit_comes_soon_and_once) {
-  BackgroundWatch watch({root_ / "shaders"});
+  BackgroundWatch watch({root_ / "shaders"}, BackgroundWatch::openEvents());
   double soonest = 5;
   for (const char* text : {"longer", "longer still", "the longest"}) {  // a busy machine delays some
     usleep(50'000);
@@ -65,7 +65,7 @@ TEST_F(BackgroundWatchTest, an_edit_comes_soon_and_once) {
 }
 
 TEST_F(BackgroundWatchTest, files_in_new_folders_and_a_folder_that_comes_back_are_seen) {
-  BackgroundWatch watch({root_ / "shaders"});
+  BackgroundWatch watch({root_ / "shaders"}, BackgroundWatch::openEvents());
   fs::create_directories(root_ / "shaders" / "new" / "deep");
   write("shaders/new/deep/a.glsl", "a");
   EXPECT_THAT(next(watch), ElementsAre(path("shaders/new/deep/a.glsl")));
@@ -76,14 +76,14 @@ TEST_F(BackgroundWatchTest, files_in_new_folders_and_a_folder_that_comes_back_ar
 }
 
 TEST_F(BackgroundWatchTest, who_may_read_a_file_is_news) {
-  BackgroundWatch watch({root_ / "shaders"});
+  BackgroundWatch watch({root_ / "shaders"}, BackgroundWatch::openEvents());
   ASSERT_EQ(chmod(path("shaders/lib/sky.glsl").c_str(), 0), 0);
   EXPECT_THAT(next(watch), ElementsAre(path("shaders/lib/sky.glsl")));
 }
 
 TEST_F(BackgroundWatchTest, what_is_accepted_is_no_news) {
   write("options.txt", "A=1\n");
-  BackgroundWatch watch({path("options.txt")});
+  BackgroundWatch watch({path("options.txt")}, BackgroundWatch::openEvents());
   write("options.txt", "A=22\n");
   watch.accept(path("options.txt"));
   usleep(300'000);

@@ -79,6 +79,16 @@ std::string driverText(gl::Backend backend, bool& draws) {
                      gl::isSoftware(backend) ? "in the sandbox" : "not in the sandbox");
 }
 
+/// Only a window says which driver it has.
+std::string windowText() {
+  Diagnostics diagnostics;
+  const auto driver = askDriver(gl::Backend::Glfw, diagnostics);
+  if (!driver) return diagnostics.empty() ? "does not open" : diagnostics.front().message;
+  const bool apart = gl::isSoftwareRenderer(driver->renderer) && gl::isInstalled(gl::Backend::Egl);
+  return fmt::format("{}; view draws {}", driver->renderer,
+                     apart ? "in the sandbox, apart from its window" : "in the process of its window, not in the sandbox");
+}
+
 std::string dataText() {
   Diagnostics diagnostics;
   const bool codecs = imageCodecs("", diagnostics) != nullptr;
@@ -95,7 +105,8 @@ MachineFacts examine(bool& draws) {
                         {"limits", limitsText()},
                         {"machine", machineText()},
                         {"osmesa", driverText(gl::Backend::OSMesa, draws)},
-                        {"egl", driverText(gl::Backend::Egl, draws)}};
+                        {"egl", driverText(gl::Backend::Egl, draws)},
+                        {"window", windowText()}};
   facts.push_back({"data", dataText()});
   return facts;
 }

@@ -185,12 +185,16 @@ int runRender(const RenderOptions& options, Report& report, nlohmann::json& resu
 
 /// What a process that may write nothing else is allowed to.
 SupervisedWork supervised(const RenderOptions& options) {
-  AllowedOutputs outputs;
-  outputs.files = {options.outputs.picture, options.outputs.timings};
-  for (const auto& [buffer, path] : options.outputs.dumps) outputs.files.push_back(path);
-  for (const auto& [shown, path] : options.outputs.shows) outputs.files.push_back(path);
-  if (!options.outputs.patched.empty()) outputs.folders = {options.outputs.patched};
-  return {options.limits, options.image.backend, options.pack.path, std::move(outputs), true};
+  AllowedFiles files;
+  files.outputs = {options.outputs.picture, options.outputs.timings};
+  for (const auto& [buffer, path] : options.outputs.dumps) files.outputs.push_back(path);
+  for (const auto& [shown, path] : options.outputs.shows) files.outputs.push_back(path);
+  if (!options.outputs.patched.empty()) files.folders = {options.outputs.patched};
+  return {.limits = options.limits,
+          .backend = options.image.backend,
+          .pack = options.pack.path,
+          .files = std::move(files),
+          .confined = true};
 }
 
 void addOutputPaths(CLI::App& command, RenderOutputs& outputs) {

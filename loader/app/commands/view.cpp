@@ -34,6 +34,7 @@ void addViewCommand(CLI::App& app, int& status) {
       ->add_option("--script", options->script,
                    "steps to do instead of a user: keys, edits, waits, pictures (docs/view.md)")
       ->type_name("FILE");
+  addLimitFlags(*command, options->limits);
   addOutputFlags(*command, options->output);
   command->callback([options, &status] {
     const gl::Backend backend = options->image.backend;

@@ -15,6 +15,7 @@
 #include <cstdio>
 #include <cstring>
 #include <iostream>
+#include <utility>
 
 #include <orris/check/workers/sandbox.h>
 #include <orris/core/files/read_places.h>
@@ -83,6 +84,7 @@ class SignalFile {
 struct Ending {
   std::optional<int> status;  ///< of waitpid(); nullopt: it took too long and was killed
   int signal = 0;             ///< that asked this process to end
+  std::optional<int> chosen{};  ///< status to return with
 };
 
 /// The process that watches.
@@ -94,24 +96,32 @@ class Watch {
         socket_(socket),
         signals_(signals),
         record_(record),
-        outputs_(supervised.outputs),
+        files_(supervised.files),
+        attendant_(supervised.attendant),
         limit_(frameTimeOf(supervised.limits)) {}
 
   Ending run() {
     for (;;) {
       int status = 0;
-      if (waitpid(process_, &status, WNOHANG) == process_) return {status, signals_.next()};
-      if (const int signal = signals_.next()) return {kill(), signal};
+      if (waitpid(process_, &status, WNOHANG) == process_) return {status, attendant_ ? 0 : signals_.next()};
+      if (const int signal = signals_.next()) {
+        if (!attendant_ || std::exchange(passedOn_, true)) return {kill(), signal};
+        ::kill(process_, signal);
+      }
       if (tooLong()) return kill(), Ending{};
-      pollfd polled[] = {{signals_.file(), POLLIN, 0}, {socket_, POLLIN, 0}};
-      poll(polled, 2, kTickMilliseconds);
-      if ((polled[1].revents & POLLIN) != 0) serveOutput(socket_, outputs_);
+      if (attendant_)
+        if (const auto chosen = attendant_->attend()) return kill(), Ending{.chosen = *chosen};
+      pollfd polled[] = {{signals_.file(), POLLIN, 0},
+                         {socket_, POLLIN, 0},
+                         {attendant_ ? attendant_->descriptor() : -1, POLLIN, 0}};
+      poll(polled, 3, attendant_ ? kAttendMilliseconds : kTickMilliseconds);
+      if ((polled[1].revents & POLLIN) != 0) serveFile(socket_, files_);
       if ((polled[1].revents & POLLHUP) != 0) socket_ = -1;
     }
   }
 
  private:
-  static constexpr int kTickMilliseconds = 100;
+  static constexpr int kTickMilliseconds = 100, kAttendMilliseconds = 4;
 
   int kill() {
     ::kill(process_, SIGKILL);
@@ -138,7 +148,9 @@ class Watch {
   int socket_;
   const SignalFile& signals_;
   const WorkRecord& record_;
-  const AllowedOutputs& outputs_;
+  const AllowedFiles& files_;
+  Attendant* attendant_;
+  bool passedOn_ = false;  ///< a signal
   Clock::duration limit_, spent_{};
   Clock::time_point last_ = Clock::now();
   std::uint64_t pieces_ = 0;
@@ -184,6 +196,7 @@ bool endedWithStatus(const Ending& ending) {
 /// In the process that watches.
 int finishWatching(const Ending& ending, const WorkNote& note, const WorkLimits& limits,
                    Report& report) {
+  if (ending.chosen) return *ending.chosen;
   if (ending.signal != 0) endBy(ending.signal);
   if (endedWithStatus(ending)) _exit(WEXITSTATUS(*ending.status));
   const int signal = ending.status && WIFSIGNALED(*ending.status) ? WTERMSIG(*ending.status) : 0;
@@ -194,9 +207,13 @@ int finishWatching(const Ending& ending, const WorkNote& note, const WorkLimits&
   return kHostFailed;
 }
 
+bool drawsBySoftware(const SupervisedWork& supervised) {
+  return supervised.software || gl::isSoftware(supervised.backend);
+}
+
 std::size_t memoryOf(const SupervisedWork& supervised) {
   const auto asked = parseMemory(supervised.limits.memory);
-  return asked.value_or(driverMemory(gl::isSoftware(supervised.backend)));
+  return asked.value_or(driverMemory(drawsBySoftware(supervised)));
 }
 
 }  // namespace
@@ -254,17 +271,18 @@ int runSupervised(const SupervisedWork& supervised, Report& report,
   signals.reset();
   limitDrawing(memoryOf(supervised));
   if (getppid() != parent) _exit(kHostFailed);  // it ended before this process asked to end with it
-  brokerSocket = supervised.confined && gl::isSoftware(supervised.backend) ? sockets[1] : -1;
+  brokerSocket = supervised.confined && drawsBySoftware(supervised) ? sockets[1] : -1;
   return work();
 }
 
-void confineDrawing() {
+void confineDrawing(std::vector<int> keep) {
   if (brokerSocket < 0) return;
-  requestOutputsFrom(brokerSocket);
+  requestFilesFrom(brokerSocket);
   const std::string cache = prepareDriverCache();
   // For pictures that are no PNG. The sandbox knows only where it is installed.
   if (const std::string module = imageCodecsFile(); !module.empty()) addReadPlace(module);
-  closeOpenFiles(brokerSocket);
+  keep.push_back(brokerSocket);
+  closeOpenFiles(std::move(keep));
   enterSandbox(readPlaces(), cache);
 }
 

@@ -7,8 +7,9 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "app/drawing/output_broker.h"
+#include "app/drawing/file_broker.h"
 #include "app/output/report.h"
 #include <orris/gl/context.h>
 
@@ -29,23 +30,38 @@ std::chrono::seconds frameTimeOf(const WorkLimits& limits);
 /// "512M", "8G" in bytes; nullopt for other texts and for less than 64M.
 std::optional<std::size_t> parseMemory(const std::string& text);
 
+/// What the process that watches does besides.
+class Attendant {
+ public:
+  virtual ~Attendant() = default;
+  /// Every few milliseconds. A status: the other process is ended, and runSupervised() returns it.
+  virtual std::optional<int> attend() = 0;
+  /// Has something to be read when there is more to do.
+  virtual int descriptor() const = 0;
+};
+
 struct SupervisedWork {
   WorkLimits limits;
   gl::Backend backend = gl::Backend::Auto;
+  bool software = false;  ///< `work` will see to it that `backend` is a software rasteriser
   std::string pack{};  ///< its path, to which messages point until a pass or program is at work
-  AllowedOutputs outputs{};
+  AllowedFiles files{};
   /// In a sandbox from confineDrawing() on, where the driver is a software rasteriser: for work that starts
-  /// no program and writes nothing but `outputs`.
+  /// no program and writes nothing but the outputs of `files`.
   bool confined = false;
+  /// Of work with a window of the process that watches; nullptr: it has none.
+  Attendant* attendant = nullptr;
 };
 
 /// Runs `work` in a process of its own. It returns in that process, with what `work` returned. In the process
 /// that watches it returns only when the other one ended without saying why: reported, kHostFailed; else it
-/// ends the program with the other's status. A signal that ends the program ends both at once.
+/// ends the program with the other's status. A signal that ends the program ends both at once; with an
+/// attendant the first one is passed on to the other process, which ends as it likes.
 int runSupervised(const SupervisedWork& supervised, Report& report, const std::function<int()>& work);
 
 /// For `work`, before it makes a context: from now on outputs go through the process that watches, and all
-/// else that a sandbox refuses is refused. Nothing happens unless SupervisedWork::confined.
-void confineDrawing();
+/// else that a sandbox refuses is refused. Of open files only `keep` stay. Nothing happens unless
+/// SupervisedWork::confined.
+void confineDrawing(std::vector<int> keep = {});
 
 }  // namespace orris

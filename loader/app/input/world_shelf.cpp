@@ -24,8 +24,7 @@ bool holdsWorld(const fs::path& folder) {
   return fs::is_regular_file(folder / "world.json", error) || fs::is_regular_file(folder / "level.dat", error);
 }
 
-/// "" where the user has no home.
-fs::path recentFile() {
+fs::path findRecentFile() {
   const char* state = std::getenv("XDG_STATE_HOME");
   if (state != nullptr && *state == '/') return fs::path(state) / "orris" / "recent-worlds";
   const char* home = std::getenv("HOME");
@@ -52,9 +51,19 @@ std::vector<std::string> worldsBeside(const std::string& world) {
   return found;
 }
 
+const std::string& recentWorldsFile() {
+  static const std::string path = [] {
+    const fs::path file = findRecentFile();
+    std::error_code error;
+    if (!file.empty()) fs::create_directories(file.parent_path(), error);
+    return file.string();
+  }();
+  return path;
+}
+
 std::vector<std::string> recentWorlds() {
   ReadFault fault;
-  const auto text = readFile(recentFile().string(), kMostBytes, fault);
+  const auto text = readFile(recentWorldsFile(), kMostBytes, fault);
   std::vector<std::string> worlds;
   for (std::string& line : splitLines(text.value_or(""))) {
     std::error_code error;
@@ -65,7 +74,7 @@ std::vector<std::string> recentWorlds() {
 }
 
 void noteRecentWorld(const std::string& world) {
-  const fs::path file = recentFile();
+  const std::string& file = recentWorldsFile();
   std::error_code error;
   if (file.empty() || !fs::exists(world, error)) return;
   const std::string path = absoluteOf(world);
@@ -76,8 +85,7 @@ void noteRecentWorld(const std::string& world) {
   worlds.resize(std::min(worlds.size(), kMostRecent));
   std::string text;
   for (const std::string& one : worlds) text += one + "\n";
-  fs::create_directories(file.parent_path(), error);
-  (void)replaceFile(file.string(), text);
+  (void)replaceFile(file, text);
 }
 
 }  // namespace orris

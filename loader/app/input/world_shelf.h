@@ -10,6 +10,10 @@ namespace orris {
 /// in, sorted; empty for a world without a path.
 std::vector<std::string> worldsBeside(const std::string& world);
 
+/// The file of recentWorlds(), in a folder of its own, which is made; "" where the user has no home. The answer
+/// stays when the environment is gone.
+const std::string& recentWorldsFile();
+
 /// Absolute paths of worlds shown before that still exist, the last one first: kept in
 /// $XDG_STATE_HOME/orris/recent-worlds, or ~/.local/state without it.
 std::vector<std::string> recentWorlds();

@@ -11,8 +11,7 @@
 
 #include "app/input/inputs.h"
 #include "app/input/world_shelf.h"
-#include "app/view/surface/hidden_surface.h"
-#include "app/view/surface/view_window.h"
+#include <orris/core/work_record.h>
 #include <orris/gl/functions.h>
 #include <orris/render/inspect/counters.h>
 
@@ -47,7 +46,14 @@ fs::path watchedPart(const std::string& packPath) {
 Viewer::Viewer(const ViewOptions& options) : options_(options), report_(options.output) {}
 
 int Viewer::run() {
-  if (!open()) return report_.status();
+  if (!readInputs()) return report_.status();
+  const gl::Backend backend = options_.image.backend;
+  const bool window = backend == gl::Backend::Auto || backend == gl::Backend::Glfw;
+  return window ? runInWindow() : drawHere(nullptr);
+}
+
+int Viewer::draw() {
+  if (!openPack()) return report_.status();
   std::signal(SIGINT, onInterrupt);
   std::signal(SIGTERM, onInterrupt);
   while (!ended()) drawFrame();
@@ -74,50 +80,29 @@ bool Viewer::readScript() {
   return true;
 }
 
-bool Viewer::open() {
+bool Viewer::readInputs() {
   if (!readScript() || !openPackFiles(options_.pack.path, report_)) return false;
-  std::optional<World> world = loadScene(options_.scene, options_.pack.dimension, report_);
-  if (!world) return false;
-  const std::optional<Camera> camera =
-      chooseCamera(*world, options_.scene.camera, report_);
-  if (!camera) return false;
+  world_ = loadScene(options_.scene, options_.pack.dimension, report_);
+  if (!world_) return false;
+  camera_ = chooseCamera(*world_, options_.scene.camera, report_);
+  if (!camera_) return false;
   const std::string& screenshot = options_.screenshot;
   if (!screenshot.empty() && !checkPicturePath(screenshot, report_)) return false;
-  if (!openSurface()) return false;
+  worldsBeside_ = worldsBeside(options_.scene.path);
+  return true;
+}
+
+bool Viewer::openPack() {
   pack_ = std::make_unique<LivePack>(options_.pack, *context_, report_);
-  watchFiles();
+  if (watchEvents_ < 0) watchEvents_ = BackgroundWatch::openEvents();
+  // Before anything is read: an edit during loading is then seen afterwards.
+  watch_.emplace(std::vector<fs::path>{watchedPart(options_.pack.path), pack_->optionFile()}, watchEvents_);
   lastFrame_ = titleSince_ = Clock::now();
-  worldPath_ = options_.scene.path;
-  if (!pack_->open(options_.scene, options_.image, std::move(*world), *camera)) return false;
+  if (!pack_->open(options_.scene, options_.image, std::move(*world_), *camera_)) return false;
+  world_.reset();
   // A script is no person, who may want a world again.
-  if (!player_) noteRecentWorld(worldPath_);
+  if (!player_) noteRecentWorld(options_.scene.path);
   return true;
-}
-
-bool Viewer::openSurface() {
-  const ImageOptions& image = options_.image;
-  const gl::Backend backend =
-      image.backend == gl::Backend::Auto ? gl::Backend::Glfw : image.backend;
-  Diagnostics diagnostics;
-  context_ = gl::createContext({.backend = backend,
-                                .profile = image.context,
-                                .width = image.width,
-                                .height = image.height,
-                                .title = "Orris"},
-                               diagnostics);
-  report_.add(diagnostics);
-  if (!context_) return false;
-  if (backend == gl::Backend::Glfw) {
-    surface_ = std::make_unique<ViewWindow>(context_->window(), !hasFixedTime());
-  } else {
-    surface_ = std::make_unique<HiddenSurface>(image.width, image.height);
-  }
-  return true;
-}
-
-// Before anything is read: an edit during loading is then seen afterwards.
-void Viewer::watchFiles() {
-  watch_.emplace(std::vector<fs::path>{watchedPart(options_.pack.path), pack_->optionFile()});
 }
 
 std::vector<ViewEvent> Viewer::pollEvents() {
@@ -150,6 +135,7 @@ void Viewer::drawFrame() {
   drawSeconds_ = secondsBetween(began, Clock::now());
   sayGlErrors();
   showTimes();
+  noteIdle();
   if (!hasFixedTime() || player_) std::this_thread::sleep_until(now + kShortestFrame);
 }
 

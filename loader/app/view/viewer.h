@@ -7,8 +7,10 @@
 #include <set>
 #include <string>
 
+#include "app/drawing/supervised_run.h"
 #include "app/input/common.h"
 #include "app/output/report.h"
+#include "app/view/apart/shown_window.h"
 #include "app/view/files/background_watch.h"
 #include "app/view/pack/buffer_inspector.h"
 #include "app/view/pack/live_pack.h"
@@ -28,9 +30,13 @@ struct ViewOptions {
   SceneOptions scene;
   ImageOptions image{.frames = 0};  ///< frames 0: until the window is closed
   OutputOptions output;
+  WorkLimits limits;  ///< of a process that draws apart from its window
   std::string screenshot;  ///< written at the end, "" for none
   std::string script;      ///< file of steps, "" for none
 };
+
+/// Of the pictures that F2 writes into the working folder.
+bool isScreenshotName(const std::string& path);
 
 class Viewer final : public ScriptTarget {
  public:
@@ -48,10 +54,19 @@ class Viewer final : public ScriptTarget {
   using Clock = std::chrono::steady_clock;
   using Action = std::string (Viewer::*)(const JsonNode&);
 
-  bool open();
+  bool readInputs();
   bool readScript();
-  bool openSurface();
-  void watchFiles();
+  /// In a process of its own, apart from the window, where both drivers are software rasterisers; else in this
+  /// one.
+  int runInWindow();
+  /// In the process that is shut in.
+  int drawApart(const WindowLink& link);
+  /// In this process, with a window of its own or without one.
+  int drawHere(std::unique_ptr<gl::Context> window);
+  /// Until it ends(), with a context and a surface.
+  int draw();
+  bool openPack();
+  AllowedFiles filesApart() const;
   void drawFrame();
   void drawPicture(double seconds);
   void showPicture();
@@ -120,6 +135,9 @@ class Viewer final : public ScriptTarget {
   int status_ = 0;
   std::unique_ptr<gl::Context> context_;
   std::unique_ptr<ViewSurface> surface_;
+  std::optional<World> world_;  ///< until the pack is open
+  std::optional<Camera> camera_;
+  int watchEvents_ = -1;  ///< for the watch
   std::unique_ptr<LivePack> pack_;
   std::unique_ptr<RenderSession> plain_;  ///< only while the pack is off
   std::optional<ScriptPlayer> player_;
@@ -144,7 +162,7 @@ class Viewer final : public ScriptTarget {
   Clock::time_point lastFrame_, titleSince_;
   double drawSeconds_ = 0;  ///< of the last frame
   int titleFrames_ = 0;
-  std::string worldPath_;
+  std::vector<std::string> worldsBeside_;  ///< the world that is drawn
   std::string said_;          ///< the last line
   std::string windowPicture_;  ///< file for the window as the next frame shows it, "" for none
   std::set<int> saidCounters_;  ///< lines of shaders.properties

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "app/drawing/render_output.h"
 #include "app/input/inputs.h"
@@ -26,6 +27,11 @@ std::string freeScreenshotName() {
 }
 
 }  // namespace
+
+bool isScreenshotName(const std::string& path) {
+  static const std::regex kName("orris-[0-9]{4,9}\\.png");
+  return std::regex_match(path, kName);
+}
 
 void Viewer::run(ViewCommand command) {
   const auto toggle = [this](bool& panel) {

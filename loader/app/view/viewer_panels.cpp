@@ -8,7 +8,6 @@
 
 #include "app/input/shipped_worlds.h"
 #include "app/input/world_shelf.h"
-#include "app/view/files/open_editor.h"
 #include "app/view/viewer.h"
 
 namespace orris {
@@ -54,7 +53,7 @@ void Viewer::endPanels() {
   if (!building_) return;
   building_ = false;
   const PanelFacts facts{*pack_,  session(), plain_ == nullptr, paused_, hasFixedTime(),
-                         worldPath_, times_, pixel_,    probe_,
+                         worldsBeside_, times_, pixel_,    probe_,
                          inspector_ ? &*inspector_ : nullptr, shownProgram(),
                          comparison_.get()};
   if (panels_.options) drawOptions(*interface_, panels_, facts, requests_);
@@ -117,7 +116,8 @@ bool Viewer::setWorld(const std::string& name) {
   }
   report_.add(diagnostics);
   if (done) {
-    worldPath_ = name;
+    // A process that is shut in can list no folder: what was there before stays.
+    if (auto beside = worldsBeside(path); !beside.empty()) worldsBeside_ = std::move(beside);
     if (!player_) noteRecentWorld(path);
   }
   say(done ? "world " + name : fmt::format("the world {} cannot be drawn", name));
@@ -205,7 +205,7 @@ void Viewer::openEditor() {
 }
 
 void Viewer::openEditor(const SourceLocation& at) {
-  const std::string problem = openInEditor(options_.pack.path, at);
+  const std::string problem = surface_->openEditor(options_.pack.path, at);
   say(problem.empty() ? "opened " + formatLocation(at) : problem);
 }
 

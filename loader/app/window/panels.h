@@ -53,7 +53,7 @@ struct PanelFacts {
   RenderSession& session;  ///< what is drawn: the pack's, or that of the host's own programs
   bool packOn = true, paused = false;
   bool exact = false;  ///< what is asked for is known and done before the next frame
-  const std::string& worldPath;  ///< of the world that is drawn, or its name among those that come with Orris
+  const std::vector<std::string>& worldsBeside;  ///< paths of those in the folder of the world that is drawn
   const StepHistory& times;
   const std::optional<std::pair<int, int>>& pixel;  ///< that is probed
   const std::vector<ProbeValue>& probe;

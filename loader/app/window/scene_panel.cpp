@@ -51,11 +51,11 @@ void drawWorldsOf(Interface& interface, const char* head, const std::vector<std:
   }
 }
 
-void drawPlaces(Interface& interface, const World& world, const std::string& worldPath, const Camera& at,
+void drawPlaces(Interface& interface, const World& world, const std::vector<std::string>& beside, const Camera& at,
                 PanelRequests& requests) {
   if (ImGui::BeginCombo("world", world.name.c_str(), ImGuiComboFlags_HeightLarge)) {
     drawWorldsOf(interface, "shown before", recentWorlds(), requests);
-    drawWorldsOf(interface, "in this folder", worldsBeside(worldPath), requests);
+    drawWorldsOf(interface, "in this folder", beside, requests);
     ImGui::TextDisabled("that come with Orris");
     for (const std::string& name : shippedWorldNames()) {
       if (ImGui::Selectable(name.c_str(), name == world.name)) requests.world = name;
@@ -86,7 +86,7 @@ void drawScene(Interface& interface, PanelState& state, const PanelFacts& facts,
                  ImVec2(22, 16))) {
     const World& world = facts.session.scene().world;
     drawTime(interface, world.environment, requests);
-    drawPlaces(interface, world, facts.worldPath, facts.session.camera(), requests);
+    drawPlaces(interface, world, facts.worldsBeside, facts.session.camera(), requests);
     bool paused = facts.paused, packOn = facts.packOn;
     if (ImGui::Checkbox("paused", &paused)) requests.pause = paused;
     interface.name("paused");

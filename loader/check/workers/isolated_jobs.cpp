@@ -103,7 +103,7 @@ void silenceOutput(int socket) {
 [[noreturn]] void serve(int socket, const IsolatedJobs& jobs) {
   limitProcess(jobs);
   silenceOutput(socket);
-  closeOpenFiles(socket);
+  closeOpenFiles({socket});
   if (jobs.confined) enterSandbox(readPlaces(), jobs.driver ? prepareDriverCache() : "");
   std::uint64_t index = 0;
   while (receiveAll(socket, &index, sizeof index)) {

@@ -89,13 +89,19 @@ std::string prepareDriverCache() {
   return folder;
 }
 
-void closeOpenFiles(int keep) {
+void closeOpenFiles(std::vector<int> keep) {
   const int null = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
-  if (null >= 0 && keep != STDIN_FILENO) ::dup2(null, STDIN_FILENO);
+  if (null >= 0 && std::ranges::find(keep, STDIN_FILENO) == keep.end()) ::dup2(null, STDIN_FILENO);
   constexpr long kCloseRange = 436;
-  const auto own = static_cast<unsigned>(keep);
-  if (own > 3) ::syscall(kCloseRange, 3U, own - 1, 0U);
-  ::syscall(kCloseRange, std::max(own + 1, 3U), ~0U, 0U);
+  std::ranges::sort(keep);
+  unsigned first = STDERR_FILENO + 1;
+  for (const int file : keep) {
+    const auto own = static_cast<unsigned>(file);
+    if (file < 0 || own < first) continue;
+    if (own > first) ::syscall(kCloseRange, first, own - 1, 0U);
+    first = own + 1;
+  }
+  ::syscall(kCloseRange, first, ~0U, 0U);
 }
 
 void enterSandbox(const std::vector<std::string>& readable, const std::string& cache) {

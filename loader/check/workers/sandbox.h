@@ -19,7 +19,7 @@ SandboxSupport sandboxSupport();
 std::string prepareDriverCache();
 
 /// Closes every open file but the standard streams and `keep`; standard input is empty from now on.
-void closeOpenFiles(int keep);
+void closeOpenFiles(std::vector<int> keep);
 
 /// Shuts this process in, for good. Call in a forked process with one thread, before a driver is loaded:
 /// - no environment but what chooses and tunes a driver; what was there is overwritten in memory

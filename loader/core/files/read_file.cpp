@@ -33,9 +33,16 @@ std::optional<std::string> readAll(int file, std::size_t limit, ReadFault& fault
   }
 }
 
+FileOpener openedElsewhere;
+
+int openToRead(const std::string& path, int flags) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | flags);
+  return file < 0 && errno == EACCES && openedElsewhere ? openedElsewhere(path) : file;
+}
+
 std::optional<std::string> readOpened(const std::string& path, int flags, bool any,
                                       std::size_t limit, ReadFault& fault) {
-  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | flags);
+  const int file = openToRead(path, flags);
   if (file < 0) {
     const bool missing = errno == ENOENT || errno == ENOTDIR;
     return refuseFile(missing ? ReadFault::Missing : ReadFault::Unreadable, fault);
@@ -86,6 +93,8 @@ std::optional<std::string> readFileBelow(const std::string& folder, const std::s
   if (error || !liesBelow(folder, file)) return refuseFile(ReadFault::Outside, fault);
   return readOpened(file.string(), O_NONBLOCK | O_NOFOLLOW, false, limit, fault);
 }
+
+void openFilesBy(FileOpener opener) { openedElsewhere = std::move(opener); }
 
 bool liesBelow(const std::string& folder, const std::string& path) {
   std::error_code error;

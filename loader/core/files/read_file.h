@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -25,5 +26,12 @@ std::optional<std::string> readFileBelow(const std::string& folder, const std::s
 
 /// Whether `path`, which exists, lies in `folder` after all links are resolved.
 bool liesBelow(const std::string& folder, const std::string& path);
+
+/// An open file, -1: it is not to be had.
+using FileOpener = std::function<int(const std::string& path)>;
+
+/// For a process that may not: from now on files that the system refuses to open are asked of `opener`, which
+/// asks another process. An empty one ends that.
+void openFilesBy(FileOpener opener);
 
 }  // namespace orris

@@ -24,10 +24,12 @@ constexpr std::uint32_t kEvents = IN_CREATE | IN_DELETE | IN_MODIFY | IN_CLOSE_W
 
 }  // namespace
 
-BackgroundWatch::BackgroundWatch(std::vector<fs::path> roots)
+int BackgroundWatch::openEvents() { return inotify_init1(IN_NONBLOCK | IN_CLOEXEC); }
+
+BackgroundWatch::BackgroundWatch(std::vector<fs::path> roots, int events)
     : roots_(std::move(roots)),
       watch_(roots_),
-      events_(inotify_init1(IN_NONBLOCK | IN_CLOEXEC)),
+      events_(events),
       wake_(eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)),
       thread_([this](const std::stop_token& stop) { look(stop); }) {}
 

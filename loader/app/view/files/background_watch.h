@@ -13,8 +13,10 @@ namespace orris {
 /// other machines wake nobody.
 class BackgroundWatch {
  public:
-  /// What is there now counts as seen.
-  explicit BackgroundWatch(std::vector<std::filesystem::path> roots);
+  /// A file of inotify for one watch, -1 where the system has none to give, as in a sandbox.
+  static int openEvents();
+  /// What is there now counts as seen. Closes `events`.
+  BackgroundWatch(std::vector<std::filesystem::path> roots, int events);
   ~BackgroundWatch();
 
   /// Paths that were added, removed or edited since the last call, once they have settled; sorted.

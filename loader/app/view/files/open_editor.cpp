@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include <orris/core/files/read_file.h>
 #include <orris/pack/files/text.h>
 
 namespace orris {
@@ -50,7 +51,8 @@ std::string openInEditor(const std::string& packPath, const SourceLocation& at) 
   const fs::path root = packPath;
   const fs::path shaders = fs::is_directory(root / "shaders") ? root / "shaders" : root;
   const fs::path file = fs::absolute(shaders / fs::path(at.file).relative_path());
-  if (!fs::exists(file)) return fmt::format("{} is no file that an editor could open", file.string());
+  // The place may be asked for by a process that a pack has taken over.
+  if (!liesBelow(packPath, file)) return fmt::format("{} is no file that an editor could open", file.string());
   const std::vector<std::string> command = editorCommand(editor, file.string(), at.line);
   if (command.empty()) return "set VISUAL to the editor that E shall open";
   std::vector<char*> words;

@@ -25,12 +25,6 @@ fs::path withoutEndSlash(const fs::path& path) {
   return path.has_filename() ? path : path.parent_path();
 }
 
-// A pack's own option file lies beside it and is named like it.
-std::string optionFileOf(const PackOptions& options) {
-  if (!options.settingsFile.empty()) return options.settingsFile;
-  return withoutEndSlash(options.path).string() + ".txt";
-}
-
 /// The request for a pack as the command line and its option file, where one is named, have it now.
 std::optional<LoadRequest> readChoices(const std::shared_ptr<const FileSource>& files,
                                        const PackOptions& options, const MacroDefinitions& environment,
@@ -45,6 +39,11 @@ std::shared_ptr<const ShaderPack> shared(std::optional<ShaderPack> pack) {
 }
 
 }  // namespace
+
+std::string optionFileOf(const PackOptions& options) {
+  if (!options.settingsFile.empty()) return options.settingsFile;
+  return withoutEndSlash(options.path).string() + ".txt";
+}
 
 LivePack::LivePack(const PackOptions& options, gl::Context& context, Report& report)
     : options_(options), context_(context), report_(report), optionFile_(optionFileOf(options)) {}

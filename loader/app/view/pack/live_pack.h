@@ -30,6 +30,9 @@ struct LoadOutcome {
   Diagnostics problems;  ///< errors and warnings
 };
 
+/// The pack's own, beside it and named like it, unless the command line names another one.
+std::string optionFileOf(const PackOptions& options);
+
 /// Changes are begun here and go on while frames are drawn; one asked for while another is in progress waits
 /// for it.
 class LivePack {

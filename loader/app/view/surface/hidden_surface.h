@@ -1,4 +1,4 @@
-// A surface without a display, for scripts: a texture in place of a window.
+// A surface without a display: a texture in place of a window.
 #pragma once
 
 #include "app/view/surface/view_surface.h"
@@ -7,7 +7,7 @@
 
 namespace orris {
 
-class HiddenSurface final : public ViewSurface {
+class HiddenSurface : public ViewSurface {
  public:
   HiddenSurface(int width, int height) { resize(width, height); }
 

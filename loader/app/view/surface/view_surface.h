@@ -1,9 +1,10 @@
-// What `orris view` draws to: a window, or nothing that anybody sees.
+// What `orris view` draws to: a window, or nothing that anybody sees; and what it opens beside it.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "app/view/files/open_editor.h"
 #include "app/view/surface/view_event.h"
 
 namespace orris {
@@ -27,6 +28,10 @@ class ViewSurface {
   /// What is drawn to before show().
   virtual unsigned framebuffer() = 0;
   virtual void show() = 0;
+  /// The user's editor at a place of a pack. A problem in words, or "".
+  virtual std::string openEditor(const std::string& packPath, const SourceLocation& at) {
+    return openInEditor(packPath, at);
+  }
 };
 
 }  // namespace orris
