@@ -108,6 +108,24 @@ TEST_F(AutoSession, choice_follows_other_options_and_edits_of_the_pack) {
   EXPECT_EQ(chosen(), "METHOD=TWO");
 }
 
+TEST_F(AutoSession, only_what_the_options_at_auto_ask_for_is_measured) {
+  addPack("auto.method.one = 1 lamps\nauto.other.one = 1 volumes\n");
+  files_["/final.fsh"] += "#define OTHER ONE // [ONE TWO AUTO]\n#if OTHER == AUTO\n#endif\n";
+  ASSERT_TRUE(start(withLamps(2))) << messages();
+  const Quantities& measured = session_->autoChoices().quantities();
+  EXPECT_TRUE(measured.contains("lamps"));
+  EXPECT_FALSE(measured.contains("volumes")) << "which takes long";
+}
+
+TEST_F(AutoSession, cost_that_another_choice_brings_is_measured_too) {
+  addPack("#define ONE 1\n#define AUTO 4\nauto.method.one = 1\n#if METHOD == ONE\nauto.other.one = 1 lamps\nauto.other.two = 10\n#endif\n"
+          "#if METHOD == AUTO\nauto.other.one = 20\nauto.other.two = 10\n#endif\n");
+  files_["/final.fsh"] += "#define OTHER AUTO // [ONE TWO AUTO]\n#if OTHER == AUTO\n#endif\n";
+  ASSERT_TRUE(start(withLamps(20))) << messages();
+  EXPECT_EQ(chosen(), "METHOD=ONE OTHER=TWO");
+  EXPECT_EQ(session_->autoChoices().quantities().at("lamps"), 20);
+}
+
 TEST_F(AutoSession, pack_that_does_not_compile_leaves_the_choice) {
   addPack(kByLamps);
   ASSERT_TRUE(start(withLamps(2))) << messages();

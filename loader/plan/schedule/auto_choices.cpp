@@ -8,10 +8,15 @@
 namespace orris {
 namespace {
 
-std::set<std::string> quantitiesOf(const std::vector<AutoCandidate>& candidates) {
+/// What an option's candidates name and `known` lacks.
+std::set<std::string> unknownQuantities(const std::vector<AutoCandidate>& candidates,
+                                        const std::string& option, const Quantities& known) {
   std::set<std::string> names;
-  for (const AutoCandidate& candidate : candidates)
-    for (const std::string& name : candidate.quantities()) names.insert(name);
+  for (const AutoCandidate& candidate : candidates) {
+    if (candidate.option != option) continue;
+    for (const std::string& name : candidate.quantities())
+      if (!known.contains(name)) names.insert(name);
+  }
   return names;
 }
 
@@ -46,7 +51,7 @@ void AutoChoices::choose(const ShaderPack& asked, const LoadRequest& request,
                          const SceneMeter& meter) {
   const std::vector<std::string> options = optionsAtAuto(asked);
   std::vector<AutoChoice> choices;
-  quantities_ = options.empty() ? Quantities() : meter(quantitiesOf(autoCandidates(asked)));
+  quantities_.clear();
   LoadRequest chosen = request;
   chosen.buildSources = false;
   for (const std::string& option : options) {
@@ -55,7 +60,11 @@ void AutoChoices::choose(const ShaderPack& asked, const LoadRequest& request,
     const auto outline =
         choices.empty() ? std::nullopt : rebuildShaderPack(asked, chosen, reported);
     const ShaderPack& pack = outline ? *outline : asked;
-    AutoChoice choice = chooseAuto(autoCandidates(pack), option, quantities_, present(option));
+    const std::vector<AutoCandidate> candidates = autoCandidates(pack);
+    // Some take longer to measure than a frame to draw: volumes of all that casts a shadow.
+    const auto unknown = unknownQuantities(candidates, option, quantities_);
+    if (!unknown.empty()) quantities_.merge(meter(unknown));
+    AutoChoice choice = chooseAuto(candidates, option, quantities_, present(option));
     if (choice.value.empty()) choice.value = kAutoValue;
     chosen.values[option] = choice.value;
     choices.push_back(std::move(choice));
