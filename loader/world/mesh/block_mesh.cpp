@@ -14,6 +14,7 @@
 #include <orris/world/mesh/face_light.h>
 #include <orris/world/mesh/mesh_states.h>
 #include <orris/world/mesh/model_dice.h>
+#include <orris/world/mesh/section_cells.h>
 #include <orris/world/resources/block_look.h>
 
 namespace orris {
@@ -31,7 +32,9 @@ class SectionMesher {
       : input_(input), states_(states), lighting_(lighting) {}
 
   SectionFaces build(glm::ivec3 origin) {
-    if (!isBuried(origin)) addSection(origin);
+    if (isBuried(origin)) return {};
+    cells_.emplace(input_.blocks, origin);
+    addSection(origin);
     return std::move(made_);
   }
 
@@ -85,12 +88,22 @@ class SectionMesher {
   }
 
   void addCell(glm::ivec3 cell, glm::ivec3 origin) {
-    const std::uint32_t index = input_.blocks.indexAt(cell);
+    const std::uint32_t index = cells_->at(cell);
     if (index == 0) return;
     const MeshState& state = states_[index];
+    if (state.hiddenByCubes && isWalledIn(cell)) return;
     addFaces(state.block.faces, cell, origin, index);
     if (!state.parts.empty()) addModel(state, cell, origin, index);
     if (!state.fluid.empty()) addFluidFaces(state, cell, origin);
+  }
+
+  bool isWalledIn(glm::ivec3 cell) const {
+    return stateAt(cell + glm::ivec3(0, -1, 0)).hides(FaceDirection::Up) &&
+           stateAt(cell + glm::ivec3(0, 1, 0)).hides(FaceDirection::Down) &&
+           stateAt(cell + glm::ivec3(0, 0, -1)).hides(FaceDirection::South) &&
+           stateAt(cell + glm::ivec3(0, 0, 1)).hides(FaceDirection::North) &&
+           stateAt(cell + glm::ivec3(-1, 0, 0)).hides(FaceDirection::East) &&
+           stateAt(cell + glm::ivec3(1, 0, 0)).hides(FaceDirection::West);
   }
 
   void addModel(const MeshState& state, glm::ivec3 cell, glm::ivec3 origin, std::uint32_t index) {
@@ -108,7 +121,7 @@ class SectionMesher {
 
   bool isHidden(const BlockFace& face, glm::ivec3 cell, std::uint32_t index) const {
     if (!face.cull) return false;
-    const std::uint32_t other = input_.blocks.indexAt(cell + normalOf(*face.cull));
+    const std::uint32_t other = cells_->at(cell + normalOf(*face.cull));
     const MeshState& neighbour = states_[other];
     const FaceDirection side = opposite(*face.cull);
     if (neighbour.hides(side)) return true;
@@ -166,7 +179,7 @@ class SectionMesher {
     return (besideSubmerged ? 1 : neighbour.height) >= (submerged ? 1 : state.height);
   }
 
-  const MeshState& stateAt(glm::ivec3 cell) const { return states_[input_.blocks.indexAt(cell)]; }
+  const MeshState& stateAt(glm::ivec3 cell) const { return states_[cells_->at(cell)]; }
 
   void addFace(const BlockFace& face, glm::ivec3 cell, glm::ivec3 origin, std::uint32_t index,
                bool fluid) {
@@ -198,6 +211,7 @@ class SectionMesher {
   const MeshInput& input_;
   const MeshStates& states_;
   const FaceLighting& lighting_;
+  std::optional<SectionCells> cells_;  ///< of the section being built
   SectionFaces made_;
 };
 

@@ -46,6 +46,10 @@ MeshStates::MeshStates(const MeshInput& input) : input_(input) {
     } else if (facts.waterlogged && water != palette.end()) {
       addFluid(state, kWater, std::size_t(water - palette.begin()), 8.0f / 9);
     }
+    const std::vector<BlockFace>& faces = state.block.faces;
+    state.hiddenByCubes =
+        state.parts.empty() && state.fluid.empty() &&
+        std::all_of(faces.begin(), faces.end(), [](const BlockFace& face) { return face.cull.has_value(); });
   }
 }
 

@@ -34,6 +34,7 @@ struct MeshState {
   std::uint16_t fluidState = 0;   ///< the palette index that fluid faces carry
   std::uint8_t coveredSides = 0;  ///< bit 1 << FaceDirection: wholly opaque
   bool cullsSame = false;
+  bool hiddenByCubes = false;  ///< cubes on all sides hide every face
 
   bool hides(FaceDirection side) const { return coveredSides >> int(side) & 1; }
 };
