@@ -2,51 +2,10 @@
 
 #include <GL/gl.h>
 
-#include <algorithm>
-#include <cmath>
-#include <iterator>
+#include <orris/plan/scene/vertex_packer.h>
 
 namespace orris {
 namespace {
-
-std::int8_t snorm(float v) {
-  return static_cast<std::int8_t>(std::lround(std::clamp(v, -1.0f, 1.0f) * 127));
-}
-
-// The game's fixed shading of faces: up, down, north/south, east/west.
-float directionalShade(const glm::vec3& n) {
-  if (n.y > 0.5f) return 1.0f;
-  if (n.y < -0.5f) return 0.5f;
-  return std::abs(n.z) > std::abs(n.x) ? 0.8f : 0.6f;
-}
-
-void setColor(GpuVertex& out, const BlockVertex& in, const VertexStyle& style) {
-  const float shade = style.oldLighting && in.shade ? directionalShade(in.normal) : 1.0f;
-  const float rgb = style.separateAo ? shade : shade * static_cast<float>(in.tint.a) / 255;
-  for (int i = 0; i < 3; ++i)
-    out.color[i] = static_cast<std::uint8_t>(std::lround(static_cast<float>(in.tint[i]) * rgb));
-  out.color[3] = style.separateAo ? in.tint.a : 255;
-}
-
-void setVertex(GpuVertex& v, const BlockVertex& in, const std::vector<int>& blockIds,
-               const VertexStyle& style) {
-  for (int k = 0; k < 3; ++k) {
-    v.position[k] = in.position[k];
-    v.normal[k] = snorm(in.normal[k]);
-  }
-  for (int k = 0; k < 4; ++k) {
-    v.tangent[k] = snorm(in.tangent[k]);
-    v.midBlock[k] = in.midBlock[k];
-  }
-  for (int k = 0; k < 2; ++k) {
-    v.uv[k] = in.uv[k] + (in.midUv[k] - in.uv[k]) * kUvInset;
-    v.midUv[k] = in.midUv[k];
-    v.light[k] = in.light[k];
-  }
-  v.entity[0] = in.state < blockIds.size() ? blockIds[in.state] : -1;
-  v.entity[1] = in.fluid != 0 ? 1 : -1;
-  setColor(v, in, style);
-}
 
 constexpr VertexAttribute kAttributes[] = {
     {"vaPosition", 3, GL_FLOAT, false, offsetof(GpuVertex, position)},
@@ -85,16 +44,7 @@ const std::vector<std::string_view>& attributeNames() {
 std::vector<GpuVertex> packVertices(const BlockMesh& mesh, const MeshSection& section,
                                     const std::vector<int>& blockIds, const VertexStyle& style) {
   std::vector<GpuVertex> out(section.count);
-  for (size_t i = 0; i < out.size(); i += 4) {
-    const std::array<BlockVertex, 4> quad = mesh.quad(section.first + i);
-    for (size_t k = 0; k < quad.size(); ++k) setVertex(out[i + k], quad[k], blockIds, style);
-  }
-  if (section.layer != RenderLayer::BlockEntity) return out;
-  // The game's vertices of block entities have neither.
-  for (GpuVertex& v : out) {
-    v.entity[0] = v.entity[1] = -1;
-    std::fill(std::begin(v.midBlock), std::end(v.midBlock), std::int8_t{0});
-  }
+  VertexPacker(mesh, blockIds, style).pack(section, out.data());
   return out;
 }
 

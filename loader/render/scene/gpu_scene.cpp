@@ -8,6 +8,7 @@
 #include <orris/gl/clear_stack.h>
 #include <orris/gl/functions.h>
 #include <orris/plan/scene/shapes.h>
+#include <orris/plan/scene/vertex_packer.h>
 #include <orris/world/atlas/atlas_levels.h>
 
 namespace orris {
@@ -42,6 +43,16 @@ gl::Texture uploadData(const Image8& image, const std::string& label) {
 // Mesa's software rasteriser takes less than four gigabytes; a driver that keeps its memory in pieces
 // finds a place for one.
 constexpr std::size_t kMostPartBytes = std::size_t(1) << 30;
+
+/// Calls `write` with the driver's memory of the buffer, which any threads may write; what was in it is lost.
+template <class Write>
+void fillInPlace(const gl::Buffer& buffer, const Write& write) {
+  void* memory = gl::MapNamedBufferRange(buffer.id(), 0, GLsizeiptr(buffer.size),
+                                         GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT);
+  if (memory == nullptr) return;  // the driver has said why
+  write(static_cast<GpuVertex*>(memory));
+  gl::UnmapNamedBuffer(buffer.id());
+}
 
 void appendQuad(std::uint32_t first, std::vector<std::uint32_t>& indices) {
   for (const std::uint32_t corner : {0u, 1u, 2u, 2u, 3u, 0u}) indices.push_back(first + corner);
@@ -146,21 +157,20 @@ void GpuScene::uploadMesh(const SceneData& scene, const std::vector<int>& blockI
   sections_ = scene.mesh.sections;
   parts_ = terrainParts(sections_, kMostPartBytes / sizeof(GpuVertex));
   terrain_.clear();
-  for (const TerrainPart& part : parts_)
+  const VertexPacker packer(scene.mesh, blockIds, style);
+  // Into the driver's memory: a copy of all vertices would be hundreds of megabytes for a save.
+  for (std::size_t first = 0, index = 0; index < parts_.size(); ++index) {
+    const TerrainPart& part = parts_[index];
+    std::size_t end = first;
+    while (end < sections_.size() && terrainPart(sections_[end]) == index) ++end;
     terrain_.push_back(gl::createUnfilledBuffer(std::max(1u, part.count) * sizeof(GpuVertex), "terrain"));
-  // A few sections at once: a copy of all vertices would be hundreds of megabytes for a save.
-  std::array<std::vector<GpuVertex>, 16> packed;
-  for (std::size_t first = 0; first < sections_.size(); first += packed.size()) {
-    const std::size_t few = std::min(packed.size(), sections_.size() - first);
-    forEachInParallel(few, [&](std::size_t i) {
-      packed[i] = packVertices(scene.mesh, sections_[first + i], blockIds, style);
+    fillInPlace(terrain_.back(), [&](GpuVertex* vertices) {
+      forEachInParallel(end - first, [&](std::size_t i) {
+        const MeshSection& section = sections_[first + i];
+        packer.pack(section, vertices + (section.first - part.first));
+      });
     });
-    for (std::size_t i = 0; i < few; ++i) {
-      const MeshSection& section = sections_[first + i];
-      const std::size_t part = terrainPart(section);
-      gl::upload(terrain_[part], (section.first - parts_[part].first) * sizeof(GpuVertex),
-                 packed[i].size() * sizeof(GpuVertex), packed[i].data());
-    }
+    first = end;
   }
   blockIds_ = blockIds;
   unsigned most = stars.quads;
