@@ -229,6 +229,28 @@ TEST_F(FrameRendererGL, depth_copies_leave_out_translucent_blocks) {
   EXPECT_EQ(pixel("depthtex0", 2, 2)[0], pixel("depthtex1", 2, 2)[0]);
 }
 
+TEST_F(FrameRendererGL, buffer_without_an_output_stays_as_it_was) {
+  files_["/shaders.properties"] = "blend.gbuffers_water = SRC_ALPHA ONE_MINUS_SRC_ALPHA ONE ONE\n";
+  addProgram("gbuffers_terrain", "/* RENDERTARGETS: 0,1 */\n"
+                                 "void main() { gl_FragData[0] = gl_FragData[1] = vec4(0.5); }\n");
+  addProgram("gbuffers_water", "/* RENDERTARGETS: 0,1 */\n"
+                               "void main() { gl_FragData[1] = vec4(1.0, 0.0, 0.0, 1.0); }\n");
+  addProgram("composite", "/* RENDERTARGETS: 2,3 */\nlayout(location = 1) out vec4 color;\n"
+                          "void main() { color = vec4(0.25); }\n");
+  addProgram("final", "uniform sampler2D colortex0, colortex1, colortex2, colortex3;\n"
+                      "layout(location = 0) out vec4 c;\nvoid main() { c = texture(colortex0, uv) + "
+                      "texture(colortex1, uv) + texture(colortex2, uv) + texture(colortex3, uv); }\n");
+  World world = floorWorld();
+  const auto water = world.blocks.paletteIndex(*parseBlockState("minecraft:water"));
+  world.blocks.fill({-4, 1, -4}, {4, 1, 4}, water);
+  ASSERT_TRUE(start(world)) << messages();
+  draw();
+  EXPECT_THAT(pixel("colortex0", 16, 16), testing::Each(testing::FloatNear(0.5f, .01f)));
+  EXPECT_NEAR(pixel("colortex1", 16, 16)[0], 1, .01);
+  EXPECT_THAT(pixel("colortex2", 16, 16), testing::Each(0));
+  EXPECT_NEAR(pixel("colortex3", 16, 16)[0], 0.25, .01);
+}
+
 TEST_F(FrameRendererGL, translucent_quads_blend_from_far_to_near) {
   files_["/block.properties"] =
       "block.1=minecraft:red_stained_glass\nblock.2=minecraft:blue_stained_glass\n";

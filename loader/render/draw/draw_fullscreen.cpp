@@ -34,7 +34,10 @@ void FrameRenderer::drawFullscreen(const Step& step, const FrameState& state) {
   setFullscreenState(&source, draw);
   const GpuProgram& program = programOf(step);
   useProgram(program, step, state, draw);
+  const std::uint32_t outputs = loaded_->outputs.at(&program);
+  maskBuffers(step, outputs);
   drawQuad(*loaded_->scene, program);
+  unmaskBuffers(step, outputs);
 }
 
 void FrameRenderer::present(const Step& step, const FrameState& state) {

@@ -77,6 +77,7 @@ void FrameRenderer::drawClouds(const Step& step, const GpuProgram& program, cons
     if (!colors && !fancy) continue;
     const auto mask = static_cast<GLboolean>(colors ? GL_TRUE : GL_FALSE);
     gl::ColorMask(mask, mask, mask, mask);
+    maskBuffers(step, loaded_->outputs.at(&program));
     for (const glm::vec3& origin : cloudOrigins(state)) {
       draw.chunkOffset = origin;
       loadModelView(glm::translate(draw.modelView, origin));

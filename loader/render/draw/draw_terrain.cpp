@@ -73,6 +73,8 @@ void FrameRenderer::drawGeometry(const Step& step, const FrameState& state) {
       (step.name == "gbuffers_weather" && pack_->properties.flag("rain.depth", false));
   setGeometryState(step, source, draw);
   const GpuProgram& program = programOf(step);
+  const std::uint32_t outputs = loaded_->outputs.at(&program);
+  maskBuffers(step, outputs);
   if (isSky(step.geometry)) {
     drawSky(step, program, state, draw);
   } else if (isClouds(step.geometry)) {
@@ -85,6 +87,7 @@ void FrameRenderer::drawGeometry(const Step& step, const FrameState& state) {
     drawTerrain(step, program, state, shadow ? state.shadowModelView : state.gbufferModelView,
                 shadow ? shadowProjectionOf(state) : state.gbufferProjection, draw);
   }
+  unmaskBuffers(step, outputs);
   unsetAlphaTest();
   gl::Disable(GL_BLEND);
   gl::DepthMask(GL_TRUE);

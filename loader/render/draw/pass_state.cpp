@@ -138,6 +138,11 @@ void setAlphaTest(const Step& step, const ProgramSource* program, DrawState& dra
   gl::AlphaFunc(function, test.reference);
 }
 
+void setColorMasks(const Step& step, std::uint32_t outputs, GLboolean on) {
+  for (std::size_t slot = 0; slot < step.writes.size() && slot < 32; ++slot)
+    if ((outputs >> slot & 1) == 0) gl::ColorMaski(static_cast<unsigned>(slot), on, on, on, on);
+}
+
 void loadTextureMatrix(int unit, const glm::mat4& matrix) {
   gl::ActiveTexture(GL_TEXTURE0 + unit);
   gl::MatrixMode(GL_TEXTURE);
@@ -239,6 +244,9 @@ void loadModelView(const glm::mat4& modelView) {
   gl::MatrixMode(GL_MODELVIEW);
   gl::LoadMatrixf(glm::value_ptr(modelView));
 }
+
+void maskBuffers(const Step& step, std::uint32_t outputs) { setColorMasks(step, outputs, GL_FALSE); }
+void unmaskBuffers(const Step& step, std::uint32_t outputs) { setColorMasks(step, outputs, GL_TRUE); }
 
 void unsetAlphaTest() {
   if (!gl::isCoreProfile()) gl::Disable(GL_ALPHA_TEST);

@@ -2,6 +2,8 @@
 // Contract: README "Fullscreen geometry", programs.csv default_blend and default_alpha_test.
 #pragma once
 
+#include <cstdint>
+
 #include <orris/plan/frame/frame_state.h>
 #include <orris/plan/schedule/schedule.h>
 #include <orris/plan/frame/uniforms.h>
@@ -18,6 +20,10 @@ void loadMatrices(DrawState& draw, bool lightmapMatrix);
 void loadModelView(const glm::mat4& modelView);
 void setFog(const FrameState& state);
 void unsetAlphaTest();
+/// Buffers of the step for which the program has no output stay as they are: GL leaves open what they get, and a software
+/// rasteriser blends with whatever was there. `outputs`: outputsOf().
+void maskBuffers(const Step& step, std::uint32_t outputs);
+void unmaskBuffers(const Step& step, std::uint32_t outputs);
 
 /// The projection of fullscreen programs: the 0..1 quad to clip space, z row zero.
 glm::mat4 fullscreenProjection();

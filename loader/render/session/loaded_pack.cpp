@@ -7,6 +7,7 @@
 
 #include <orris/core/work_record.h>
 #include <orris/gl/functions.h>
+#include <orris/glsl/syntax/fragment_outputs.h>
 #include <orris/plan/schedule/builtin_program.h>
 
 namespace orris {
@@ -204,6 +205,8 @@ std::shared_ptr<GpuProgram> FrameRenderer::Loaded::program(const Wanted& wanted,
       (*options_.pool)[poolKey(wanted.key, custom)] = result;
   }
   byText[wanted.key] = result;
+  const StageText& last = *wanted.stages.back();
+  outputs[result.get()] = last.stage == Stage::Fragment ? outputsOf(last.text.text) : ~0u;
   return result;
 }
 

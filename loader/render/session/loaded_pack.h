@@ -26,6 +26,7 @@ struct FrameRenderer::Loaded {
   std::map<int, std::shared_ptr<GpuProgram>> programs;                  ///< by pack program index
   std::map<std::pair<int, int>, std::shared_ptr<GpuProgram>> computes;  ///< program, compute
   std::map<std::string, std::shared_ptr<GpuProgram>> byText;            ///< cache key -> program
+  std::map<const GpuProgram*, std::uint32_t> outputs;  ///< of its fragment stage, outputsOf()
   std::shared_ptr<GpuProgram> builtinTerrain, builtinSky;
   std::shared_ptr<RenderTargets> targets;
   std::shared_ptr<GpuScene> scene;
