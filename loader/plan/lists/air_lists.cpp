@@ -4,6 +4,7 @@
 
 #include <orris/plan/lists/content_scene.h>
 #include <orris/plan/lists/list_writer.h>
+#include <orris/plan/scene/snow_sheet.h>
 
 namespace orris {
 namespace {
@@ -59,6 +60,7 @@ void addSource(ListWriter& writer, const ParticleSource& source, int first) {
 }
 
 constexpr int kReach = 10;  // blocks, of the game's fancy graphics
+constexpr float kSnowFall = 4.0f * 20 / 512 / kSnowSheetBlocks;  // sheets a second: four blocks in 512 ticks
 
 /// The cells of a column that rain falls through: from and to, y; nothing where there is a roof.
 std::optional<glm::ivec2> openPart(const ListWriter& writer, int x, int z) {
@@ -78,19 +80,20 @@ void addColumn(ListWriter& writer, int x, int z, bool snow) {
   if (!part || distance > kReach || distance == 0) return;
   const float t = writer.state.frameTimeCounter, share = distance / kReach;
   const int id = static_cast<int>(mixBits(static_cast<std::uint32_t>(x * 7919 + z)) & 0xffff);
-  const float fall = t * (snow ? 1.2f : 2.6f) * (0.8f + 0.4f * chance(id, 3)) + chance(id, 4);
+  const float fall = t * (snow ? kSnowFall : 2.6f) * (0.8f + 0.4f * chance(id, 3)) + chance(id, 4);
   const float v = -(fall - std::floor(fall)), drift = chance(id, 5);
   const glm::vec3 side = glm::vec3(-foot.z, 0, foot.x) / distance * 0.5f;
   const glm::vec3 low(foot.x, writer.local({0, part->x, 0}).y, foot.z);
   const glm::vec3 high(foot.x, writer.local({0, part->y, 0}).y, foot.z);
-  // Flakes of a forty-eighth of a block, near those of the game.
-  const float across = snow ? 3.0f : 1.0f, perBlock = snow ? 3.0f : 0.5f;
+  const float across = snow ? 1 / kSnowSheetBlocks : 1.0f, perBlock = snow ? 1 / kSnowSheetBlocks : 0.5f;
   ContentQuad quad;
   quad.corners = {high - side, low - side, low + side, high + side};
   const float length = (high.y - low.y) * perBlock;
   quad.uv = {{{drift, v}, {drift, v + length}, {drift + across, v + length}, {drift + across, v}}};
-  quad.color.a = ((1 - share * share) * 0.5f + 0.5f) * writer.state.environment.rain;
+  quad.color.a = ((1 - share * share) * (snow ? 0.3f : 0.5f) + 0.5f) * writer.state.environment.rain;
   quad.light = writer.lightAt({x + 0.5, double(part->y), z + 0.5});
+  // The game's flakes are never dark.
+  if (snow) quad.light = (quad.light * 3 + 240) / 4;
   quad.hasNormal = false;
   writer.quad(quad);
 }

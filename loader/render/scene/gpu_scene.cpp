@@ -8,6 +8,7 @@
 #include <orris/gl/clear_stack.h>
 #include <orris/gl/functions.h>
 #include <orris/plan/scene/shapes.h>
+#include <orris/plan/scene/snow_sheet.h>
 #include <orris/plan/scene/vertex_packer.h>
 #include <orris/world/atlas/atlas_levels.h>
 
@@ -92,12 +93,12 @@ void GpuScene::buildContent(const ContentScene& content, GeometrySet kinds) {
   constexpr NamedSheet kSheets[] = {{Sheet::Glint, Geometry::Glint, "glint"},
                                     {Sheet::Glint, Geometry::HandGlint, "glint"},
                                     {Sheet::Rain, Geometry::Rain, "rain"},
-                                    {Sheet::Snow, Geometry::Snow, "snow_flakes"},
                                     {Sheet::Beam, Geometry::BeamCore, "beacon_beam"},
                                     {Sheet::Border, Geometry::Border, "world_border"}};
   for (const NamedSheet& row : kSheets)
     if ((kinds & bitOf(row.geometry)) != 0)
       sheets_[row.sheet] = uploadImage(textureImage(row.texture), 1, row.texture);
+  if ((kinds & bitOf(Geometry::Snow)) != 0) sheets_[Sheet::Snow] = uploadImage(snowSheet(), 1, "snow");
   if (kinds == 0) return;
   // What has no such maps, as lines, reads these: flat and rough.
   const bool own = content.atlas.albedo.width > 0;
