@@ -25,7 +25,7 @@ MUTANTS = {
         ("glint where no item is", "DrawLists.*",
          "  addItem(writer, item, place, light);\n}", "  addArm(writer, left, light);\n}"),
     ],
-    "loader/plan/scene/gpu_vertex.cpp": [
-        ("shade: dark although it is not shaded", "GpuVertex.*", "style.oldLighting && in.shade", "style.oldLighting"),
+    "loader/plan/scene/vertex_packer.cpp": [
+        ("shade: dark although it is not shaded", "GpuVertex.*", "style.oldLighting && shape.shade", "style.oldLighting"),
     ],
 }
