@@ -32,6 +32,10 @@ std::optional<Image8> decodeImage(const std::string& bytes, const std::string& n
 /// are left in their display encoding.
 std::optional<ImageF> readImage(const std::string& path, Diagnostics& diagnostics);
 
+/// Whether files with this ending keep colours as they are displayed, 8 bits a channel (.png, .jpg); others
+/// (.exr, .hdr, .pfm, .tif) can keep linear values.
+bool isDisplayFormat(const std::string& path);
+
 /// Writes by extension: .png 8 bit, .exr 32 bit float (integer images as float), .pfm/.hdr/.tif as
 /// OpenImageIO does. Written to a temporary file beside `path` and renamed, so no partial file is
 /// ever left. Same pixels, same bytes (no time stamps). false and a diagnostic on failure.

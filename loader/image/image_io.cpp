@@ -90,11 +90,9 @@ std::string lowerExtension(const std::string& path) {
   return extension;
 }
 
-/// Integer pixels for formats meant for display, float for the rest.
-bool storesBytes(const std::string& extension, bool fromBytes) {
-  static constexpr std::array<std::string_view, 5> kDisplay{".png", ".jpg", ".jpeg", ".tga",
-                                                            ".bmp"};
-  if (std::find(kDisplay.begin(), kDisplay.end(), extension) != kDisplay.end()) return true;
+bool storesBytes(const std::string& path, bool fromBytes) {
+  if (isDisplayFormat(path)) return true;
+  const std::string extension = lowerExtension(path);
   const bool floatOnly = extension == ".exr" || extension == ".pfm" || extension == ".hdr";
   return fromBytes && !floatOnly;
 }
@@ -145,7 +143,7 @@ bool writePicture(const std::string& path, PictureToWrite picture, Diagnostics& 
                     fmt::format("no image format has the extension \"{}\"", extension),
                     "use .png for display or .exr for linear values");
   }
-  picture.storeBytes = storesBytes(extension, picture.bytes != nullptr);
+  picture.storeBytes = storesBytes(path, picture.bytes != nullptr);
   std::optional<std::string> reason;
   const std::error_code error = replaceFile(path, [&](const std::string& partial) {
     reason = codecs->write(partial, extension, picture);
@@ -174,6 +172,11 @@ std::optional<Image8> decodeByModule(const std::string& bytes, const std::string
 }
 
 }  // namespace
+
+bool isDisplayFormat(const std::string& path) {
+  static constexpr std::array<std::string_view, 5> kEndings{".png", ".jpg", ".jpeg", ".tga", ".bmp"};
+  return std::ranges::find(kEndings, lowerExtension(path)) != kEndings.end();
+}
 
 std::optional<Image8> decodeImage(const std::string& bytes, const std::string& name,
                                   Diagnostics& diagnostics) {

@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/commands.h"
-#include "app/study/chart_output.h"
+#include "app/study/gnuplot.h"
 #include "app/study/open_study.h"
-#include "app/study/scene_study.h"
+#include "app/study/scene_list.h"
 #include <orris/chart/page/chart_text.h>
 
 namespace orris {

@@ -15,6 +15,7 @@
 #include "app/input/inputs.h"
 #include "app/output/progress.h"
 #include <orris/check/compile/program_check.h>
+#include <orris/image/image.h>
 #include <orris/render/inspect/counters.h>
 #include <orris/render/session/render_session.h>
 #include <orris/validate/patched_sources.h>
@@ -47,7 +48,7 @@ std::optional<SessionRequest> makeRequest(const RenderOptions& options, const Wo
   request.openPack = [files](Diagnostics&) { return files; };
   request.load = *load;
   request.versions = options.pack.versions;
-  request.renderer = {options.image.width, options.image.height, isLinear(options.outputs.picture),
+  request.renderer = {options.image.width, options.image.height, !isDisplayFormat(options.outputs.picture),
                       !options.outputs.timings.empty()};
   request.camera = *camera;
   request.seed = options.scene.seed;

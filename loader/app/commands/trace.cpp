@@ -16,6 +16,7 @@
 #include <orris/image/image.h>
 #include <orris/trace/edge_pixels.h>
 #include <orris/trace/film/checkpoint.h>
+#include <orris/trace/film/traced_picture.h>
 #include <orris/trace/shadow_mask.h>
 
 namespace orris {
@@ -34,8 +35,6 @@ struct TraceOptions {
   bool shadowMask = false;
   std::string lamp;
 };
-
-std::string checkpointOf(const std::string& picture) { return picture + ".trace"; }
 
 bool checkOutput(const std::string& path, Report& report) {
   if (std::filesystem::path(path).extension() == ".exr") return checkWritable(path, report);
@@ -108,14 +107,20 @@ int runTrace(const TraceOptions& options, Report& report, nlohmann::json& result
   if (!film) return report.status();
 
   TraceProgress done;
+  Diagnostics diagnostics;
   if (options.merge.empty()) {
     const TraceJob job{
         view->scene, view->camera, settings, options.jobs, checkpointOf(options.picture), key};
-    done = traceUntil(*film, job, options.limits, report);
+    withTraceHooks(report, [&](const TraceHooks& hooks) {
+      done = traceUntil(*film, job, options.limits, hooks, diagnostics);
+    });
+    report.add(diagnostics);
     if (report.status() != kClean) return report.status();
   }
   const std::vector<std::uint8_t> edges = edgePixels(view->scene, view->camera);
-  if (!writeTraced(options.picture, *film, edges, report)) return report.status();
+  const bool written = writeTraced(options.picture, *film, edges, diagnostics);
+  report.add(diagnostics);
+  if (!written) return report.status();
   result = describeTrace(*film, done, view->scene, std::count(edges.begin(), edges.end(), 1));
   if (!options.output.json && !options.output.quiet) {
     std::cout << fmt::format("{} samples a pixel, noise {:.3g} % rms of the mean\n",

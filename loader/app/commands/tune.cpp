@@ -10,7 +10,7 @@
 
 #include "app/commands/commands.h"
 #include "app/input/inputs.h"
-#include "app/study/chart_output.h"
+#include "app/study/gnuplot.h"
 #include "app/study/open_study.h"
 
 namespace orris {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "app/drawing/frame_probe.h"
@@ -33,8 +32,8 @@ Image8 displayed(const ImageF& image) {
 }
 
 bool writeDump(const std::string& path, const ImageF& image, Report& report) {
-  return isLinear(path) ? writePicture(path, image, report)
-                        : writePicture(path, displayed(image), report);
+  return isDisplayFormat(path) ? writePicture(path, displayed(image), report)
+                               : writePicture(path, image, report);
 }
 
 bool writeTimings(const std::string& path, const std::vector<FrameStepTime>& times, Report& report) {
@@ -89,8 +88,6 @@ std::vector<std::string> stepNames(const Schedule& schedule) {
 
 }  // namespace
 
-bool isLinear(const std::string& path) { return std::filesystem::path(path).extension() != ".png"; }
-
 bool checkPaths(const RenderOutputs& outputs, Report& report) {
   bool good = checkPicturePath(outputs.picture, report);
   for (const auto& [buffer, path] : outputs.dumps) good &= checkPicturePath(path, report);
@@ -135,16 +132,16 @@ bool writeShown(const std::string& path, const ShownBuffer& asked, const BufferV
                 Report& report) {
   if (view.pixels.pixels.empty())
     return writeWholeFile(path, storageTable(view), report);
-  return isLinear(path) ? writePicture(path, view.pixels, report)
-                        : writePicture(path, paintValues(view.pixels, asked.how), report);
+  return isDisplayFormat(path) ? writePicture(path, paintValues(view.pixels, asked.how), report)
+                               : writePicture(path, view.pixels, report);
 }
 
 bool writeOutputs(const RenderOutputs& outputs, const FrameRenderer& renderer,
                   const PassDumps& passDumps, const std::vector<FrameStepTime>& times,
                   Report& report) {
-  bool good = isLinear(outputs.picture)
-                  ? writePicture(outputs.picture, renderer.screenshotLinear(), report)
-                  : writePicture(outputs.picture, renderer.screenshot(), report);
+  bool good = isDisplayFormat(outputs.picture)
+                  ? writePicture(outputs.picture, renderer.screenshot(), report)
+                  : writePicture(outputs.picture, renderer.screenshotLinear(), report);
   for (const auto& [buffer, path] : outputs.dumps)
     if (const auto image = splitDumpName(buffer) ? std::nullopt : renderer.dump(buffer)) good &= writeDump(path, *image, report);
   for (const auto& [name, image] : passDumps)

@@ -29,9 +29,6 @@ struct FrameStepTime {
   StepTime step;
 };
 
-/// PNG files hold what a display gets, all others linear light.
-bool isLinear(const std::string& path);
-
 /// Can everything be written that is asked for? Before any work.
 bool checkPaths(const RenderOutputs& outputs, Report& report);
 /// Do the buffers of --dump exist? Before the first frame.

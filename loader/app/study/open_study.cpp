@@ -60,17 +60,20 @@ std::optional<StudyRequest> makeStudyRequest(const StudyOptions& options, Report
                       .budget = parseBudget(options.budget)};
 }
 
+StudyHooks studyHooks(Report& report) {
+  return {[&report](Diagnostics& diagnostics) { report.add(diagnostics); },
+          [&report](const std::string& what, int total) {
+            return [line = std::make_shared<Progress>(what, total, report.output())](int done) {
+              line->advanceTo(done);
+            };
+          }};
+}
+
 std::unique_ptr<Study> openStudy(const StudyOptions& options, const StudyFiles& files,
                                  Report& report) {
   auto request = makeStudyRequest(options, report);
   if (!request) return nullptr;
-  const auto begin = [&report](const std::string& what, int total) {
-    return [line = std::make_shared<Progress>(what, total, report.output())](int done) {
-      line->advanceTo(done);
-    };
-  };
-  return Study::open(std::move(*request), files,
-                     {[&report](Diagnostics& diagnostics) { report.add(diagnostics); }, begin});
+  return Study::open(std::move(*request), files, studyHooks(report));
 }
 
 }  // namespace orris

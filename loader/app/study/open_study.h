@@ -13,6 +13,9 @@ namespace orris {
 /// Opens the pack and the world. nullopt: reported.
 std::optional<StudyRequest> makeStudyRequest(const StudyOptions& options, Report& report);
 
+/// Reports and shows the progress of a study. `report` must outlive them.
+StudyHooks studyHooks(Report& report);
+
 /// Study::open() of what the flags ask for, with a progress line. `files` and `report` must outlive it.
 std::unique_ptr<Study> openStudy(const StudyOptions& options, const StudyFiles& files,
                                  Report& report);

@@ -152,9 +152,8 @@ void Viewer::saveScreenshot(const std::string& path) {
   if (session().frame() == 0) return;
   Diagnostics diagnostics;
   FrameRenderer& renderer = session().renderer();
-  const bool linear = !path.ends_with(".png");
-  const bool written = linear ? writeImage(path, renderer.screenshotLinear(), diagnostics)
-                              : writeImage(path, renderer.screenshot(), diagnostics);
+  const bool written = isDisplayFormat(path) ? writeImage(path, renderer.screenshot(), diagnostics)
+                                             : writeImage(path, renderer.screenshotLinear(), diagnostics);
   report_.add(diagnostics);
   if (written) return say("screenshot: " + path);
   status_ = kUsage;

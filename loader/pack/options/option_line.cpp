@@ -179,6 +179,13 @@ std::string_view booleanReference(std::string_view text) {
   return line.atEnd() ? name : "";
 }
 
+std::string_view askedName(std::string_view line) {
+  line = trim(line);
+  const std::string_view directive = line.substr(0, line.find_first_of(" \t"));
+  if (directive != "#ifdef" && directive != "#ifndef") return "";
+  return leadingWord(trim(line.substr(directive.size())));
+}
+
 std::string editOptionLine(const std::string& line, const OptionLine& option,
                            const std::string& value) {
   if (option.isConst) {

@@ -27,6 +27,9 @@ std::string_view definedName(std::string_view line);
 /// The name on a line that is exactly #ifdef NAME or #ifndef NAME, else "".
 std::string_view booleanReference(std::string_view line);
 
+/// The name after #ifdef or #ifndef, whatever follows it, else "".
+std::string_view askedName(std::string_view line);
+
 /// The line with `value` in place of the one it defines. `option` is what parseOptionLine() said.
 std::string editOptionLine(const std::string& line, const OptionLine& option,
                            const std::string& value);

@@ -29,14 +29,6 @@ struct References {
   std::map<std::string, SourceLocation, std::less<>> overlooked;
 };
 
-/// The name after #ifdef or #ifndef, whatever follows it.
-std::string_view askedName(std::string_view line) {
-  line = trim(line);
-  const std::string_view directive = line.substr(0, line.find_first_of(" \t"));
-  if (directive != "#ifdef" && directive != "#ifndef") return "";
-  return leadingWord(trim(line.substr(directive.size())));
-}
-
 References findReferences(const std::map<std::string, FileLines>& files) {
   References references;
   for (const auto& [file, lines] : files) {

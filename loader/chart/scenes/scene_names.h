@@ -1,13 +1,9 @@
-// Settings judged on many scenes, each against its own path-traced picture: `orris chart --scenes`.
+// The scenes that a study judges settings on, by name.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
-
-#include "app/output/report.h"
-#include "app/study/study_options.h"
 
 namespace orris {
 
@@ -21,8 +17,7 @@ struct SceneName {
 /// nullopt for a list that is malformed.
 std::optional<std::vector<SceneName>> parseScenes(const std::vector<std::string>& list);
 
-/// Measures all settings of the axes on every scene, each first traced with the options of --set, and writes
-/// FOLDER/scenes.csv after each scene and FOLDER/settings/NAME.exr. Returns the exit status.
-int runScenes(const StudyOptions& options, Report& report, nlohmann::json& result);
+/// A name for files about the scene.
+std::string fileStem(const SceneName& scene);
 
 }  // namespace orris

@@ -1,0 +1,76 @@
+#include "app/study/scene_list.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "app/commands/trace_loop.h"
+#include "app/commands/trace_scene_input.h"
+#include "app/study/open_study.h"
+#include <orris/chart/scenes/scene_study.h>
+#include <orris/trace/film/traced_picture.h>
+
+namespace orris {
+namespace {
+
+bool traceReference(const StudyOptions& options, const std::string& picture, Report& report) {
+  const auto view = openReferenceScene(options.pack, options.scene, options.image, report);
+  if (!view) return false;
+  Diagnostics diagnostics;
+  bool good = false;
+  withTraceHooks(report, [&](const TraceHooks& hooks) {
+    const TraceLimits limits{.seconds = options.scenes.traceSeconds, .noise = options.scenes.traceNoise};
+    good = provideTraced(picture, *view, {options.scene.seed, -1}, limits, hooks, diagnostics);
+  });
+  report.add(diagnostics);
+  return good;
+}
+
+RowPlan planOf(const StudyOptions& options) {
+  const MeasurePlan& plan = options.plan;
+  return {options.scenes.runs, plan.warmUp, plan.frames, options.scenes.costs ? plan.rounds : 0,
+          plan.visit,          plan.clock,  plan.buffer, options.scene.seed};
+}
+
+nlohmann::json describeRow(const SceneRow& row) {
+  nlohmann::json channels = nlohmann::json::array();
+  for (const ChannelBias& bias : row.bias)
+    channels.push_back({{"rms", signedRoot(bias.square)},
+                        {"rmsInterval", {signedRoot(bias.squareInterval.low), signedRoot(bias.squareInterval.high)}},
+                        {"signed", bias.signedMean},
+                        {"signedInterval", {bias.signedInterval.low, bias.signedInterval.high}},
+                        {"drift", bias.drift}});
+  return {{"scene", row.scene},          {"camera", row.camera},     {"time", row.time},
+          {"setting", row.setting},      {"bias", channels},         {"noise", row.noise.back()},
+          {"ratio", row.cost.ratio},     {"editing", row.editing.ratio}, {"lag", row.lag},
+          {"megabytes", row.megabytes}};
+}
+
+}  // namespace
+
+int runScenes(const StudyOptions& options, Report& report, nlohmann::json& result) {
+  const auto scenes = parseScenes(options.scenes.names);
+  if (!scenes) {
+    report.error("scenes-syntax", "--scenes: expected WORLD, WORLD@CAMERA or random:SEED:N, separated by commas",
+                 "--scenes cornell,h4_house@inside,random:1:20");
+    return report.status();
+  }
+  const StudyFiles files(options.folder);
+  const auto open = [&](const SceneName& scene) -> std::optional<StudyRequest> {
+    StudyOptions one = options;
+    one.scene.path = scene.world;
+    one.scene.camera = scene.camera;
+    one.references = {files.path(fileStem(scene), ".exr")};
+    if (!traceReference(one, one.references.front(), report)) return std::nullopt;
+    return makeStudyRequest(one, report);
+  };
+  const auto rows = measureScenes(
+      {*scenes, open, planOf(options), options.image.backend, parseBudget(options.budget)}, files, studyHooks(report));
+  if (!rows) return std::max(report.status(), kUsage);
+  result["rows"] = nlohmann::json::array();
+  for (const SceneRow& row : *rows) result["rows"].push_back(describeRow(row));
+  if (!options.output.json && !options.output.quiet && !rows->empty()) printText(sceneSummary(*rows));
+  sayWritten(options.output, {options.folder});
+  return report.status();
+}
+
+}  // namespace orris
