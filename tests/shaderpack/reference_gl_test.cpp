@@ -201,7 +201,15 @@ INSTANTIATE_TEST_SUITE_P(
                     Spot{"behind_stained_panes",
                          R"({"box": "red_stained_glass_pane[east=true,west=true]", "min": [2, 2, 4], "max": [8, 6, 4]},
                             {"block": "glowstone", "at": [5, 7, 3]})",
-                         R"("position": [5.5, 4, 5.5], "target": [5.5, 2, 7], "fov": 60)", .0002045, .06}),
+                         R"("position": [5.5, 4, 5.5], "target": [5.5, 2, 7], "fov": 60)", .0002045, .06},
+                    Spot{"behind_panes",
+                         R"({"box": "glass_pane[east=true,west=true]", "min": [2, 2, 4], "max": [8, 6, 4]},
+                            {"block": "glowstone", "at": [5, 7, 3]})",
+                         R"("position": [5.5, 4, 5.5], "target": [5.5, 2, 7], "fov": 60)", .007447, .04},
+                    Spot{"behind_panes_before_a_lamp",
+                         R"({"box": "glass_pane[east=true,west=true]", "min": [2, 2, 4], "max": [8, 6, 4]},
+                            {"block": "glowstone", "at": [5, 4, 1]})",
+                         R"("position": [5.5, 4, 5.5], "target": [5.5, 3.5, 8], "fov": 60)", .008315, .04}),
     [](const auto& tested) { return std::string(tested.param.name); });
 
 // Two places of one side of a block of glass: .01956 and .02129 in green by orris trace --noise 0.005; with one value a

@@ -39,7 +39,7 @@ MUTANTS = [
     ("no sun on what pixels' rays hit", HOUSE, [(GI, "radiance += throughput * sun_at(hit, light, s.light.y);", ";")]),
     ("sun bounce without 1/pi, one bounce", ONE, [(HIT, "(max(dot(hit.normal, light), 0.0) / pi)", "max(dot(hit.normal, light), 0.0)")]),
     ("sky of rays halved, one bounce", ONE, [(HIT, "return sky_radiance(direction) *", "return 0.5 * sky_radiance(direction) *")]),
-    ("sun through glass by mean alpha", GLASS, [(SHADOW, "textureLod(gtexture, place, 0.0).a < 0.1", "textureLod(gtexture, place, 4.0).a < 0.1")]),
+    ("sun through glass by mean alpha", GLASS, [(SHADOW, "textureLod(gtexture, place, 0.0).a < cutout_alpha", "textureLod(gtexture, place, 4.0).a < cutout_alpha")]),
     ("sun through glass by an edge that repeats", GLASS, [(SHADOW, "fract((place - tile.xy) / size)", "clamp((place - tile.xy) / size, 0.0, 1.0)")]),
     ("sun behind stained glass white", GLASS, [(TINT, "depth > sheet_distance ?", "false ?")]),
     ("water fills what lies below its bottom", "ReferenceGlass.*water", [("program/voxels/lakes.glsl", "if (water.a > 0.0 && (kept_shape", "if (false && (kept_shape")]),
@@ -51,4 +51,7 @@ MUTANTS = [
     ("stained panes tint by the distance in their cell", "ReferenceSpot.*behind_stained_panes", [(TRACE, "return is_tinted_pane(code) ? crossed :", "return false ? crossed :")]),
     ("one value for both sides of a stained pane", "ReferenceSpot.*behind_stained_panes", [(TRACE, "return beside && dot(hit.position - cell, axis) > 0.5;", "return false;")]),
     ("stained panes tint across the other axis", "ReferenceSpot.*behind_stained_panes", [(VOXEL, "code == voxel_tinted_pane ? vec3(1.0, 0.0, 0.0)", "code != voxel_tinted_pane ? vec3(1.0, 0.0, 0.0)")]),
+    ("panes of one side", "ReferenceSpot.*behind_panes", [(TRACE, "if (passes && is_pane(code)) {", "if (false) {")]),
+    ("one hole in the middle of a pane", "ReferenceSpot.*before_a_lamp", [(TRACE, "if (is_glass(code) || is_pane(code)) return", "if (is_glass(code)) return")]),
+    ("holes of panes by mean alpha", "ReferenceSpot.*behind_panes", [(SHADOW, "tap * half_size, 0.0).a < cutout_alpha", "tap * half_size, 4.0).a < cutout_alpha")]),
 ]

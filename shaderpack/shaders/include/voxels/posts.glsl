@@ -14,8 +14,6 @@ const float cover_top = 0.0625 - 0.5;  // of a carpet, from the middle of the ce
 
 bool is_post(int code) { return (code >= voxel_fence && code < voxel_small_lamp) || code == voxel_cover; }
 
-bool is_pane(int code) { return code >= voxel_pane && code < voxel_small_lamp; }
-
 /// Are its boxes plates along the sides of the cell?
 bool has_plates(int code) { return is_plate(code) || is_glass(code); }
 
@@ -79,6 +77,9 @@ Box post_box(int code, int index) {
     vec2 z = arm < 2 ? across : along;
     return Box(vec3(x.x, bottom, z.x), vec3(x.y, top, z.y));
 }
+
+/// Axes across which a box of a pane has sides; the others end it where the pane goes on.
+vec3 pane_sides(int index) { return vec3(index == 0 || index > 2, 0.0, index < 3); }
 
 int post_boxes(int code) {
     int boxes = code == voxel_fence ? 9 : has_plates(code) ? 6 : 5;

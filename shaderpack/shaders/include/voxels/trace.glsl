@@ -4,6 +4,7 @@
 #define INCLUDED_VOXELS_TRACE
 
 #include "/include/debug/count.glsl"
+#include "/include/math/random.glsl"
 #include "/include/voxels/octants.glsl"
 #include "/include/voxels/voxel.glsl"
 #if HAS_DISTANCES
@@ -132,15 +133,35 @@ Meeting meet_octants(Walk walk, uint octants, vec2 span) {
     return Meeting(t <= max(span.x, span.y), t, t < at.w ? axis : vec3(0.0));
 }
 
-/// Is this point of a block's side in one of its holes? Where they are in its texture is not known: a square
-/// in each quarter, of glass one in the middle, as large as what the texture leaves open. `within`: from the lower end of the cell;
-/// `axis`: that of the side.
+/// Holes of glass as its textures have them: inside a frame of one texel of 16, single texels; which is not known, so they
+/// are chosen at random, for all sides alike.
+bool in_glass_hole(int code, vec3 within, vec3 axis) {
+    const float inside = 14.0 * 14.0 / 256.0;
+    float share = hole_share(code);
+    vec3 off = abs(within - 0.5) * (1.0 - axis);
+    bool is_frame = max(off.x, max(off.y, off.z)) > 7.0 / 16.0;
+    float open = is_frame ? (share - inside) / (1.0 - inside) : share / inside;
+    uvec3 texel = uvec3(clamp(within * 16.0, 0.0, 15.0) * (1.0 - axis) + axis * 16.0);
+    return float(hash(texel).x >> 8u) * (1.0 / 16777216.0) < open;
+}
+
+/// Is this point of a block's side in one of its holes? Those of doors: a square in each quarter, as large as what the
+/// texture leaves open. `within`: from the lower end of the cell; `axis`: that of the side.
 bool in_hole(int code, vec3 within, vec3 axis) {
-    vec3 off = abs(fract((code >= voxel_glass ? 1.0 : 2.0) * within) - 0.5) * (1.0 - axis);
+    if (is_glass(code) || is_pane(code)) return in_glass_hole(code, within, axis);
+    vec3 off = abs(fract(2.0 * within) - 0.5) * (1.0 - axis);
     return max(off.x, max(off.y, off.z)) < 0.5 * sqrt(hole_share(code));
 }
 
-/// The first box of a fence, wall or chest that the ray comes into from outside.
+/// 1 where the two are equal, of x, y, z the first.
+vec3 axis_of(float t, vec3 at) {
+    bool x = t == at.x;
+    bool y = !x && t == at.y;
+    return vec3(x, y, !x && !y);
+}
+
+/// The first box of a fence, wall or chest that the ray comes into from outside. Of a pane only the two large sides are
+/// drawn: a ray passes the holes of both, or stops at the inside of the second.
 Meeting meet_post(Walk walk, int code) {
     Meeting met = Meeting(false, 1e9, vec3(0.0));
     uint parts = post_boxes(code) > 0 ? kept_shape(cell_of(walk)) : 0u;
@@ -152,13 +173,18 @@ Meeting meet_post(Walk walk, int code) {
         vec3 near = min(a, b);
         vec3 far = max(a, b);
         float t = max(near.x, max(near.y, near.z));
-        bool hit = has_part(code, parts, i) && t > 0.0 && t <= min(far.x, min(far.y, far.z));
+        float leave = min(far.x, min(far.y, far.z));
+        bool hit = has_part(code, parts, i) && t > 0.0 && t <= leave;
         if (!hit || t >= met.t) continue;
-        bool x = t == near.x;
-        bool y = !x && t == near.y;
-        vec3 axis = vec3(x, y, !x && !y);
-        if (in_hole(code, from + walk.direction * t + 0.5, axis)) continue;
-        met = Meeting(true, t, axis);
+        vec3 axis = axis_of(t, near);
+        vec3 sides = is_pane(code) ? pane_sides(i) : vec3(1.0);
+        bool passes = dot(axis, sides) == 0.0 || in_hole(code, from + walk.direction * t + 0.5, axis);
+        if (passes && is_pane(code)) {
+            t = leave;
+            axis = axis_of(t, far);
+            passes = t >= met.t || dot(axis, sides) == 0.0 || in_hole(code, from + walk.direction * t + 0.5, axis);
+        }
+        if (!passes) met = Meeting(true, t, axis);
     }
     return met;
 }

@@ -69,6 +69,8 @@ bool is_plate(int code) { return code >= voxel_plate && code < voxel_glass; }
 
 bool is_glass(int code) { return code >= voxel_glass && code < voxel_pane; }
 
+bool is_pane(int code) { return code >= voxel_pane && code < voxel_small_lamp; }
+
 /// What holes take of a side of the block.
 float hole_share(int code) {
     float glass = code >= voxel_glass && code < voxel_small_lamp ? float(code & 7) / 8.0 : 0.0;

@@ -10,6 +10,9 @@
 #include "/include/voxels/volume.glsl"
 #endif
 
+// Texels of less are open: the game's test of cutout blocks.
+const float cutout_alpha = 0.1;
+
 #if defined VERTEX_STAGE
 
 in vec2 mc_Entity;
@@ -141,6 +144,7 @@ void emit_lamp() {
 
 #if HAS_VOXEL_CHANGES
 #extension GL_ARB_shader_image_load_store : enable
+#include "/include/math/random.glsl"
 #include "/include/voxels/checksum.glsl"
 #include "/include/debug/count.glsl"
 #define HAS_OCTANT_WRITES
@@ -150,23 +154,49 @@ void emit_lamp() {
 #include "/include/face_cache/due_faces.glsl"
 #endif
 
+/// From the middle to the edges of the quad's part of the atlas.
+vec2 half_uv() {
+    vec2 mid = vertex_mid_uv[0];
+    return max(abs(vertex_uv[0] - mid), max(abs(vertex_uv[1] - mid), abs(vertex_uv[2] - mid)));
+}
+
 /// Mean linear colour of the quad, weighted by alpha, and the mean of that: 16 taps over its part of the atlas,
 /// in the level that has 16 texels a tile.
 vec4 face_color() {
-    vec2 mid = vertex_mid_uv[0];
-    vec2 half_size = abs(vertex_uv[0] - mid);
-    half_size = max(half_size, max(abs(vertex_uv[1] - mid), abs(vertex_uv[2] - mid)));
+    vec2 half_size = half_uv();
     vec4 sum = vec4(0.0);
     for (int i = 0; i < 16; ++i) {
         vec2 tap = vec2(i & 3, i >> 2) * 0.5 - 0.75;
-        vec4 texel = textureLod(gtexture, mid + tap * half_size, 2.0);
+        vec4 texel = textureLod(gtexture, vertex_mid_uv[0] + tap * half_size, 2.0);
         sum += vec4(to_linear(texel.rgb), 1.0) * texel.a;
     }
     return vec4(sum.rgb / max(sum.a, 1e-3) * to_linear(vertex_tint[0]), sum.a / 16.0);
 }
 
+#if HAS_VOXEL_CHANGES
+
+/// What the alpha test leaves open of the quad, 0..1, by 256 points of its texture in full size. The mean of alpha is
+/// another: a texel that is half open is drawn whole.
+float open_texels() {
+    vec2 half_size = half_uv();
+    int open = 0;
+    for (int i = 0; i < 256; ++i) {
+        vec2 tap = (vec2(i & 15, i >> 4) + 0.5) / 8.0 - 1.0;
+        open += int(textureLod(gtexture, vertex_mid_uv[0] + tap * half_size, 0.0).a < cutout_alpha);
+    }
+    return float(open) / 256.0;
+}
+
+/// A share in eighths, up or down by the block's place in the world, so that the mean over blocks is right.
+int in_eighths(float share, ivec3 cell) {
+    uvec3 place = uvec3(cell + volume_origin());
+    return int(share * 8.0 + float(hash(place).x >> 8u) * (1.0 / 16777216.0));
+}
+
+#endif
+
 /// What the block is to the voxels; a 0: nothing.
-vec4 block_voxel(int id, float emission, vec3 normal) {
+vec4 block_voxel(int id, float emission, vec3 normal, ivec3 cell) {
     vec4 face = face_color();
     vec3 color = face.rgb;
     int level = int(clamp(emission, 0.0, 15.0) + 0.5);
@@ -184,14 +214,12 @@ vec4 block_voxel(int id, float emission, vec3 normal) {
     if (id == block_slab_top) return encode_voxel(color, voxel_slab_top);
 #if HAS_VOXEL_CHANGES
     if (id == block_stairs) return encode_voxel(color, voxel_stairs);
-    int holes = clamp(int((1.0 - face.a) * 8.0 + 0.5), 0, 5);
-    if (id == block_plate) return encode_voxel(color, voxel_plate + holes);
+    if (id == block_plate) return encode_voxel(color, voxel_plate + min(in_eighths(open_texels(), cell), 5));
     if (id == block_fence) return encode_voxel(color, voxel_fence);
     if (id == block_wall) return encode_voxel(color, voxel_wall);
     if (id == block_chest) return encode_voxel(color, voxel_chest);
-    holes = clamp(int((1.0 - face.a) * 8.0 + 0.5), 0, 7);
-    if (id == block_glass) return encode_voxel(color, voxel_glass + holes);
-    if (id == block_pane) return encode_voxel(color, voxel_pane + holes);
+    if (id == block_glass) return encode_voxel(color, voxel_glass + min(in_eighths(open_texels(), cell), 7));
+    if (id == block_pane) return encode_voxel(color, voxel_pane + min(in_eighths(open_texels(), cell), 7));
     if (id == block_cover) return encode_voxel(color, voxel_cover);
 #else
     bool is_thin = id == block_glass || id == block_pane || id == block_cover;
@@ -209,7 +237,7 @@ void emit_voxel() {
         note_height(to_volume(0.5 * (quad_low() + quad_high())), vertex_sky[0]);
 #endif
     if (!in_volume(cell)) return;
-    voxel = block_voxel(block.id, block.emission, vertex_normal[0]);
+    voxel = block_voxel(block.id, block.emission, vertex_normal[0], cell);
     if (voxel.a == 0.0) return;
 #if HAS_VOXEL_CHANGES
     count_voxel();
@@ -239,11 +267,11 @@ void emit_voxel() {
 #endif
 
     // The faces of a block share one texel; depth lets the one with the largest holes win, and the top of those
-    // that are alike, whatever the order; of a stained pane a side that lies in its plane.
+    // that are alike, whatever the order; of a pane a side that lies in its plane.
     int kind = int(voxel.a * 255.0 + 0.5);
     vec3 size = quad_high() - quad_low();
     float depth = -hole_share(kind) - (vertex_normal[0].y > 0.5 ? 0.1 : 0.0);
-    if (is_tinted_pane(kind)) depth = abs(vertex_normal[0].y) < 0.5 && max(size.x, size.z) > 0.3 ? -0.5 : 0.0;
+    if (is_tinted_pane(kind) || is_pane(kind)) depth = abs(vertex_normal[0].y) < 0.5 && max(size.x, size.z) > 0.3 ? -0.5 : 0.0;
     // A right angle at the texel's corner that holds its centre and no other.
     vec2 corner = vec2(atlas_texel(cell));
     const vec2 legs[3] = vec2[3](vec2(0.0), vec2(1.5, 0.0), vec2(0.0, 1.5));
@@ -320,7 +348,7 @@ void main() {
     // lattice of texels. Of the full size: the mean alpha of a smaller level would close what is open.
     vec2 off = point_in_texel(gl_FragCoord.xy - lattice) - 0.5;
     vec2 place = in_tile(uv + dFdx(uv) * off.x + dFdy(uv) * off.y);
-    if (!is_voxel && textureLod(gtexture, place, 0.0).a < 0.1) discard;
+    if (!is_voxel && textureLod(gtexture, place, 0.0).a < cutout_alpha) discard;
     out_voxel = is_voxel ? voxel : sheet;
 }
 
