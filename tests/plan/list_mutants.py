@@ -26,6 +26,6 @@ MUTANTS = {
          "  addItem(writer, item, place, light);\n}", "  addArm(writer, left, light);\n}"),
     ],
     "loader/plan/scene/vertex_packer.cpp": [
-        ("shade: dark although it is not shaded", "GpuVertex.*", "style.oldLighting && shape.shade", "style.oldLighting"),
+        ("shade: dark although it is not shaded", "VertexPacker.*", "style.oldLighting && shape.shade", "style.oldLighting"),
     ],
 }

@@ -2,8 +2,6 @@
 
 #include <GL/gl.h>
 
-#include <orris/plan/scene/vertex_packer.h>
-
 namespace orris {
 namespace {
 
@@ -39,13 +37,6 @@ const std::vector<std::string_view>& attributeNames() {
     return names;
   }();
   return kNames;
-}
-
-std::vector<GpuVertex> packVertices(const BlockMesh& mesh, const MeshSection& section,
-                                    const std::vector<int>& blockIds, const VertexStyle& style) {
-  std::vector<GpuVertex> out(section.count);
-  VertexPacker(mesh, blockIds, style).pack(section, out.data());
-  return out;
 }
 
 }  // namespace orris

@@ -58,8 +58,4 @@ std::span<const ConstantAttribute> constantAttributes();
 /// Every attribute name that the host sets, by a vertex or with one value for all.
 const std::vector<std::string_view>& attributeNames();
 
-/// Those of one section: `blockIds[palette index]` is mc_Entity.x.
-std::vector<GpuVertex> packVertices(const BlockMesh& mesh, const MeshSection& section,
-                                    const std::vector<int>& blockIds, const VertexStyle& style);
-
 }  // namespace orris

@@ -1,5 +1,5 @@
 // Vertices as the driver gets them. The other attributes: tests/render/contract_gl_test.cpp.
-#include <orris/plan/scene/gpu_vertex.h>
+#include <orris/plan/scene/vertex_packer.h>
 
 #include <gtest/gtest.h>
 
@@ -15,10 +15,13 @@ int redOf(bool shade, const VertexStyle& style) {
   face.occlusion.fill(128);
   mesh.faces = {face};
   mesh.sections = {{glm::ivec3(0), RenderLayer::Solid, 0, 4}};
-  return packVertices(mesh, mesh.sections[0], {-1}, style).front().color[0];
+  const std::vector<int> blockIds = {-1};
+  std::array<GpuVertex, 4> packed;
+  VertexPacker(mesh, blockIds, style).pack(mesh.sections[0], packed.data());
+  return packed.front().color[0];
 }
 
-TEST(GpuVertex, faces_are_darkened_by_direction_with_old_lighting_where_the_model_is_shaded) {
+TEST(VertexPacker, faces_are_darkened_by_direction_with_old_lighting_where_the_model_is_shaded) {
   EXPECT_EQ(redOf(true, {.separateAo = true}), 255);
   EXPECT_EQ(redOf(true, {.separateAo = true, .oldLighting = true}), 153);
   EXPECT_EQ(redOf(false, {.separateAo = true, .oldLighting = true}), 255);
