@@ -198,17 +198,5 @@ CASES = [process_that_draws_has_no_secret_and_no_way_out, what_lies_beside_hidde
          options_are_chosen_in_a_panel_and_saved]
 
 
-def main():
-    if cases.lists(CASES):
-        return 0
-    orris, name = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2]
-
-    def prepare(folder):
-        os.environ["XDG_STATE_HOME"] = str(folder)
-        return Test(orris, folder)
-
-    return cases.run(CASES, name, prepare)
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(cases.main(CASES, Test))

@@ -52,3 +52,16 @@ def view(command, folder, timeout):
     if process.returncode == 3 and "EGL" in process.stderr:
         raise Skip("no EGL context here")
     return process
+
+
+def main(cases, test):
+    """SCRIPT ORRIS CASE, or --list; `test` is made of the program and a folder, in which the window keeps its state."""
+    if lists(cases):
+        return 0
+    orris = pathlib.Path(sys.argv[1]).resolve()
+
+    def prepare(folder):
+        os.environ["XDG_STATE_HOME"] = str(folder)
+        return test(orris, folder)
+
+    return run(cases, sys.argv[2], prepare)

@@ -430,17 +430,5 @@ CASES = [worlds_are_remembered, shows_what_render_draws, window_shows_the_screen
          ends_by_the_window_needing_a_display]
 
 
-def main():
-    if cases.lists(CASES):
-        return 0
-    orris, name = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2]
-
-    def prepare(folder):
-        os.environ["XDG_STATE_HOME"] = str(folder)
-        return Test(orris, folder)
-
-    return cases.run(CASES, name, prepare)
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(cases.main(CASES, Test))

@@ -56,7 +56,7 @@ struct SupervisedWork {
 /// Runs `work` in a process of its own. It returns in that process, with what `work` returned. In the process
 /// that watches it returns only when the other one ended without saying why: reported, kHostFailed; else it
 /// ends the program with the other's status. A signal that ends the program ends both at once; with an
-/// attendant the first one is passed on to the other process, which ends as it likes.
+/// attendant the first one is passed on to the other process, which may do other work before it ends.
 int runSupervised(const SupervisedWork& supervised, Report& report, const std::function<int()>& work);
 
 /// For `work`, before it makes a context: from now on outputs go through the process that watches, and all

@@ -1,4 +1,4 @@
-// The window of a process that draws nothing itself: it shows the pictures of another process and tells it
+// The window of a process that draws nothing itself: it shows the pictures of another process and sends it
 // what the user does.
 #pragma once
 
@@ -49,7 +49,7 @@ class ShownWindow {
   std::unique_ptr<ViewWindow> window_;
   gl::Texture picture_;
   gl::Framebuffer framebuffer_;  ///< of the picture
-  int width_ = 0, height_ = 0;   ///< of the window, as it was told
+  int width_ = 0, height_ = 0;   ///< of the window, as last sent
   bool mayEdit_ = false;         ///< since the last editor the user has pressed something
   std::deque<WindowNews> unsent_;
 };
