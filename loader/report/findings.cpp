@@ -57,6 +57,9 @@ class Judge {
         baseline_(baseline),
         text_(files_) {
     if (files_ != nullptr) comments_.emplace(*files_);
+    programs_ = pack.verdict.programs.all;
+    for (const auto& [mod, programs] : pack.verdict.modPrograms)
+      programs_.insert(programs.all.begin(), programs.all.end());
   }
 
   /// `cause`: the number of an earlier or later call whose problem this one follows from.
@@ -68,7 +71,9 @@ class Judge {
     if (d.sourceLine.empty()) d.sourceLine = quoteLine(d.at);
     finding.uri = uriOf(d.at.file);
     for (const std::string& file : entryFiles) {
-      if (std::string program = programOf(file); !program.empty()) finding.programs.insert(program);
+      const std::string program = programOf(file);
+      // Files of other folders may be named like stages. Compute shaders are listed by file.
+      if (programs_.contains(program) || programs_.contains(file)) finding.programs.insert(program);
     }
     if (comments_ && comments_->silences(d)) finding.silence = Silence::Comment;
     applySeverity(finding);
@@ -156,6 +161,7 @@ class Judge {
   const JudgeOptions& options_;
   Baseline* baseline_;
   SourceText text_;
+  std::set<std::string> programs_;  ///< of the pack, as PackVerdict has them
   std::optional<IgnoreComments> comments_;
   std::vector<Finding> findings_;
   std::size_t quotedBytes_ = 0;

@@ -149,6 +149,10 @@ TEST(Varyings, never_written_in_any_branch) {
   EXPECT_THAT(
       messages(packOf("out vec3 a;\nvoid main() {\n#ifdef NO\na.x = 1.0;\n#endif\n}", fragment)),
       IsEmpty());
+  // What a function does with its argument is known only where it is compiled.
+  EXPECT_THAT(
+      messages(packOf("out vec3 a;\nvoid main() {\n#ifdef NO\nfill(1, a);\n#endif\n}", fragment)),
+      IsEmpty());
 }
 
 TEST(Varyings, one_that_nobody_reads_is_a_note) {
@@ -237,6 +241,29 @@ TEST(Outputs, final_has_the_screen_alone) {
   EXPECT_THAT(final("0,7"), ElementsAre("output-unwritten /final.fsh:2:1: warning: final draws to the "
                                         "screen only: the buffers listed get nothing"));
   EXPECT_THAT(final("0"), IsEmpty());
+}
+
+TEST(Outputs, several_beyond_the_list_are_one_finding) {
+  const ShaderPack pack = loadClean(fragmentOf(
+      "void main() { gl_FragData[0] = gl_FragData[1] =\ngl_FragData[2] = gl_FragData[1] = vec4(1); }"));
+  Diagnostics diagnostics;
+  const Schedule schedule = buildSchedule(pack, 64, 32, {}, diagnostics);
+  checkDeclarations({.pack = pack, .schedule = schedule, .target = *findTarget("iris")}, diagnostics);
+  ASSERT_EQ(diagnostics.size(), 1u);
+  EXPECT_EQ(diagnostics.front().hint, "list 3 buffers in RENDERTARGETS, or drop the output");
+  EXPECT_THAT(diagnostics.front().related,
+              ElementsAre(RelatedPlace{{"/composite.fsh", 3, 1}, "gl_FragData[2] goes to no buffer either"}));
+}
+
+TEST(Outputs, a_location_that_is_the_number_of_a_buffer) {
+  const ShaderPack pack = loadClean(fragmentOf(
+      "/* RENDERTARGETS: 4 */\nlayout(location = 4) out vec4 a;\nvoid main() { a = vec4(1); }"));
+  Diagnostics diagnostics;
+  const Schedule schedule = buildSchedule(pack, 64, 32, {}, diagnostics);
+  checkDeclarations({.pack = pack, .schedule = schedule, .target = *findTarget("iris")}, diagnostics);
+  const auto found = std::ranges::find(diagnostics, "output-unlisted", &Diagnostic::id);
+  ASSERT_NE(found, diagnostics.end());
+  EXPECT_EQ(found->hint, "locations count places in the list: write layout(location = 0)");
 }
 
 TEST(Outputs, a_ninth_has_no_place_in_any_list) {

@@ -34,6 +34,22 @@ TEST(Names, an_unknown_one_that_is_used_gets_the_nearest) {
               "uniform-unknown /composite.fsh:4:15: note: no uniform is called 'unused1'");
 }
 
+TEST(Names, what_a_fullscreen_program_does_not_get_is_not_proposed) {
+  const auto hintOf = [](const std::string& program) {
+    const ShaderPack pack = loadClean({{"/" + program + ".vsh", kVertexStage},
+                                       {"/" + program + ".fsh", kVersion + "uniform sampler2D specularr;\n"
+                                        "void main() { gl_FragColor = texture2D(specularr, vec2(0)); }"}});
+    Diagnostics diagnostics;
+    const Schedule schedule = buildSchedule(pack, 64, 32, {}, diagnostics);
+    checkDeclarations({.pack = pack, .schedule = schedule, .target = *findTarget("iris")}, diagnostics);
+    const auto found = std::ranges::find(diagnostics, "uniform-unknown", &Diagnostic::id);
+    return found == diagnostics.end() ? "" : found->hint;
+  };
+  EXPECT_EQ(hintOf("gbuffers_basic"), "did you mean specular?");
+  EXPECT_EQ(hintOf("composite"),
+            "it reads texture unit 0: gtexture in gbuffers and shadow programs, colortex0 in fullscreen ones");
+}
+
 TEST(Names, used_by_one_program_is_used) {
   Files files = fragmentOf("#include \"/u.glsl\"\nvoid main() { gl_FragColor = vec4(1); }");
   files["/u.glsl"] = "uniform float nothing;\n";

@@ -74,6 +74,14 @@ TEST(TargetUnwritten, a_buffer_that_nobody_draws_to_is_reported_where_it_is_read
                   "comment of the program that fills it"));
 }
 
+TEST(TargetUnwritten, a_list_in_a_file_that_no_program_reads_draws_nothing) {
+  Files files = cleanPack();
+  addProgram(files, "composite", fragmentStage("1", {"colortex0", "colortex7"}));
+  files["/old/particles.glsl"] = "/* RENDERTARGETS: 7 */\n";
+  EXPECT_THAT(messagesOf(checkTargetsWritten, files),
+              ElementsAre(testing::HasSubstr("but no program of the pack draws to it")));
+}
+
 TEST(TargetUnwritten, a_read_before_the_only_writer_of_a_cleared_buffer_is_reported) {
   Files files = cleanPack();
   addProgram(files, "deferred", fragmentStage("0", {"colortex5"}));

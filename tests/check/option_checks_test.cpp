@@ -73,11 +73,33 @@ TEST(OptionLists, lines_with_different_lists_are_reported_at_the_second) {
               ElementsAre(RelatedPlace{{"/settings.glsl", 1, 1}, "the other list"}));
 }
 
+TEST(OptionLists, of_lines_in_two_files_the_list_that_is_shown_is_named) {
+  const std::string few = "#define STEPS 4 // [2 4 8]\n", many = "#define STEPS 4 // [2 4 8 16]\n";
+  const auto shownIn = [&](const std::string& a, const std::string& b) {
+    const ShaderPack pack = loadPackWith({{"/final.fsh", "#version 120\n" + a + "void main() {}\n"},
+                                          {"/final.vsh", "#version 120\n" + b + "void main() {}\n"}});
+    Diagnostics diagnostics;
+    checkOptionLists(std::span(&pack, 1), diagnostics);
+    const std::size_t values = pack.options.find("STEPS")->values.size();
+    EXPECT_EQ(diagnostics.size(), 1u);
+    return std::pair(diagnostics.empty() ? "" : diagnostics.front().hint, values);
+  };
+  // The order of Iris's table of files does not depend on what is in them.
+  const auto [hint, values] = shownIn(few, many);
+  const bool firstFile = values == 3;
+  EXPECT_EQ(hint, firstFile ? "Iris shows the one of /final.fsh:2" : "Iris shows the one of /final.vsh:2");
+  EXPECT_EQ(shownIn(many, few), std::pair(hint, std::size_t(firstFile ? 4 : 3)));
+}
+
 TEST(OptionUse, an_option_that_only_its_definition_names_changes_nothing) {
   EXPECT_THAT(found(checkOptionUse, {{"/settings.glsl", "#define STEPS 4 // [2 4 8] STEPS\n"}}),
-              ElementsAre("option-unused /settings.glsl:1:9: warning: STEPS changes nothing: no "
-                          "program and no properties file mentions it | use it, or take it off the "
-                          "screens"));
+              ElementsAre("option-unused /settings.glsl:1:9: warning: STEPS changes nothing: it is on a "
+                          "screen, but no program and no condition of a properties file uses it | use it, or "
+                          "take it off the screens"));
+  EXPECT_THAT(found(checkOptionUse, {{"/settings.glsl", "#define STEPS 4 // [2 4 8] STEPS\n"},
+                                     {"/shaders.properties", "screen = <empty>\n"}}),
+              ElementsAre("option-unused /settings.glsl:1:9: note: STEPS changes nothing: no program and no "
+                          "condition of a properties file uses it | use it, or remove it"));
 }
 
 TEST(OptionUse, many_numbers_without_texts_are_no_information) {

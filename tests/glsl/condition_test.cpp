@@ -93,6 +93,13 @@ TEST(condition, malformed_expressions_say_what_was_expected) {
             "  hint: Iris goes on after this, other hosts refuse the program\n");
 }
 
+TEST(condition, an_operator_after_ifdef_is_no_remark) {
+  EXPECT_EQ(preprocessed("#define A\n#ifdef A || B\nyes\n#endif\n"),
+            "yes\n---\n/a.fsh:2:10: warning: text after the end of #ifdef is ignored: '|| B'\n"
+            "  #ifdef A || B\n           ^\n"
+            "  hint: #ifdef takes one name: write #if with defined(), || between\n");
+}
+
 TEST(condition, trailing_text_is_tolerated_with_a_warning) {
   EXPECT_EQ(preprocessed("#define A\n#ifdef A B\nyes\n#endif A\n"),
             "yes\n---\n/a.fsh:2:10: warning: text after the end of #ifdef is ignored: 'B'\n"

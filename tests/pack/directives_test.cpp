@@ -177,6 +177,14 @@ TEST(ProgramDirectives, more_work_groups_than_gl_promises_are_a_warning) {
   ASSERT_EQ(diagnostics.size(), 1u);
   EXPECT_EQ(diagnostics[0].severity, Severity::Warning);
   EXPECT_EQ(diagnostics[0].message, "workGroups is ivec3(1, 65536, 1)");
+  diagnostics.clear();
+  readProgramDirectives(streamOf("const ivec3 workGroups = ivec3(65535, 65535, 1);", diagnostics),
+                        kColorTargets, diagnostics);
+  EXPECT_TRUE(diagnostics.empty());
+  readProgramDirectives(streamOf("const ivec3 workGroups = ivec3(65535, 65535, 2);", diagnostics),
+                        kColorTargets, diagnostics);
+  ASSERT_EQ(diagnostics.size(), 1u);
+  EXPECT_EQ(diagnostics[0].severity, Severity::Warning);
 }
 
 TEST(PackDirectives, booleans_are_words) {

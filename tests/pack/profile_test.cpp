@@ -87,6 +87,12 @@ TEST(ProfileTable, problems_are_placed_on_the_word) {
                   "true, false"));
 }
 
+TEST(ProfileTable, an_option_that_is_none_is_one_finding_for_all_profiles) {
+  EXPECT_THAT(profileProblems("profile.A = BLOM\nprofile.B = FOG !BLOM\nprofile.C = profile.A"),
+              ElementsAre("profile-option 1:13 warning: the pack has no option BLOM | did you mean "
+                          "BLOOM?"));
+}
+
 TEST(ProfileTable, a_number_that_is_no_value_is_placed_between_its_neighbours) {
   EXPECT_THAT(profileProblems("profile.P = SAMPLES=5"),
               ElementsAre("profile-value 1:13 warning: 5 is not in the list of SAMPLES | the values "

@@ -41,6 +41,26 @@ TEST(Findings, whatFollowsStandsBelowItsCause) {
   EXPECT_EQ(result.status, kProblems);
 }
 
+TEST(Findings, onlyFilesOfProgramsAreNamedAsPrograms) {
+  PackVerdict verdict{.path = "Pack", .files = memorySource({})};
+  verdict.programs = {{"/world0/a", "/world0/b_c.csh"}, {}};
+  verdict.modPrograms["Mod"] = {{"/world0/m"}, {}};
+  ProblemList problems;
+  Diagnostics found;
+  for (const char* file : {"/world0/a.fsh", "/world0/b_c.csh", "/world0/m.vsh", "/program/a.fsh"})
+    found.push_back({.id = "glsl-compile", .at = {file, 1, 1}, .message = "wrong"});
+  problems.add(found);
+  ValidateResult result;
+  addPack(result, verdict, problems, {});
+  std::map<std::string, std::set<std::string>> programs;
+  for (const Finding& finding : result.packs[0].findings)
+    programs[finding.diagnostic.at.file] = finding.programs;
+  EXPECT_THAT(programs["/world0/a.fsh"], ElementsAre("/world0/a"));
+  EXPECT_THAT(programs["/world0/b_c.csh"], ElementsAre("/world0/b_c"));
+  EXPECT_THAT(programs["/world0/m.vsh"], ElementsAre("/world0/m"));
+  EXPECT_THAT(programs["/program/a.fsh"], testing::IsEmpty());
+}
+
 TEST(Findings, severitiesOfTheUserDecideTheStatus) {
   JudgeOptions options{.severities = {{"glsl-compile", Severity::Warning}}};
   EXPECT_EQ(judged(options).status, kClean);

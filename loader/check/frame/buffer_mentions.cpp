@@ -6,14 +6,16 @@
 #include <orris/core/files/text_file.h>
 #include <orris/pack/files/text.h>
 #include <orris/pack/programs/directive_values.h>
+#include <orris/pack/programs/folder_build.h>
 
 namespace orris {
 namespace {
 
 class Scanner {
  public:
-  Scanner(const std::string& file, std::string_view text, BufferMentions& out)
-      : file_(file), text_(text), out_(out) {}
+  /// `isRead`: by a program.
+  Scanner(const std::string& file, std::string_view text, bool isRead, BufferMentions& out)
+      : file_(file), text_(text), isRead_(isRead), out_(out) {}
 
   void run() {
     while (at_ < text_.size()) {
@@ -69,7 +71,7 @@ class Scanner {
   void draw(std::optional<long long> index) {
     if (!index || *index < 0 || *index > 31) return;
     out_.drawn[file_].insert(static_cast<int>(*index));
-    out_.drawnAnywhere.insert(static_cast<int>(*index));
+    if (isRead_) out_.drawnAnywhere.insert(static_cast<int>(*index));
   }
 
   void word() {
@@ -114,6 +116,7 @@ class Scanner {
 
   const std::string& file_;
   std::string_view text_;
+  bool isRead_;
   BufferMentions& out_;
   size_t at_ = 0;
   bool declaration_ = false;
@@ -128,12 +131,24 @@ bool isShaderText(std::string_view path) {
                       [&](std::string_view end) { return path.ends_with(end); });
 }
 
+namespace {
+
+/// A file that is not there may include any.
+bool isReadByPrograms(const ShaderPack& pack, const std::string& file) {
+  if (pack.builds.empty()) return true;
+  const PackFiles& files = pack.builds.front()->files();
+  return !files.broken.empty() || files.graph.files.contains(file);
+}
+
+}  // namespace
+
 BufferMentions findBufferMentions(const ShaderPack& pack) {
   BufferMentions mentions;
   if (!pack.source) return mentions;
   for (const std::string& file : pack.source->files()) {
     if (!isShaderText(file)) continue;
-    if (const auto text = readText(*pack.source, file)) Scanner(file, *text, mentions).run();
+    if (const auto text = readText(*pack.source, file))
+      Scanner(file, *text, isReadByPrograms(pack, file), mentions).run();
   }
   return mentions;
 }

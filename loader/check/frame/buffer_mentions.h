@@ -18,7 +18,7 @@ struct BufferMentions {
   std::set<int> keptColor, keptShadow;         ///< some line sets <buffer>Clear to false
   std::set<int> mipmapped, shadowMipmapped;    ///< some line sets <buffer>MipmapEnabled to true
   std::map<std::string, std::set<int>> drawn;  ///< by file: what RENDERTARGETS, DRAWBUFFERS list
-  std::set<int> drawnAnywhere;
+  std::set<int> drawnAnywhere;  ///< by files that a program of any folder reads
   /// Formats that some line gives, upper case; a word that is no format when a macro stands there.
   std::map<int, std::set<std::string>> formats, shadowFormats;
   bool pasted = false;  ///< some macro pastes buffer names together (colortex ## N)

@@ -153,7 +153,10 @@ class StagePair {
         "varying-missing",
         fmt::format("'{}' is read here, and the {} stage does not declare it", spoken(in), from),
         repaired ? fmt::format("Iris {}, other hosts refuse the program: declare it in the {} stage",
-                               assigned ? "declares it there" : "makes it zero", from)
+                               assigned ? "declares it there"
+                               : zeroedOnce() ? "makes it zero for the first EmitVertex()"
+                                              : "makes it zero",
+                               from)
                  : fmt::format("declare it in the {} stage", from),
         {note()}};
     if (meant) return reportRenamed(in, *meant, std::move(finding));
@@ -161,6 +164,9 @@ class StagePair {
       finding.notes.push_back(fmt::format("{} declares it for other options or programs", place));
     report_.add(to_, in.place, std::move(finding));
   }
+
+  /// Iris sets it at the start of main(), and after EmitVertex() all outputs are undefined (GLSL 8.15).
+  bool zeroedOnce() const { return from_.stage->stage == Stage::Geometry; }
 
   /// One finding for both names: at the one that is wrong, where the stages say which, else at the reader.
   void reportRenamed(const StageGlobal& in, const StageGlobal& out, Finding finding) {
@@ -215,7 +221,8 @@ class StagePair {
          "varying-unwritten",
          fmt::format("'{}' is never written, and the {} stage reads it", spoken(out),
                      stageName(to_.stage->stage)),
-         "Iris makes it zero, elsewhere its value is undefined",
+         zeroedOnce() ? "Iris makes it zero for the first EmitVertex(), then it is undefined"
+                      : "Iris makes it zero, elsewhere its value is undefined",
          {note(), fmt::format("read in the {} stage, declared at {}", stageName(to_.stage->stage),
                               DeclarationReport::placeName(to_, in.place))}});
   }
@@ -224,12 +231,30 @@ class StagePair {
   bool writtenInSomeBranch(const StageGlobal& out) const {
     const auto& sites = from_.stage->text.sites;
     const auto& files = report_.folder.pack.files;
+    const auto compiled = compiledLines();
     return std::any_of(sites.begin(), sites.end(), [&](const IncludeSite& site) {
       const auto file = files.find(site.file);
-      return file != files.end() &&
-             std::any_of(file->second.begin(), file->second.end(),
-                         [&](const std::string& line) { return assigns(line, out.name); });
+      if (file == files.end()) return false;
+      for (std::size_t i = 0; i < file->second.size(); ++i) {
+        const std::string& line = file->second[i];
+        // What the function does with it is known only where it is compiled.
+        const bool mayWrite = !compiled.contains({site.file, int(i) + 1}) && isArgument(line, out.name);
+        if (mayWrite || assigns(line, out.name)) return true;
+      }
+      return false;
     });
+  }
+
+  std::set<std::pair<std::string_view, int>> compiledLines() const {
+    const MappedText& text = from_.stage->text;
+    std::set<std::pair<std::string_view, int>> lines;
+    for (const auto& segments : text.lines) {
+      for (const MappedText::Segment& segment : segments) {
+        if (segment.origin.site >= 0)
+          lines.insert({text.sites[std::size_t(segment.origin.site)].file, segment.origin.line});
+      }
+    }
+    return lines;
   }
 
   void reportUnread(const StageGlobal& out) {

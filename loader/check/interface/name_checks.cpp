@@ -143,6 +143,11 @@ class StageNames {
   void reportUnknown(const StageGlobal& global, NameKind kind, std::vector<std::string> own) {
     const auto& known = knownNames(kind);
     own.insert(own.end(), known.begin(), known.end());
+    // Iris: IrisSamplers.addLevelSamplers. They are bound where blocks and entities are drawn.
+    if (isFullscreen(program_.program->group)) {
+      std::erase(own, "normals");
+      std::erase(own, "specular");
+    }
     const std::string nearest = nearestName(global.name, own);
     // Nothing uses it, and the name that was meant is one slip away or is used undeclared.
     const bool meant =
@@ -157,7 +162,7 @@ class StageNames {
     if (hint.empty() && kind == NameKind::Uniform)
       hint = "define it in shaders.properties: uniform.<type>.<name> = <expression>";
     if (hint.empty() && kind == NameKind::Sampler)
-      hint = "it reads texture unit 0, as gtexture does where blocks are drawn, colortex0 elsewhere";
+      hint = "it reads texture unit 0: gtexture in gbuffers and shadow programs, colortex0 in fullscreen ones";
     report_.add(stage_, global.place,
                 {(global.used || meant) && !numbered ? Severity::Warning : Severity::Note,
                  kind == NameKind::Attribute ? "attribute-unknown" : "uniform-unknown",

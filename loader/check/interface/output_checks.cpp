@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <optional>
+#include <ranges>
 #include <set>
 #include <string_view>
+#include <vector>
 
 #include <orris/check/compile/text_scanner.h>
 #include <orris/check/interface/declaration_checks.h>
@@ -50,6 +52,7 @@ class FragmentOutputs {
     if (program_.program->group == ProgramGroup::Final) return checkFinal();
     for (const StageGlobal* output : outputs_) checkListed(*output);
     for (const FragDataUse& use : stage_.fragData) checkListed(use);
+    reportUnlisted();
     checkWritten();
   }
 
@@ -92,6 +95,14 @@ class FragmentOutputs {
 
   const std::vector<int>& buffers() const { return program_.program->drawBuffers; }
 
+  /// An output that no buffer of the list gets.
+  struct Unlisted {
+    TextPlace place;
+    std::string name;
+    int slot = 0;
+    bool built = false;  ///< gl_FragData
+  };
+
   void checkListed(const StageGlobal& output) {
     const auto slots = slotsOf(output);
     if (!slots || !output.used) return;
@@ -100,7 +111,7 @@ class FragmentOutputs {
     for (int slot = slots->first; slot <= std::min(last, kMostOutputs); ++slot)
       written_.insert(slot);
     if (last < static_cast<int>(buffers().size())) return;
-    reportUnlisted(output.place, fmt::format("'{}' at location {}", spokenOutput(output), last));
+    addUnlisted({output.place, spokenOutput(output), last, false});
   }
 
   void checkListed(const FragDataUse& use) {
@@ -110,22 +121,49 @@ class FragmentOutputs {
     }
     written_.insert(use.index);
     if (use.index < static_cast<int>(buffers().size())) return;
-    reportUnlisted(use.place, fmt::format("gl_FragData[{}]", use.index));
+    addUnlisted({use.place, fmt::format("gl_FragData[{}]", use.index), use.index, true});
   }
 
-  void reportUnlisted(const TextPlace& place, const std::string& what) {
+  SourceLocation placeOf(const Unlisted& output) const {
+    return stage_.stage->text.locate(output.place.line, output.place.column);
+  }
+
+  /// The first use of each in the author's text.
+  void addUnlisted(Unlisted output) {
+    const bool known = std::ranges::find(unlisted_, output.name, &Unlisted::name) != unlisted_.end();
+    if (!known && !placeOf(output).file.empty()) unlisted_.push_back(std::move(output));
+  }
+
+  /// All of a program are one finding: they lack one list.
+  void reportUnlisted() {
+    if (unlisted_.empty()) return;
+    const Unlisted& first = unlisted_.front();
     const SourceLocation& directive = program_.program->directives.drawBuffersAt;
     const bool listed = program_.program->directives.drawBuffers.has_value();
+    std::vector<RelatedPlace> others;
+    for (const Unlisted& output : unlisted_ | std::views::drop(1))
+      others.push_back({placeOf(output), output.name + " goes to no buffer either"});
     report_.add(
-        stage_, place,
+        stage_, first.place,
         {Severity::Warning,
          "output-unlisted",
-         fmt::format("{} is written to no buffer: the program draws to {}", what, bufferList()),
-         needed() > std::size_t{kMostOutputs}
-             ? "number outputs by their place in RENDERTARGETS, from 0: drivers have 8"
-             : fmt::format("list {} buffers in RENDERTARGETS, or drop the output", needed()),
+         fmt::format("{} is written to no buffer: the program draws to {}",
+                     first.built ? first.name : fmt::format("'{}' at location {}", first.name, first.slot),
+                     bufferList()),
+         hintOfUnlisted(first),
          {listed ? fmt::format("they are listed at {}:{}", directive.file, directive.line)
-                 : "without RENDERTARGETS or DRAWBUFFERS these are the buffers"}});
+                 : "without RENDERTARGETS or DRAWBUFFERS these are the buffers"},
+         std::move(others)});
+  }
+
+  std::string hintOfUnlisted(const Unlisted& first) const {
+    const auto place = std::ranges::find(buffers(), first.slot);
+    const std::size_t number = std::size_t(place - buffers().begin());
+    if (!first.built && place != buffers().end() && !written_.contains(int(number)))
+      return fmt::format("locations count places in the list: write layout(location = {})", number);
+    return needed() > std::size_t{kMostOutputs}
+               ? "number outputs by their place in RENDERTARGETS, from 0: drivers have 8"
+               : fmt::format("list {} buffers in RENDERTARGETS, or drop the output", needed());
   }
 
   std::size_t needed() const {
@@ -257,6 +295,7 @@ class FragmentOutputs {
   DeclarationReport& report_;
   std::vector<const StageGlobal*> outputs_;
   std::set<int> written_;
+  std::vector<Unlisted> unlisted_;
   bool anyIndex_ = false;
 };
 

@@ -102,7 +102,20 @@ void checkList(AuthorLines& lines, const Option& option, Shown shown, Diagnostic
   }
 }
 
-/// Iris: MergedStringOption keeps the list of one of the lines, of which one is up to a hash table.
+/// Iris: MergedStringOption keeps the list of the first line that has one, in the order of its table of files.
+std::string shownList(AuthorLines& lines, const Option& option) {
+  const std::set<std::string> shown(option.values.begin(), option.values.end());
+  const auto place = std::ranges::find_if(option.at, [&](const SourceLocation& at) {
+    const auto list = listOf(lines.at(at));
+    std::set<std::string> values(list.begin(), list.end());
+    if (values.empty()) return false;
+    values.insert(option.defaultValue);
+    return values == shown;
+  });
+  return place == option.at.end() ? "Iris shows one of them"
+                                  : fmt::format("Iris shows the one of {}:{}", place->file, place->line);
+}
+
 void checkSameLists(AuthorLines& lines, const Option& option, Diagnostics& diagnostics) {
   const auto setOf = [&](const SourceLocation& place) {
     const auto list = listOf(lines.at(place));
@@ -117,7 +130,7 @@ void checkSameLists(AuthorLines& lines, const Option& option, Diagnostics& diagn
       fmt::format("the list of {} differs from the one in {}:{}", option.name, first.file,
                   first.line),
       other->file == first.file ? "the first one is shown, whatever #if stands around it"
-                                : "only one of them is shown, and which one is up to chance"));
+                                : shownList(lines, option)));
   diagnostics.back().related.push_back({first, "the other list"});
 }
 
@@ -277,11 +290,13 @@ void checkOptionUse(std::span<const ShaderPack> folders, Diagnostics& diagnostic
     const bool directive = line && line->isConst;
     if (directive || mentions.contains(name)) continue;
     // Boolean options without effect are tested on purpose: mods look for them.
-    const bool matters = shown.contains(name) && !option.isBoolean && !isInformation(pack, option);
+    const bool onScreen = shown.contains(name);
+    const bool matters = onScreen && !option.isBoolean && !isInformation(pack, option);
     diagnostics.push_back(optionDiagnostic(
         lines, matters ? Severity::Warning : Severity::Note, "option-unused", place, name,
-        fmt::format("{} changes nothing: no program and no properties file mentions it", name),
-        "use it, or take it off the screens"));
+        fmt::format("{} changes nothing: {}no program and no condition of a properties file uses it",
+                    name, onScreen ? "it is on a screen, but " : ""),
+        onScreen ? "use it, or take it off the screens" : "use it, or remove it"));
   }
 }
 

@@ -130,4 +130,13 @@ bool assigns(std::string_view line, std::string_view name) {
   return false;
 }
 
+bool isArgument(std::string_view line, std::string_view name) {
+  for (std::size_t at = line.find(name); at != std::string_view::npos; at = line.find(name, at + 1)) {
+    const std::string_view before = trim(line.substr(0, at)), after = trim(line.substr(at + name.size()));
+    const bool begins = before.ends_with('(') || before.ends_with(',');
+    if (begins && (after.starts_with(')') || after.starts_with(','))) return true;
+  }
+  return false;
+}
+
 }  // namespace orris

@@ -57,5 +57,7 @@ std::string likelyMeant(std::string_view name, const std::vector<std::string>& n
 bool occursAsWord(std::string_view text, std::string_view word);
 /// Does the line write to `name`: "name =", "name.xyz *=", "name[0] =", not "=="?
 bool assigns(std::string_view line, std::string_view name);
+/// Does `name` stand alone between the commas and parentheses of a list?
+bool isArgument(std::string_view line, std::string_view name);
 
 }  // namespace orris

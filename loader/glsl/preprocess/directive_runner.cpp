@@ -172,7 +172,9 @@ void DirectiveRunner::warnTrailing(const std::vector<Token>& tokens, std::size_t
   if (from >= tokens.size()) return;
   report(Severity::Warning, "directive-trailing-text", tokens[from].origin,
          fmt::format("text after the end of #{} is ignored: '{}'", name, joinTokens(tokens, from)),
-         "some hosts refuse this; put it into a comment");
+         name.starts_with("if") && (isPunctuator(tokens[from], "||") || isPunctuator(tokens[from], "&&"))
+             ? fmt::format("#{} takes one name: write #if with defined(), {} between", name, tokens[from].text)
+             : "some hosts refuse this; put it into a comment");
 }
 
 // A comment of one line ends with it; one whose text begins below goes on to a blank line or directive.

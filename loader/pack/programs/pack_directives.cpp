@@ -163,7 +163,8 @@ class PackReader {
     report(Severity::Warning, "directive-slip", line,
            fmt::format("Iris sets the wetness half-life by {}, and dryness keeps {}", kDryness,
                        PackDirectives().drynessHalflife),
-           "a slip of Iris's, which no line can set right: the last of both lines counts for the wetness");
+           "a slip of Iris's: leave the line out, or write the line of wetnessHalflife behind it, as the last of both "
+           "counts");
   }
 
   void readInt(const ConstLine& line) {

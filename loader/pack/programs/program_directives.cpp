@@ -137,6 +137,9 @@ class ProgramReader {
         if (std::ranges::any_of(groups, [](float count) { return count > kMostGroups; }))
           warnOfConst(line, "OpenGL promises 65535 work groups in a direction; some drivers run more in the "
                             "first one, others run none at all then");
+        else if (double(groups[0]) * double(groups[1]) * double(groups[2]) > 4294967295.0)
+          warnOfConst(line, "these are more than 4294967295 work groups in all; drivers that count them in 32 "
+                            "bits run few of them");
         std::array<int, 3> counts;
         for (size_t i = 0; i < counts.size(); ++i)
           counts[i] = static_cast<int>(std::clamp(groups[i], 0.0f, kMostGroups));

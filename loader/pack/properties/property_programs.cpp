@@ -149,7 +149,10 @@ bool hasBufferNumber(std::string_view name) {
 std::string meantProgram(std::string_view rest) {
   constexpr std::string_view kAgain = "/program.", kEnd = ".enabled";
   const size_t again = rest.find(kAgain);
-  if (again == std::string_view::npos || !rest.ends_with(kEnd)) return "write .enabled";
+  if (again == std::string_view::npos || !rest.ends_with(kEnd)) {
+    const bool slip = !suggest(rest.substr(rest.rfind('.') + 1), {"enabled"}).empty();
+    return slip ? "write .enabled" : "program.<name>.enabled is all that Iris knows of programs";
+  }
   return fmt::format("write program.{}/{}", rest.substr(0, again),
                      rest.substr(again + kAgain.size()));
 }

@@ -118,6 +118,7 @@ class ProfileReader {
  private:
   static constexpr std::string_view kPrefix = "profile.";
   static constexpr std::string_view kProgram = "!program.";
+  static constexpr size_t kMostPlaces = 20;
 
   // Parents may be named often, so the work can grow exponentially with their number.
   void apply(const PropertyEntry& entry, Profile& profile) {
@@ -156,10 +157,10 @@ class ProfileReader {
     } else if (const Option* option = options_.find(word); option && option->isBoolean) {
       setOption(at, word, "true", profile);
     } else {
+      if (!option) return reportUnknownOption(at, word);
       report(Severity::Warning, "profile-option", at,
-             option ? fmt::format("{} has values, so it needs one here", word)
-                    : fmt::format("the pack has no option {}", word),
-             option ? fmt::format("write {}={}", word, option->defaultValue) : optionHint(word));
+             fmt::format("{} has values, so it needs one here", word),
+             fmt::format("write {}={}", word, option->defaultValue));
     }
   }
 
@@ -208,8 +209,7 @@ class ProfileReader {
              fmt::format("\"{}\" names no option", at.text), "write NAME=VALUE, NAME or !NAME");
     } else {
       profile.unknownNames.insert(name);
-      report(Severity::Warning, "profile-option", at,
-             fmt::format("the pack has no option {}", name), optionHint(name));
+      reportUnknownOption(at, name);
     }
     if (option &&
         std::find(option->values.begin(), option->values.end(), value) == option->values.end()) {
@@ -219,6 +219,18 @@ class ProfileReader {
              fmt::format("{} is not in the list of {}", value, name),
              hint.empty() ? "its values are " + joinNames(option->values) : hint);
     }
+  }
+
+  /// Once for all profiles: the other places are added.
+  void reportUnknownOption(const PropertyWord& at, const std::string& name) {
+    const auto [known, isNew] = unknown_.try_emplace(name, diagnostics_.size());
+    if (isNew)
+      return report(Severity::Warning, "profile-option", at,
+                    fmt::format("the pack has no option {}", name), optionHint(name));
+    Diagnostic& first = diagnostics_[known->second];
+    const bool listed =
+        first.at == at.at || std::ranges::find(first.related, at.at, &RelatedPlace::at) != first.related.end();
+    if (!listed && first.related.size() < kMostPlaces) first.related.push_back({at.at, "named here too"});
   }
 
   std::string optionHint(const std::string& name) {
@@ -243,6 +255,7 @@ class ProfileReader {
   std::set<std::string> taken_;     ///< parents of the profile that is being read
   std::set<std::string> repeated_;  ///< those of them that were named again
   std::set<std::tuple<std::string, int, int, std::string>> reported_;
+  std::map<std::string, size_t> unknown_;  ///< options that are none: the diagnostics
   size_t hints_ = 0;
   std::set<std::vector<std::string>> circles_;
   std::map<const PropertyEntry*, std::vector<PropertyWord>> placed_;
