@@ -3,6 +3,7 @@
 #include <charconv>
 #include <optional>
 
+#include <orris/glsl/rewrite/rewrite_rules.h>
 #include <orris/glsl/rewrite/text_code.h>
 #include <orris/glsl/tokens/outline.h>
 

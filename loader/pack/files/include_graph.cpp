@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ranges>
 #include <set>
 
 #include <orris/core/limits.h>
@@ -63,8 +62,8 @@ class Reader {
         .at = {path, 1, 1},
         .message = "the file begins with a byte-order mark",
         .hint = "save it as UTF-8 without one (\"UTF-8\", not \"UTF-8 with BOM\")"};
-    for (const Open& open : std::views::reverse(open_))
-      diagnostic.includedFrom.push_back({.file = open.file, .line = open.line});
+    for (auto open = open_.rbegin(); open != open_.rend(); ++open)
+      diagnostic.includedFrom.push_back({.file = open->file, .line = open->line});
     diagnostics_.push_back(withEffect(std::move(diagnostic), Effect::RefusesPack));
   }
 

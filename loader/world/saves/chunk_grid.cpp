@@ -158,7 +158,8 @@ std::vector<PlacedChunk> readChunks(const SaveFiles& files, glm::ivec2 middle, i
     const auto file = files.regions.find(place);
     if (file == files.regions.end()) continue;
     const RegionReader reader(files, {place.first, place.second}, file->second, left);
-    forEachInParallel(wanted.size(), [&](std::size_t i) { reader.read(chunks[wanted[i]]); });
+    const std::vector<std::size_t>& inRegion = wanted;  // clang 14 captures no structured binding
+    forEachInParallel(inRegion.size(), [&](std::size_t i) { reader.read(chunks[inRegion[i]]); });
   }
   return chunks;
 }
