@@ -78,6 +78,7 @@ constexpr std::size_t kModelTextures = 1'024;
 constexpr std::size_t kStateVariants = 4'096;
 constexpr std::size_t kModelFaces = 1'000'000;
 constexpr std::size_t kModelMeshFaces = 4'000'000;
+constexpr std::size_t kItemFaces = 200'000;
 constexpr std::size_t kTextureTexels = std::size_t{1} << 24;
 constexpr std::size_t kAtlasTexels = std::size_t{1} << 26;
 

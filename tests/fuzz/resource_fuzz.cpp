@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include <orris/world/resources/block_models.h>
+#include <orris/world/resources/item_looks.h>
 
 namespace {
 
@@ -54,6 +55,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
   }
   models.warnOfMissing();
+  orris::LookTextures textures(resources, diagnostics);
+  const orris::BlockFacts facts;
+  for (const auto& [item, look] :
+       orris::makeItemLooks(resources, {{"minecraft:stick", {&facts, 1}}}, textures, diagnostics))
+    for (const orris::ModelFace& face : *look.faces) check(face);
   if (orris::hasErrors(diagnostics)) std::abort();  // mistakes of packs are warnings
   return 0;
 }

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <set>
 
+#include <orris/core/files/file_source.h>
+#include <orris/image/encode_png.h>
 #include <orris/world/files/world_json.h>
 
 namespace orris {
@@ -256,6 +258,74 @@ TEST(DrawLists, rain_does_not_fall_through_roofs) {
   scene.world.blocks.fill({0, 5, 0}, {7, 5, 7}, stone);
   rebuildMesh(scene, {});
   EXPECT_EQ(columns(), 0u);
+}
+
+/// A resource pack whose textures have another colour in each texel.
+ResourceStack packOf(const std::vector<std::string>& textures, int width, int height) {
+  std::map<std::string, std::string> files;
+  Image16 image(width, height, 4);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      for (std::size_t c = 0; c < 4; ++c)
+        image.at(x, y)[c] = std::uint16_t((c == 0 ? x : c == 1 ? y : c == 2 ? 7 : 255) * 257);
+  Diagnostics diagnostics;
+  for (const std::string& name : textures)
+    files["/minecraft/textures/" + name + ".png"] = encodePng(image, name, diagnostics).value();
+  ResourceStack resources;
+  resources.add("pack", memorySource(std::move(files)));
+  return resources;
+}
+
+/// The texel of the skin in the middle of a quad; (-1, -1) where it wears none.
+glm::ivec2 skinTexel(const SceneData& scene, const DrawLists& lists, unsigned quad) {
+  const float* uv = lists.vertices[quad * 4].midUv;
+  const Image8& atlas = scene.content.atlas.albedo;
+  const std::uint8_t* texel = atlas.at(int(uv[0] * float(atlas.width)), int(uv[1] * float(atlas.height)));
+  return texel[2] == 7 ? glm::ivec2(texel[0], texel[1]) : glm::ivec2(-1);
+}
+
+TEST(DrawLists, a_figure_wears_the_skin_of_a_resource_pack) {
+  SceneData scene = sceneOf(R"("entities": [{"kind": "player", "position": [4, 1, 1]}])");
+  const std::size_t own = buildDrawLists(scene, stateOf(scene)).vertices.size();
+  EXPECT_EQ(own, 6u * 6 * 4) << "no outer layer without a skin";
+  const ResourceStack resources = packOf({"entity/player/wide/steve"}, 64, 64);
+  Diagnostics diagnostics;
+  scene.content = buildContent(scene.world, &resources, diagnostics);
+  const DrawLists lists = buildDrawLists(scene, stateOf(scene));
+  EXPECT_EQ(lists.vertices.size(), 2 * own);
+  constexpr unsigned kHead = 5, kSouth = 3, kWest = 4;
+  EXPECT_EQ(skinTexel(scene, lists, kHead * 6 + kSouth), glm::ivec2(12, 12)) << "the face";
+  EXPECT_EQ(skinTexel(scene, lists, kHead * 6 + kWest), glm::ivec2(4, 12)) << "its right side";
+  EXPECT_EQ(skinTexel(scene, lists, 11 * 6 + kSouth), glm::ivec2(44, 12)) << "the hat";
+}
+
+TEST(DrawLists, a_skin_of_more_texels_lies_alike_and_other_figures_keep_theirs) {
+  SceneData scene = sceneOf(
+      R"("entities": [{"kind": "cow", "position": [4, 1, 1]}, {"kind": "slime", "position": [1, 1, 1]}])");
+  const ResourceStack resources = packOf({"entity/cow/cow"}, 128, 64);
+  Diagnostics diagnostics;
+  scene.content = buildContent(scene.world, &resources, diagnostics);
+  const DrawLists lists = buildDrawLists(scene, stateOf(scene));
+  ASSERT_THAT(lists.draws, SizeIs(3)) << "cow, slime, its skin";
+  constexpr unsigned kHead = 5, kSouth = 3;
+  EXPECT_EQ(skinTexel(scene, lists, kHead * 6 + kSouth), glm::ivec2(20, 20)) << "twice (10, 10)";
+  EXPECT_EQ(skinTexel(scene, lists, lists.draws[1].range.firstVertex / 4), glm::ivec2(-1));
+  EXPECT_EQ(lists.draws[1].range.quads, 6u) << "eyes of a slime are seen with its skin alone";
+}
+
+TEST(DrawLists, items_are_drawn_by_the_models_of_a_resource_pack) {
+  SceneData scene = sceneOf(R"("environment": {"player": {"mainHand": "iron_sword", "offHand": "torch"}})");
+  const ResourceStack resources = packOf({"item/iron_sword"}, 16, 16);
+  Diagnostics diagnostics;
+  scene.content = buildContent(scene.world, &resources, diagnostics);
+  EXPECT_THAT(diagnostics, IsEmpty());
+  const DrawLists lists = buildDrawLists(scene, stateOf(scene));
+  ASSERT_THAT(lists.draws, SizeIs(2));
+  EXPECT_EQ(lists.draws[0].range.quads, 2u + 4u * 1) << "front, back and four edges";
+  EXPECT_NE(skinTexel(scene, lists, 0), glm::ivec2(-1));
+  EXPECT_EQ(skinTexel(scene, lists, lists.draws[1].range.firstVertex / 4), glm::ivec2(-1));
+  EXPECT_TRUE(scene.content.isFlat("minecraft:iron_sword"));
+  EXPECT_FALSE(scene.content.isFlat("minecraft:torch"));
 }
 
 }  // namespace

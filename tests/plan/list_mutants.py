@@ -11,6 +11,10 @@ MUTANTS = {
         ("a tag is red on what is hurt", "DrawLists.*", "draw.entityColor = glm::vec4(0);  // the name", "// the name"),
         ("a tag without a board", "DrawLists.*",
          "  writer.quad(square);\n  square.color = glm::vec4(1);", "  square.color = glm::vec4(1);"),
+        ("an outer layer without a skin", "DrawLists.*", "return {nullptr, nullptr, own};\n  return", "return {nullptr, nullptr, true};\n  return"),
+        ("skins of one size", "DrawLists.*", "const float texels = (look.tile->max.x - look.tile->min.x) * size.x;",
+         "const float texels = 64;"),
+        ("no item of a resource pack", "DrawLists.*", "look != looks.end())\n    return addModel", "false)\n    return addModel"),
         ("letters behind the board", "DrawLists.*", "{0, 0, kNearer / kCapital}", "{0, 0, -kNearer / kCapital}"),
     ],
     "loader/plan/lists/glyphs.cpp": [

@@ -114,9 +114,16 @@ TEST(EntityModels, each_kind_has_boxes_or_shows_an_item) {
     const EntityModel* model = findEntityModel("minecraft:" + kind);
     ASSERT_NE(model, nullptr) << kind;
     EXPECT_TRUE(!model->boxes.empty() || model->carriesItem) << kind;
-    for (const ModelBox& box : model->boxes) {
-      EXPECT_TRUE(glm::all(glm::lessThan(box.from, box.to))) << kind;
-      EXPECT_FALSE(box.side.empty() && box.front.empty()) << kind;
+    ASSERT_TRUE(model->skins.empty() || model->skins.size() == model->boxes.size()) << kind;
+    for (std::size_t i = 0; i < model->boxes.size(); ++i) {
+      const ModelBox& box = model->boxes[i];
+      const bool own = !box.side.empty() || !box.front.empty();
+      if (own) {
+        EXPECT_TRUE(glm::all(glm::lessThan(box.from, box.to))) << kind;
+      } else {
+        ASSERT_FALSE(model->skins.empty()) << kind << ": a box without any texture";
+        EXPECT_NE(model->skins[i].u, BoxSkin::kNone) << kind << ": a box without any texture";
+      }
     }
   }
   EXPECT_EQ(findEntityModel("minecraft:cat"), nullptr);

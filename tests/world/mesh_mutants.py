@@ -65,4 +65,27 @@ MUTANTS = {
         ("flow: a tangent that does not turn", "flowing_water.*",
          "face.tangent = glm::vec4(std::cos(angle), 0, std::sin(angle), 1);", ""),
     ],
+    "loader/world/content/entity_models.cpp": [
+        ("skin: left and right exchanged", "EntitySkin.*", "if (out.x < 0 ||", "if (out.x > 0 ||"),
+        ("skin: the back wears the front", "EntitySkin.*", "if (out.z > 0 || size.z == 0)", "if (true)"),
+        ("skin: the bottom is seen from below", "EntitySkin.*", "low.x, low.z};", "low.x, out.y > 0 ? low.z : high.z};"),
+        ("skin: nothing lies", "EntitySkin.*", "return {v.x, v.z, -v.y};", "return v;"),
+        ("skin: nothing is mirrored", "EntitySkin.*", "? glm::ivec3(-v.x, v.y, v.z) : v", "? v : v"),
+    ],
+    "loader/world/resources/flat_item.cpp": [
+        ("flat item: an edge for each texel", "item_looks.*", "if (edge || from < 0) continue;",
+         "if (from < 0) continue;"),
+        ("flat item: edges inside", "item_looks.*", "&& !isThere(image, x + out.x, y - out.y)", ""),
+        ("flat item: edges on the other side", "item_looks.*", "y - out.y)", "y + out.y)"),
+        ("flat item: edges of any number of texels", "item_looks.*", "kMostEdgeTexels = 64", "kMostEdgeTexels = 4096"),
+    ],
+    "loader/world/resources/item_looks.cpp": [
+        ("item: layers at one place", "item_looks.*", "kApart * float(layer)", "kApart * 0.0f"),
+        ("item: no bound of faces", "item_looks.*", "sum + faces > limits::kItemFaces", "sum > limits::kItemFaces"),
+        ("item: textures that are absent", "item_looks.*", "if (complete || block)", "if (true)"),
+        ("item: no model of the block", "item_looks.*", "return ofBlock(item);", "return std::nullopt;"),
+    ],
+    "loader/world/resources/item_definition.cpp": [
+        ("item: the bow is always drawn", "item_looks.*", '{"on_false", "fallback"}', '{"on_true", "fallback"}'),
+    ],
 }

@@ -58,7 +58,7 @@ std::span<const Rule> hostRules() {
       {"resource-json-value", Severity::Warning,
        "a value in a file of a resource pack is missing or out of range"},
       {"resource-missing", Severity::Warning,
-       "no resource pack has models or textures that blocks of the world ask for"},
+       "no resource pack has models or textures that blocks or items of the world ask for"},
       {"resource-model", Severity::Warning, "a model of a resource pack cannot be used"},
       {"resource-pack-unreadable", Severity::Error, "what --resources names is no resource pack",
        kUsage},

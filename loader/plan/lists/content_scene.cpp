@@ -86,9 +86,42 @@ std::vector<std::string> texturesFor(const World& world, const ContentScene& sce
   return {names.begin(), names.end()};
 }
 
+/// How often each item is drawn in a frame.
+std::map<std::string, ItemUse> usesOf(const World& world, const ContentScene& scene) {
+  std::map<std::string, ItemUse> uses;
+  for (const auto& [name, facts] : scene.items) uses[name] = {&facts, 2};  // both hands
+  for (const Entity& entity : world.content.entities)
+    if (!entity.item.empty()) ++uses.at(entity.item).times;
+  return uses;
+}
+
+void wearResources(const World& world, const ResourceStack& resources,
+                   const std::vector<std::string>& textures, ContentScene& scene,
+                   Diagnostics& diagnostics) {
+  LookTextures worn(resources, diagnostics);
+  scene.looks = makeItemLooks(resources, usesOf(world, scene), worn, diagnostics);
+  const auto addSkins = [&](const EntityModel* model) {
+    if (!model) return;
+    for (const EntityTexture* skin : skinsOf(*model))
+      for (const std::string_view file : skin->files)
+        if (!file.empty() && worn.addStill(std::string(skin->name), {"minecraft", std::string(file)}))
+          break;
+  };
+  for (const Entity& entity : world.content.entities) addSkins(findEntityModel(entity.kind));
+  if (world.environment.player.body) addSkins(findEntityModel("player"));
+  for (const std::string& name : textures) worn.addOwn(name);
+  worn.finish(scene.atlas);
+}
+
 }  // namespace
 
-ContentScene buildContent(const World& world) {
+bool ContentScene::isFlat(const std::string& item) const {
+  const auto look = looks.find(item);
+  return look == looks.end() ? items.at(item).boxes.empty() : look->second.flat;
+}
+
+ContentScene buildContent(const World& world, const ResourceStack* resources,
+                          Diagnostics& diagnostics) {
   ContentScene scene;
   const std::set<std::string> items = itemsOf(world);
   if (!items.empty()) {
@@ -101,7 +134,12 @@ ContentScene buildContent(const World& world) {
   }
   scene.kinds = kindsOf(world, scene);
   const std::vector<std::string> textures = texturesFor(world, scene);
-  if (!textures.empty()) scene.atlas = buildAtlas(textures);
+  if (textures.empty()) return scene;
+  if (resources) {
+    wearResources(world, *resources, textures, scene, diagnostics);
+  } else {
+    scene.atlas = buildAtlas(textures);
+  }
   return scene;
 }
 

@@ -7,6 +7,7 @@
 #include <orris/plan/schedule/geometry.h>
 #include <orris/world/atlas/block_atlas.h>
 #include <orris/world/blocks/block_facts.h>
+#include <orris/world/resources/item_looks.h>
 #include <orris/world/world.h>
 
 namespace orris {
@@ -15,8 +16,14 @@ struct ContentScene {
   GeometrySet kinds = 0;  ///< that some frame has; weather apart. Nothing else is compiled or drawn
   BlockAtlas atlas;       ///< of entities, particles, cracks and items; empty without these
   std::map<std::string, BlockFacts> items;  ///< by name; an item that is no block has no boxes
+  std::map<std::string, ItemLook> looks;    ///< of items that resource packs draw
+
+  /// Is it held like a sword, or like a block?
+  bool isFlat(const std::string& item) const;
 };
-ContentScene buildContent(const World& world);
+/// `resources`: nullptr: the look of Orris. Mistakes in the packs are warnings.
+ContentScene buildContent(const World& world, const ResourceStack* resources,
+                          Diagnostics& diagnostics);
 
 /// Rain or snow, by biome and strength; none outside of the overworld.
 GeometrySet weatherOf(const Environment& environment);

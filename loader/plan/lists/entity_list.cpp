@@ -59,19 +59,60 @@ glm::vec2 sideSize(const ModelBox& box, int side) {
   return {std::abs(glm::dot(kRight[side], size)), std::abs(glm::dot(kUp[side], size))};
 }
 
+bool hasOwnTextures(const ModelBox& box) { return !box.side.empty() || !box.front.empty(); }
+
+/// How a box is seen: in its skin, where a resource pack has that, or with textures of ours.
+struct BoxLook {
+  const BoxSkin* skin = nullptr;
+  const AtlasTile* tile = nullptr;  ///< of the skin
+  bool seen = true;
+};
+
+BoxLook lookOf(const ListWriter& writer, const EntityModel& model, std::size_t index) {
+  const ModelBox& box = model.boxes[index];
+  const bool own = hasOwnTextures(box);
+  if (model.skins.empty()) return {nullptr, nullptr, own};
+  const BoxSkin& skin = model.skins[index];
+  const auto& tiles = writer.scene.content.atlas.tiles;
+  const auto tile = tiles.find(std::string(skin.texture));
+  if (tile == tiles.end()) return {nullptr, nullptr, own};
+  return {&skin, &tile->second, skin.u != BoxSkin::kNone};
+}
+
+/// The part of the atlas that a side of a box in its skin wears.
+std::array<glm::vec2, 4> skinUvOf(const ListWriter& writer, const ModelBox& box,
+                                  const BoxLook& look, int side) {
+  const Image8& atlas = writer.scene.content.atlas.albedo;
+  const glm::vec2 size(atlas.width, atlas.height);
+  const float texels = (look.tile->max.x - look.tile->min.x) * size.x;
+  const glm::vec2 scale =
+      texels / static_cast<float>(findEntityTexture(look.skin->texture)->width) / size;
+  std::array<glm::vec2, 4> uv = skinUv(box, *look.skin, side);
+  for (glm::vec2& place : uv) place = glm::min(look.tile->min + place * scale, look.tile->max);
+  return uv;
+}
+
 void addBoxes(ListWriter& writer, const EntityModel& model, ModelLayer layer,
               const glm::mat4& place, float step, glm::ivec2 light) {
   constexpr int kFront = static_cast<int>(FaceDirection::South);
-  for (const ModelBox& box : model.boxes) {
-    if (box.layer != layer) continue;
+  for (std::size_t i = 0; i < model.boxes.size(); ++i) {
+    const ModelBox& box = model.boxes[i];
+    const BoxLook look = lookOf(writer, model, i);
+    if (box.layer != layer || !look.seen) continue;
     const glm::mat4 m = place * boxMatrix(box, step);
     for (int side = 0; side < 6; ++side) {
-      if (layer == ModelLayer::Eyes && side != kFront) continue;
-      const std::string_view name = side == kFront && !box.front.empty() ? box.front : box.side;
+      const glm::vec2 size = sideSize(box, side);
+      if (size.x * size.y == 0) continue;
       ContentQuad quad = boxSide(box, side, m);
-      const glm::vec2 part = glm::min(sideSize(box, side) / kModelTexels, glm::vec2(1));
-      quad.uv = tileUv(writer.scene.content.atlas.tile(std::string(name)), glm::vec2(0), part);
       quad.light = light;
+      if (look.skin) {
+        quad.uv = skinUvOf(writer, box, look, side);
+      } else {
+        if (layer == ModelLayer::Eyes && side != kFront) continue;
+        const std::string_view name = side == kFront && !box.front.empty() ? box.front : box.side;
+        const glm::vec2 part = glm::min(size / kModelTexels, glm::vec2(1));
+        quad.uv = tileUv(writer.scene.content.atlas.tile(std::string(name)), glm::vec2(0), part);
+      }
       writer.quad(quad);
     }
   }
@@ -101,7 +142,7 @@ float stepOf(const Entity& entity, const FrameState& state) {
 
 /// Where a model's item is, as a cube 0..1.
 glm::mat4 itemMatrix(const ListWriter& writer, const Entity& entity) {
-  const bool block = !writer.scene.content.items.at(entity.item).boxes.empty();
+  const bool block = !writer.scene.content.isFlat(entity.item);
   glm::mat4 m = standing(writer, entity.position, entity.yaw);
   float size = block ? 0.25f : 0.5f;
   if (entity.kind == "minecraft:item") {
@@ -128,7 +169,8 @@ ContentDraw drawOf(const ListWriter& writer, Geometry geometry, const Entity& en
 float heightOf(const EntityModel& model) {
   float height = 0;
   for (const ModelBox& box : model.boxes)
-    height = std::max(height, (box.pivot.y + box.to.y) * model.scale / kModelTexels);
+    if (hasOwnTextures(box))
+      height = std::max(height, (box.pivot.y + box.to.y) * model.scale / kModelTexels);
   return height;
 }
 
@@ -237,6 +279,22 @@ void addSprite(ListWriter& writer, const glm::mat4& place, glm::ivec2 light) {
   writer.quad(quad);
 }
 
+/// An item by its model of a resource pack.
+void addModel(ListWriter& writer, const std::vector<ModelFace>& faces, const BlockFacts& facts,
+              const glm::mat4& place, glm::ivec2 light) {
+  for (const ModelFace& face : faces) {
+    const AtlasTile tile = writer.scene.content.atlas.tile(face.texture);
+    ContentQuad quad;
+    for (std::size_t i = 0; i < 4; ++i) {
+      quad.corners[i] = glm::vec3(place * glm::vec4(face.corners[i], 1));
+      quad.uv[i] = tile.min + face.uv[i] * (tile.max - tile.min);
+    }
+    quad.light = light;
+    if (face.tintIndex == 0 && facts.tint != Tint::None) quad.color = glm::vec4(kPlainsTint, 1);
+    writer.quad(quad);
+  }
+}
+
 }  // namespace
 
 bool isTranslucentItem(const SceneData& scene, const std::string& item) {
@@ -246,6 +304,9 @@ bool isTranslucentItem(const SceneData& scene, const std::string& item) {
 void addItem(ListWriter& writer, const std::string& item, const glm::mat4& place,
              glm::ivec2 light) {
   const BlockFacts& facts = writer.scene.content.items.at(item);
+  const auto& looks = writer.scene.content.looks;
+  if (const auto look = looks.find(item); look != looks.end())
+    return addModel(writer, *look->second.faces, facts, place, light);
   if (facts.boxes.empty()) return addSprite(writer, place, light);
   for (const BlockFace& face : makeBlockFaces(facts, writer.scene.content.atlas).faces) {
     ContentQuad quad;

@@ -55,7 +55,7 @@ void addHand(ListWriter& writer, const std::string& item, bool left) {
   if (!facts.air) draw.item = item;
   writer.begin(draw);
   if (facts.air) return addArm(writer, left, light);
-  const glm::mat4 place = heldMatrix(left, facts.boxes.empty());
+  const glm::mat4 place = heldMatrix(left, writer.scene.content.isFlat(item));
   addItem(writer, item, place, light);
   if (!writer.state.environment.player.handGlint || draw.geometry != Geometry::Hand) return;
   draw.geometry = Geometry::HandGlint;

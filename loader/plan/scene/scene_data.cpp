@@ -66,20 +66,18 @@ void rebuildMesh(SceneData& scene, const MeshStyle& style) {
 namespace {
 
 /// Facts and atlas, and what the resource packs make of them.
-void setLook(SceneData& scene, Diagnostics& diagnostics) {
+void setLook(SceneData& scene, const ResourceStack* resources, Diagnostics& diagnostics) {
   const BlockTable table;
   const BlockWorld& blocks = scene.world.blocks;
-  if (scene.world.resourcePacks.empty()) {
+  if (!resources) {
     scene.facts = factsOfPalette(table, blocks, diagnostics);
     scene.atlas = buildAtlas(texturesOf(scene.facts));
     return;
   }
   Diagnostics unknown;  // the packs may know them
   scene.facts = factsOfPalette(table, blocks, unknown);
-  const ResourceStack resources =
-      openResources(scene.world.resourcePacks, diagnostics).value_or(ResourceStack());
   scene.look = std::make_unique<const BlockLook>(
-      makeBlockLook(resources, scene.world, scene.facts, scene.atlas, diagnostics));
+      makeBlockLook(*resources, scene.world, scene.facts, scene.atlas, diagnostics));
   warnOfUnknown(blocks, scene.facts, diagnostics);
 }
 
@@ -92,8 +90,11 @@ SceneData buildScene(World world, const MeshStyle& style, Diagnostics& diagnosti
   for (const Event& event : scene.world.events)
     if (const auto* set = std::get_if<SetBlock>(&event.action))
       scene.world.blocks.paletteIndex(set->state);
-  setLook(scene, diagnostics);
-  scene.content = buildContent(scene.world);
+  std::optional<ResourceStack> resources;
+  if (!scene.world.resourcePacks.empty())
+    resources = openResources(scene.world.resourcePacks, diagnostics).value_or(ResourceStack());
+  setLook(scene, resources ? &*resources : nullptr, diagnostics);
+  scene.content = buildContent(scene.world, resources ? &*resources : nullptr, diagnostics);
   rebuildMesh(scene, style);
   return scene;
 }

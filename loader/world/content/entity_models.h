@@ -1,6 +1,7 @@
 // Models of entities: boxes with generated textures, of our own.
 #pragma once
 
+#include <array>
 #include <glm/glm.hpp>
 #include <span>
 #include <string>
@@ -23,11 +24,37 @@ struct ModelBox {
   bool armour = false;  ///< takes the glint
 };
 
+/// A texture of the game that models wear.
+struct EntityTexture {
+  std::string_view name;                  ///< in an atlas
+  std::array<std::string_view, 2> files;  ///< below "textures", of the newest game first; the other may be ""
+  int width = 64;                         ///< texels that the unwrapping counts; it may have more
+};
+
+/// How the box was unwrapped.
+enum class BoxFold {
+  Standing,
+  Mirrored,  ///< left and right are exchanged, as of a left arm that wears the right one's
+  Lying,     ///< standing, and then laid on its front, as the body of a cow
+};
+
+/// Where a texture has the sides of a box.
+struct BoxSkin {
+  std::string_view texture;  ///< EntityTexture::name; "": the box wears only ours
+  int u = kNone, v = 0;      ///< top left of the unwrapped box
+  BoxFold fold = BoxFold::Standing;
+  glm::ivec3 size{0};  ///< that was unwrapped, upright; 0: of the box itself
+
+  static constexpr int kNone = -1;  ///< the box is not there where the texture is
+};
+
 struct EntityModel {
   std::string_view kind;  ///< without "minecraft:"
   float scale = 1;
+  /// One without textures is seen only in its skin.
   std::span<const ModelBox> boxes;
-  bool carriesItem = false;  ///< shows Entity::item: dropped items and frames
+  bool carriesItem = false;          ///< shows Entity::item: dropped items and frames
+  std::span<const BoxSkin> skins{};  ///< one for each box, or none
 };
 
 /// nullptr for a kind without a model.
@@ -36,6 +63,13 @@ const EntityModel* findEntityModel(std::string_view kind);
 std::vector<std::string> entityKinds();
 /// Textures of one model.
 std::vector<std::string> texturesOf(const EntityModel& model);
+/// Textures of the game for `model`.
+std::vector<const EntityTexture*> skinsOf(const EntityModel& model);
+/// nullptr: "" or no such texture.
+const EntityTexture* findEntityTexture(std::string_view name);
+/// Coordinates of a side's corners (top left, bottom left, bottom right, top right seen from outside) in a texture, in
+/// its counted texels. `side` in the order of FaceDirection.
+std::array<glm::vec2, 4> skinUv(const ModelBox& box, const BoxSkin& skin, int side);
 /// Every texture that any content can use, for its tests.
 std::vector<std::string> contentTextureNames();
 

@@ -8,16 +8,14 @@
 
 #include <orris/core/add_diagnostic.h>
 #include <orris/core/limits.h>
-#include <orris/world/atlas/mixed_atlas.h>
 #include <orris/world/mesh/block_mesh.h>
 #include <orris/world/resources/block_models.h>
+#include <orris/world/resources/look_textures.h>
 #include <orris/world/resources/texture_files.h>
 #include <orris/world/saves/biome_climate.h>
 
 namespace orris {
 namespace {
-
-constexpr std::string_view kQuarterTurn = "@90";
 
 std::size_t mostFaces(const BlockModel& model) {
   std::size_t sum = 0;
@@ -68,13 +66,13 @@ void dropTooManyFaces(const BlockWorld& blocks, BlockLook& look, Diagnostics& di
 }
 
 /// A block that only the packs know: an opaque cube where its faces are, else thin.
-void learnShape(const BlockModel& model, const BlockLook& look, BlockFacts& facts) {
+void learnShape(const BlockModel& model, const std::set<std::string>& seeThrough, BlockFacts& facts) {
   constexpr int kAllSides = 0x3f;
   int sides = 0;
   for (const ModelFace& face : *model.parts.front().alternatives.front().faces) {
     const glm::vec3 across = face.corners[2] - face.corners[0];
     const bool whole = glm::dot(across, across) >= 2 && face.cull == face.direction;
-    if (whole && !look.seeThrough.contains(face.texture)) sides |= 1 << int(face.direction);
+    if (whole && !seeThrough.contains(face.texture)) sides |= 1 << int(face.direction);
   }
   facts = BlockFacts{};
   if (sides != kAllSides) return;
@@ -83,122 +81,6 @@ void learnShape(const BlockModel& model, const BlockLook& look, BlockFacts& fact
   facts.fullOpaqueCube = true;
   facts.opacity = 15;
 }
-
-Image8 turnedImage(const Image8& image) {
-  Image8 result(image.height, image.width, 4);
-  for (int y = 0; y < image.height; ++y)
-    for (int x = 0; x < image.width; ++x)
-      std::copy_n(image.at(x, y), 4, result.at(image.height - 1 - y, x));
-  return result;
-}
-
-class LookTextures {
- public:
-  LookTextures(const ResourceStack& resources, BlockLook& look, Diagnostics& diagnostics)
-      : resources_(resources), look_(look), diagnostics_(diagnostics) {}
-
-  /// A texture of a model; one that no pack has is drawn as ours of that name.
-  void addOfModel(const std::string& name) {
-    const auto parsed = parseResourceName(name);
-    if (name == "missing" || !parsed || !names_.insert(name).second) return;
-    if (auto texture = readTexture(resources_, *parsed, budget_, diagnostics_))
-      return addOfPack(name, *std::move(texture));
-    missing_.push_back(name);
-    const std::size_t slash = parsed->path.rfind('/');
-    add(name, {drawnTile(parsed->path.substr(slash == std::string::npos ? 0 : slash + 1))});
-  }
-
-  /// A texture of ours, which the packs may have by the same name.
-  void addOwn(const std::string& name) {
-    if (name == "missing" || !names_.insert(name).second) return;
-    const bool turned = name.ends_with(kQuarterTurn);
-    const std::string plain = turned ? name.substr(0, name.size() - kQuarterTurn.size()) : name;
-    const auto parsed = parseResourceName("minecraft:block/" + plain);
-    auto texture =
-        parsed ? readTexture(resources_, *parsed, budget_, diagnostics_) : std::nullopt;
-    if (!texture) {
-      tiles_.push_back({name, drawnTile(name)});
-      return;
-    }
-    if (turned) turn(*texture);
-    addOfPack(name, *std::move(texture));
-  }
-
-  /// The texture of a fluid that flows, where a pack has one beside that of the still fluid.
-  void addFlowing(const std::string& still) {
-    constexpr std::string_view kStill = "_still";
-    if (!still.ends_with(kStill)) return;
-    const std::string name = still.substr(0, still.size() - kStill.size()) + "_flow";
-    if (look_.flowing.contains(still)) return;
-    auto texture = readTexture(resources_, {"minecraft", "block/" + name}, budget_, diagnostics_);
-    if (!texture) return;
-    look_.flowing[still] = name;
-    addOfPack(name, *std::move(texture));
-  }
-
-  void finish(BlockAtlas& atlas) {
-    if (budget_.refused > 0)
-      addWarning(diagnostics_, "resource-texture", {},
-                 fmt::format("{} animated textures of the resource packs stand still: expected at "
-                             "most {} texels of all their frames",
-                             budget_.refused, kMostFrameTexels));
-    tiles_.push_back({"missing", drawnTile("missing")});
-    if (packTiles(std::move(tiles_), atlas)) return;
-    addWarning(
-        diagnostics_, "resource-texture", {},
-        "the largest textures of the resource packs are drawn at half of their size or less: "
-        "they would not fit into one atlas");
-  }
-
-  void warnOfMissingTextures() {
-    if (missing_.empty()) return;
-    constexpr std::size_t kNamed = 8;
-    const std::size_t named = std::min(kNamed, missing_.size());
-    addWarning(
-        diagnostics_, "resource-missing", {},
-        fmt::format(
-            "{} of models {} in none of the resource packs, and drawn as ours where there is "
-            "one of that name: {}{}",
-            missing_.size() == 1 ? "a texture" : fmt::format("{} textures", missing_.size()),
-            missing_.size() == 1 ? "is" : "are",
-            fmt::join(missing_.begin(), missing_.begin() + std::ptrdiff_t(named), ", "),
-            named < missing_.size() ? ", ..." : ""),
-        "give the game's .jar as the last --resources");
-  }
-
- private:
-  static void turn(PackTexture& texture) {
-    turn(texture.images);
-    if (texture.animation)
-      for (TileImages& frame : texture.animation->frames) turn(frame);
-  }
-  static void turn(TileImages& images) {
-    for (Image8* image : {&images.albedo, &images.normal, &images.specular})
-      *image = turnedImage(*image);
-  }
-
-  void add(const std::string& name, PackTexture texture) {
-    const std::vector<std::uint8_t>& bytes = texture.images.albedo.pixels;
-    for (std::size_t i = 3; i < bytes.size(); i += 4) {
-      if (bytes[i] == 255) continue;
-      look_.seeThrough.insert(name);
-      break;
-    }
-    tiles_.push_back({name, std::move(texture.images), std::move(texture.animation)});
-  }
-  void addOfPack(const std::string& name, PackTexture texture) {
-    ++look_.textures;
-    add(name, std::move(texture));
-  }
-
-  const ResourceStack& resources_;
-  BlockLook& look_;
-  Diagnostics& diagnostics_;
-  std::set<std::string> names_;
-  std::vector<std::string> missing_;
-  std::vector<NamedTile> tiles_;
-  AnimationBudget budget_;
-};
 
 void readModels(const ResourceStack& resources, const BlockWorld& blocks,
                 std::vector<BlockFacts>& facts, BlockLook& look, Diagnostics& diagnostics) {
@@ -235,7 +117,7 @@ BlockLook makeBlockLook(const ResourceStack& resources, const World& world,
                         Diagnostics& diagnostics) {
   BlockLook look;
   readModels(resources, world.blocks, facts, look, diagnostics);
-  LookTextures textures(resources, look, diagnostics);
+  LookTextures textures(resources, diagnostics);
   std::set<std::string> own;
   for (std::size_t i = 0; i < facts.size(); ++i) {
     const BlockModel& model = look.models[i];
@@ -252,11 +134,14 @@ BlockLook makeBlockLook(const ResourceStack& resources, const World& world,
         textures.addOwn(name);
         if (facts[i].fluid) textures.addFlowing(name);
       }
-    if (!model.parts.empty() && !facts[i].known) learnShape(model, look, facts[i]);
+    if (!model.parts.empty() && !facts[i].known) learnShape(model, textures.seeThrough(), facts[i]);
   }
   look.ownLook.assign(own.begin(), own.end());
   textures.warnOfMissingTextures();
   textures.finish(atlas);
+  look.flowing = textures.flowing();
+  look.seeThrough = textures.seeThrough();
+  look.textures = textures.ofPacks();
   readTints(resources, world, look, diagnostics);
   return look;
 }

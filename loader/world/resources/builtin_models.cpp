@@ -68,6 +68,8 @@ std::string renamedModel(const Renaming& row) {
 
 std::string builtinModel(std::string_view name) {
   constexpr std::string_view kBlocks = "minecraft:block/", kTinted = ", \"tintindex\": 0";
+  if (name == "minecraft:item/generated") return R"({"parent": "builtin/generated"})";
+  if (name == "minecraft:item/handheld") return R"({"parent": "item/generated"})";
   if (!name.starts_with(kBlocks)) return "";
   name.remove_prefix(kBlocks.size());
   const auto row = std::find_if(std::begin(kRenamings), std::end(kRenamings),

@@ -29,6 +29,18 @@ std::string followTexture(const std::string& reference, const Variables& variabl
   return "";
 }
 
+/// "layer0", "layer1" and so on; those of a model that inherits from "builtin/generated".
+std::vector<std::string> layersOf(const Variables& variables) {
+  std::vector<std::string> layers;
+  constexpr std::size_t kMost = 5;
+  while (layers.size() < kMost) {
+    std::string texture = followTexture("layer" + std::to_string(layers.size()), variables);
+    if (texture.empty()) break;
+    layers.push_back(std::move(texture));
+  }
+  return layers;
+}
+
 std::optional<ResourceFile> builtin(const ResourceName& name) {
   std::string json = builtinModel(name.text());
   return json.empty() ? std::nullopt : std::optional(ResourceFile{std::move(json), "built in"});
@@ -73,6 +85,7 @@ std::optional<ResolvedModel> ModelLibrary::resolve(const std::string& name,
   const std::vector<ElementTemplate>* elements = nullptr;
   std::optional<bool> ambientOcclusion;
   std::set<const ModelFile*> seen;
+  bool flat = false;
   while (model) {
     seen.insert(model);
     variables.insert(model->textures.begin(), model->textures.end());
@@ -80,6 +93,7 @@ std::optional<ResolvedModel> ModelLibrary::resolve(const std::string& name,
     if (!ambientOcclusion) ambientOcclusion = model->ambientOcclusion;
     const auto parent = parseResourceName(model->parent);
     const bool builtin = parent && parent->path.starts_with("builtin/");
+    flat = builtin && parent->path == "builtin/generated";
     if (model->parent.empty() || builtin) break;
     const ModelFile* next = file(model->parent, model->parentAt);
     if (seen.contains(next) || seen.size() >= limits::kModelDepth) {
@@ -96,6 +110,7 @@ std::optional<ResolvedModel> ModelLibrary::resolve(const std::string& name,
   ResolvedModel resolved;
   resolved.ambientOcclusion = ambientOcclusion.value_or(true);
   if (elements) resolved.elements = *elements;
+  if (flat && !elements) resolved.layers = layersOf(variables);
   for (ElementTemplate& element : resolved.elements) {
     for (auto& face : element.faces) {
       if (face) face->texture = followTexture(face->texture, variables);

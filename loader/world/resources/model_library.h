@@ -15,6 +15,7 @@ namespace orris {
 struct ResolvedModel {
   std::vector<ElementTemplate> elements;
   bool ambientOcclusion = true;
+  std::vector<std::string> layers{};  ///< of a flat item: textures, one over the other
 };
 
 /// Reads each file once.

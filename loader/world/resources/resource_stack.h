@@ -27,7 +27,7 @@ struct ResourceKind {
   std::string_view folder, ending;
 };
 inline constexpr ResourceKind kBlockStates{"blockstates", ".json"}, kModels{"models", ".json"},
-    kTextures{"textures", ".png"}, kTextureMeta{"textures", ".png.mcmeta"};
+    kItems{"items", ".json"}, kTextures{"textures", ".png"}, kTextureMeta{"textures", ".png.mcmeta"};
 
 struct ResourceFile {
   std::string bytes;

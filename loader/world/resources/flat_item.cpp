@@ -1,0 +1,92 @@
+#include <orris/world/resources/flat_item.h>
+
+namespace orris {
+namespace {
+
+constexpr float kFront = 8.5f / 16, kBack = 7.5f / 16;
+constexpr int kMostEdgeTexels = 64;
+
+bool isThere(const Image8& image, int x, int y) {
+  return x >= 0 && y >= 0 && x < image.width && y < image.height && image.at(x, y)[3] > 0;
+}
+
+/// A rectangle of the texture, in its coordinates.
+struct TexelSpan {
+  glm::vec2 low{0}, high{1};
+};
+
+ModelFace faceOf(const std::string& texture, FaceDirection direction, const TexelSpan& span) {
+  ModelFace face;
+  face.texture = texture;
+  face.direction = direction;
+  face.normal = glm::vec3(normalOf(direction));
+  face.tintIndex = 0;
+  face.smooth = false;
+  face.uv = {span.low, {span.low.x, span.high.y}, span.high, {span.high.x, span.low.y}};
+  const float left = span.low.x, right = span.high.x, top = 1 - span.low.y,
+              bottom = 1 - span.high.y;
+  const glm::vec3 a(left, top, kFront), b(left, bottom, kFront), c(right, bottom, kFront),
+      d(right, top, kFront);
+  const glm::vec3 back(0, 0, kBack - kFront);
+  switch (direction) {
+    case FaceDirection::North:
+      face.corners = {d + back, c + back, b + back, a + back};
+      face.uv = {face.uv[3], face.uv[2], face.uv[1], face.uv[0]};
+      face.tangent = {1, 0, 0, -1};
+      return face;
+    case FaceDirection::Up:
+      face.corners = {a + back, a, d, d + back};
+      break;
+    case FaceDirection::Down:
+      face.corners = {b, b + back, c + back, c};
+      break;
+    case FaceDirection::West:
+      face.corners = {a + back, b + back, b, a};
+      break;
+    case FaceDirection::East:
+      face.corners = {d, c, c + back, d + back};
+      break;
+    case FaceDirection::South:
+      face.corners = {a, b, c, d};
+      break;
+  }
+  const glm::vec3 across = face.corners[3] - face.corners[0];
+  face.tangent = glm::vec4(glm::normalize(across), 1);
+  return face;
+}
+
+/// Edges along rows and columns, each as long as it goes on.
+void addEdges(const std::string& texture, const Image8& image, FaceDirection direction,
+              std::vector<ModelFace>& faces) {
+  const glm::ivec3 out = normalOf(direction);
+  const bool rows = out.x == 0;
+  const int lines = rows ? image.height : image.width, length = rows ? image.width : image.height;
+  const glm::vec2 texel = 1.0f / glm::vec2(image.width, image.height);
+  for (int line = 0; line < lines; ++line) {
+    int from = -1;
+    for (int i = 0; i <= length; ++i) {
+      const int x = rows ? i : line, y = rows ? line : i;
+      const bool edge = isThere(image, x, y) && !isThere(image, x + out.x, y - out.y);
+      if (edge && from < 0) from = i;
+      if (edge || from < 0) continue;
+      const glm::vec2 low = rows ? glm::vec2(from, line) : glm::vec2(line, from);
+      const glm::vec2 high = rows ? glm::vec2(i, line + 1) : glm::vec2(line + 1, i);
+      faces.push_back(faceOf(texture, direction, {low * texel, high * texel}));
+      from = -1;
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<ModelFace> flatItemFaces(const std::string& texture, const Image8& colours) {
+  std::vector<ModelFace> faces = {faceOf(texture, FaceDirection::South, {}),
+                                  faceOf(texture, FaceDirection::North, {})};
+  if (colours.width > kMostEdgeTexels || colours.height > kMostEdgeTexels) return faces;
+  for (const FaceDirection direction :
+       {FaceDirection::Up, FaceDirection::Down, FaceDirection::West, FaceDirection::East})
+    addEdges(texture, colours, direction, faces);
+  return faces;
+}
+
+}  // namespace orris
