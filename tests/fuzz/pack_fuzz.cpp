@@ -19,7 +19,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
   }
   const std::shared_ptr<const FileSource> source = memorySource(std::move(files));
-  static const MacroDefinitions kEnvironment = standardMacros({});
+  // A few of the standard macros: each program defines them anew, which took a third of the time.
+  static const MacroDefinitions kEnvironment = {
+      {"MC_VERSION", "12101"}, {"IS_IRIS", ""}, {"MC_GL_VERSION", "460"}, {"MC_RENDER_STAGE_SKY", "2"}};
   for (const char* dimension : {"minecraft:overworld", "world-1"}) {
     LoadRequest request{.dimension = dimension, .environment = kEnvironment};
     Diagnostics diagnostics;
