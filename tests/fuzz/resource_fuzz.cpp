@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include <orris/world/resources/block_models.h>
-#include <orris/world/resources/item_looks.h>
+#include <orris/world/items/item_looks.h>
 
 namespace {
 

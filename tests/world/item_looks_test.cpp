@@ -1,5 +1,5 @@
 // Items drawn with resource packs that these tests make.
-#include <orris/world/resources/item_looks.h>
+#include <orris/world/items/item_looks.h>
 
 #include <gmock/gmock.h>
 

@@ -72,20 +72,20 @@ MUTANTS = {
         ("skin: nothing lies", "EntitySkin.*", "return {v.x, v.z, -v.y};", "return v;"),
         ("skin: nothing is mirrored", "EntitySkin.*", "? glm::ivec3(-v.x, v.y, v.z) : v", "? v : v"),
     ],
-    "loader/world/resources/flat_item.cpp": [
+    "loader/world/items/flat_item.cpp": [
         ("flat item: an edge for each texel", "item_looks.*", "if (edge || from < 0) continue;",
          "if (from < 0) continue;"),
         ("flat item: edges inside", "item_looks.*", "&& !isThere(image, x + out.x, y - out.y)", ""),
         ("flat item: edges on the other side", "item_looks.*", "y - out.y)", "y + out.y)"),
         ("flat item: edges of any number of texels", "item_looks.*", "kMostEdgeTexels = 64", "kMostEdgeTexels = 4096"),
     ],
-    "loader/world/resources/item_looks.cpp": [
+    "loader/world/items/item_looks.cpp": [
         ("item: layers at one place", "item_looks.*", "kApart * float(layer)", "kApart * 0.0f"),
         ("item: no bound of faces", "item_looks.*", "sum + faces > limits::kItemFaces", "sum > limits::kItemFaces"),
         ("item: textures that are absent", "item_looks.*", "if (complete || block)", "if (true)"),
         ("item: no model of the block", "item_looks.*", "return ofBlock(item);", "return std::nullopt;"),
     ],
-    "loader/world/resources/item_definition.cpp": [
+    "loader/world/items/item_definition.cpp": [
         ("item: the bow is always drawn", "item_looks.*", '{"on_false", "fallback"}', '{"on_true", "fallback"}'),
     ],
 }

@@ -87,7 +87,7 @@ std::vector<std::string> texturesFor(const World& world, const ContentScene& sce
 }
 
 /// How often each item is drawn in a frame.
-std::map<std::string, ItemUse> usesOf(const World& world, const ContentScene& scene) {
+std::map<std::string, ItemUse> itemUses(const World& world, const ContentScene& scene) {
   std::map<std::string, ItemUse> uses;
   for (const auto& [name, facts] : scene.items) uses[name] = {&facts, 2};  // both hands
   for (const Entity& entity : world.content.entities)
@@ -99,7 +99,7 @@ void wearResources(const World& world, const ResourceStack& resources,
                    const std::vector<std::string>& textures, ContentScene& scene,
                    Diagnostics& diagnostics) {
   LookTextures worn(resources, diagnostics);
-  scene.looks = makeItemLooks(resources, usesOf(world, scene), worn, diagnostics);
+  scene.looks = makeItemLooks(resources, itemUses(world, scene), worn, diagnostics);
   const auto addSkins = [&](const EntityModel* model) {
     if (!model) return;
     for (const EntityTexture* skin : skinsOf(*model))

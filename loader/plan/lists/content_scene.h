@@ -7,7 +7,7 @@
 #include <orris/plan/schedule/geometry.h>
 #include <orris/world/atlas/block_atlas.h>
 #include <orris/world/blocks/block_facts.h>
-#include <orris/world/resources/item_looks.h>
+#include <orris/world/items/item_looks.h>
 #include <orris/world/world.h>
 
 namespace orris {

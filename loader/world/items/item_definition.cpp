@@ -1,4 +1,4 @@
-#include <orris/world/resources/item_definition.h>
+#include <orris/world/items/item_definition.h>
 
 #include <orris/core/limits.h>
 #include <orris/world/files/json_reader.h>

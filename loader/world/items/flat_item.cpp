@@ -1,4 +1,4 @@
-#include <orris/world/resources/flat_item.h>
+#include <orris/world/items/flat_item.h>
 
 namespace orris {
 namespace {

@@ -1,4 +1,4 @@
-#include <orris/world/resources/item_looks.h>
+#include <orris/world/items/item_looks.h>
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
@@ -9,8 +9,8 @@
 #include <orris/core/add_diagnostic.h>
 #include <orris/core/limits.h>
 #include <orris/world/resources/block_models.h>
-#include <orris/world/resources/flat_item.h>
-#include <orris/world/resources/item_definition.h>
+#include <orris/world/items/flat_item.h>
+#include <orris/world/items/item_definition.h>
 #include <orris/world/resources/model_library.h>
 
 namespace orris {
