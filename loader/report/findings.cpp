@@ -72,8 +72,10 @@ class Judge {
     finding.uri = uriOf(d.at.file);
     for (const std::string& file : entryFiles) {
       const std::string program = programOf(file);
-      // Files of other folders may be named like stages. Compute shaders are listed by file.
-      if (programs_.contains(program) || programs_.contains(file)) finding.programs.insert(program);
+      // Files of other folders may be named like stages. Compute shaders are listed by file. A check of some
+      // programs lists none.
+      const bool listed = programs_.contains(program) || programs_.contains(file);
+      if (programs_.empty() ? !program.empty() : listed) finding.programs.insert(program);
     }
     if (comments_ && comments_->silences(d)) finding.silence = Silence::Comment;
     applySeverity(finding);
