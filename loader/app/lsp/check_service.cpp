@@ -75,7 +75,8 @@ class Service {
 
   void run() {
     while (!ended_) {
-      if (ready_ && toSay_.empty()) return;  // its fork goes on
+      // Its fork goes on, and waits for this end: what is known here is not freed piece by piece.
+      if (ready_ && toSay_.empty()) ::_exit(0);
       pollfd all[] = {{.fd = jobs_, .events = POLLIN, .revents = 0},
                       {.fd = running_.socket, .events = POLLIN, .revents = 0},
                       {.fd = toSay_.empty() ? -1 : out_, .events = POLLOUT, .revents = 0}};
