@@ -145,11 +145,16 @@ class View:
     def stderr(self):
         return self.errors.read_text()
 
+    def processes(self):
+        """Its own and those below it: the one with the window, one between, and last the one that draws."""
+        found = [self.process.pid]
+        for pid in found:
+            found += [int(word) for word in open(f"/proc/{pid}/task/{pid}/children").read().split()]
+        return found
+
     def memory(self):
-        """Resident memory in MiB, of the process with the window and of the one that draws."""
-        pid = self.process.pid
-        drawing = open(f"/proc/{pid}/task/{pid}/children").read().split()
-        lines = [line for one in [pid, *drawing] for line in open(f"/proc/{one}/status") if line.startswith("VmRSS:")]
+        """Resident memory in MiB, of all its processes."""
+        lines = [line for pid in self.processes() for line in open(f"/proc/{pid}/status") if line.startswith("VmRSS:")]
         return sum(int(line.split()[1]) for line in lines) / 1024
 
     def screenshot(self):

@@ -98,14 +98,15 @@ class Watch {
         record_(record),
         files_(supervised.files),
         attendant_(supervised.attendant),
+        endsItself_(supervised.endsItself),
         limit_(frameTimeOf(supervised.limits)) {}
 
   Ending run() {
     for (;;) {
       int status = 0;
-      if (waitpid(process_, &status, WNOHANG) == process_) return {status, attendant_ ? 0 : signals_.next()};
+      if (waitpid(process_, &status, WNOHANG) == process_) return {status, endsItself_ ? 0 : signals_.next()};
       if (const int signal = signals_.next()) {
-        if (!attendant_ || std::exchange(passedOn_, true)) return {kill(), signal};
+        if (!endsItself_ || std::exchange(passedOn_, true)) return {kill(), signal};
         ::kill(process_, signal);
       }
       if (tooLong()) return kill(), Ending{};
@@ -150,6 +151,7 @@ class Watch {
   const WorkRecord& record_;
   const AllowedFiles& files_;
   Attendant* attendant_;
+  bool endsItself_;
   bool passedOn_ = false;  ///< a signal
   Clock::duration limit_, spent_{};
   Clock::time_point last_ = Clock::now();

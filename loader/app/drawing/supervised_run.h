@@ -51,12 +51,14 @@ struct SupervisedWork {
   bool confined = false;
   /// Of work with a window of the process that watches; nullptr: it has none.
   Attendant* attendant = nullptr;
+  /// The work ends by itself when it is asked to, and may do other work before: the first signal is passed on to it.
+  bool endsItself = false;
 };
 
 /// Runs `work` in a process of its own. It returns in that process, with what `work` returned. In the process
 /// that watches it returns only when the other one ended without saying why: reported, kHostFailed; else it
-/// ends the program with the other's status. A signal that ends the program ends both at once; with an
-/// attendant the first one is passed on to the other process, which may do other work before it ends.
+/// ends the program with the other's status. A signal that ends the program ends both at once, unless
+/// SupervisedWork::endsItself.
 int runSupervised(const SupervisedWork& supervised, Report& report, const std::function<int()>& work);
 
 /// For `work`, before it makes a context: from now on outputs go through the process that watches, and all

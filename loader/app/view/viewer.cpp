@@ -98,7 +98,12 @@ bool Viewer::openPack() {
   // Before anything is read: an edit during loading is then seen afterwards.
   watch_.emplace(std::vector<fs::path>{watchedPart(options_.pack.path), pack_->optionFile()}, watchEvents_);
   lastFrame_ = titleSince_ = Clock::now();
-  if (!pack_->open(options_.scene, options_.image, std::move(*world_), *camera_)) return false;
+  const auto kept = death_ ? kept_->state() : std::nullopt;
+  firstWorld_ = world_->name;
+  if (!pack_->open(options_.scene, options_.image, std::move(*world_),
+                   kept && kept->camera ? *kept->camera : *camera_, kept))
+    return false;
+  if (death_) pack_->noteDeath(*death_);
   world_.reset();
   // A script is no person, who may want a world again.
   if (!player_) noteRecentWorld(options_.scene.path);
@@ -113,6 +118,33 @@ std::vector<ViewEvent> Viewer::pollEvents() {
   if (hasErrors(diagnostics) && status_ == kClean) status_ = kProblems;
   report_.add(diagnostics);
   return events;
+}
+
+// Whoever mends what the driver died of may have done so before anybody watched the files again.
+void Viewer::catchUp() {
+  status_ = kProblems;
+  panels_.problems = true;
+  say("taken back: the last good pack draws again");
+  const fs::path part = watchedPart(options_.pack.path);
+  const auto isNew = [&](const fs::path& path) {
+    std::error_code missing;
+    const auto time = fs::last_write_time(path, missing);
+    return !missing && time > kept_->riskSince();
+  };
+  bool changed = isNew(part) || isNew(pack_->optionFile());
+  std::error_code error;
+  for (fs::recursive_directory_iterator it(part, error), end; !changed && !error && it != end; it.increment(error))
+    changed = isNew(it->path());
+  if (changed) pack_->reload("files changed", true);
+}
+
+// What has come as far as the window is a picture that the driver has finished.
+void Viewer::noteDrawn(int framesBefore) {
+  if (!kept_ || plain_ || framesDrawn_ == framesBefore) return;
+  const RenderSession& session = pack_->session();
+  const bool stays = session.scene().world.name == firstWorld_;
+  kept_->drew(session.sharedAsked(), stays ? std::optional(session.camera()) : std::nullopt);
+  kept_->setAtRisk(!pack_->doing().empty());
 }
 
 void Viewer::drawFrame() {
@@ -130,8 +162,10 @@ void Viewer::drawFrame() {
   followPack(passed);
   followWindowSize();
   const Clock::time_point began = Clock::now();
+  const int framesBefore = framesDrawn_;
   drawPicture(seconds);
   showPicture();
+  noteDrawn(framesBefore);
   drawSeconds_ = secondsBetween(began, Clock::now());
   sayGlErrors();
   showTimes();
@@ -164,6 +198,7 @@ void Viewer::drawPicture(double seconds) {
   if (probe) probe_ = probe->values();
   if (inspector_) inspector_->endFrame(renderer);
   if (++framesDrawn_ != 1) return;
+  if (death_) return catchUp();
   const std::string chosen = session().autoChoices().text();
   say(chosen.empty() ? "ready" : "ready; AUTO took " + chosen);
 }
@@ -222,6 +257,7 @@ void Viewer::followFiles() {
 
 // Building may take as long as drawing does: the picture goes on at half the pace at worst.
 void Viewer::followPack(double passed) {
+  if (kept_ && !pack_->doing().empty()) kept_->setAtRisk(true);
   if (pack_->advance(drawSeconds_, passed)) sayOutcome();
 }
 

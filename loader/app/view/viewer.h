@@ -59,6 +59,8 @@ class Viewer final : public ScriptTarget {
   /// In a process of its own, apart from the window, where both drivers are software rasterisers; else in this
   /// one.
   int runInWindow();
+  /// Between the two: has another process draw when one dies of what its pack has become.
+  int keepDrawing(const WindowLink& link);
   /// In the process that is shut in.
   int drawApart(const WindowLink& link);
   /// In this process, with a window of its own or without one.
@@ -66,6 +68,9 @@ class Viewer final : public ScriptTarget {
   /// Until it ends(), with a context and a surface.
   int draw();
   bool openPack();
+  /// After a process that died: what it could not read.
+  void catchUp();
+  void noteDrawn(int framesBefore);
   AllowedFiles filesApart() const;
   void drawFrame();
   void drawPicture(double seconds);
@@ -139,6 +144,9 @@ class Viewer final : public ScriptTarget {
   std::optional<Camera> camera_;
   int watchEvents_ = -1;  ///< for the watch
   std::unique_ptr<LivePack> pack_;
+  KeptPack* kept_ = nullptr;  ///< only where the window is another process's
+  std::optional<Diagnostic> death_;  ///< of the process that drew before this one
+  std::string firstWorld_;
   std::unique_ptr<RenderSession> plain_;  ///< only while the pack is off
   std::optional<ScriptPlayer> player_;
   std::optional<BackgroundWatch> watch_;

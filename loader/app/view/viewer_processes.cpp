@@ -12,6 +12,7 @@
 #include "app/view/viewer.h"
 #include <orris/core/add_diagnostic.h>
 #include <orris/core/files/read_places.h>
+#include <orris/core/work_record.h>
 
 namespace orris {
 namespace {
@@ -77,6 +78,8 @@ int Viewer::runInWindow() {
   if (player_) return drawHere(nullptr);
   const WindowLink link;
   if (!link.usable()) return drawHere(nullptr);
+  KeptPack kept;
+  kept_ = &kept;
   const ImageOptions& image = options_.image;
   ShownWindow window({.width = image.width,
                       .height = image.height,
@@ -85,16 +88,41 @@ int Viewer::runInWindow() {
                       .packPath = options_.pack.path},
                      link);
   WindowAttendant attendant(window, link, report_);
+  // The process that draws is no child of the one with the window: to fork one that holds a driver is to
+  // copy locks and lists of threads that are not there.
   const int status = runSupervised({.limits = options_.limits,
                                     .backend = gl::Backend::Egl,
                                     .software = true,
                                     .pack = options_.pack.path,
-                                    .files = filesApart(),
-                                    .confined = true,
-                                    .attendant = &attendant},
-                                   report_, [&] { return drawApart(link); });
+                                    .attendant = &attendant,
+                                    .endsItself = true},
+                                   report_, [&] { return keepDrawing(link); });
   auto context = window.takeContext();
-  return context ? drawHere(std::move(context)) : status;
+  if (!context) return status;
+  kept_ = nullptr;
+  return drawHere(std::move(context));
+}
+
+int Viewer::keepDrawing(const WindowLink& link) {
+  noteIdle();  // time is counted for the process that draws
+  for (;;) {
+    bool draws = false;
+    report_.beginAgain();
+    const int status = runSupervised({.limits = options_.limits,
+                                      .backend = gl::Backend::Egl,
+                                      .software = true,
+                                      .pack = options_.pack.path,
+                                      .files = filesApart(),
+                                      .confined = true,
+                                      .endsItself = true},
+                                     report_, [&] {
+                                       draws = true;
+                                       return drawApart(link);
+                                     });
+    if (draws || !kept_->canGoOn()) return status;
+    death_ = report_.all().back();
+    kept_->setAtRisk(false);
+  }
 }
 
 int Viewer::drawApart(const WindowLink& link) {

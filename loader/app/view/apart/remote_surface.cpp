@@ -12,9 +12,17 @@ constexpr int kOpeningMilliseconds = 60'000;
 }  // namespace
 
 std::unique_ptr<RemoteSurface> RemoteSurface::open(const WindowLink& link) {
-  const auto news = receiveNews(link.drawingEnd(), kOpeningMilliseconds);
-  if (!news || news->kind != WindowNews::Kind::Size) return nullptr;
-  return std::unique_ptr<RemoteSurface>(new RemoteSurface(link, *news));
+  sendOrder(link.drawingEnd(), {WindowOrder::Kind::Open});
+  std::vector<WindowNews> before;  // what the user did while nobody drew
+  for (;;) {
+    const auto news = receiveNews(link.drawingEnd(), kOpeningMilliseconds);
+    if (!news) return nullptr;
+    if (news->kind == WindowNews::Kind::Event) before.push_back(*news);
+    if (news->kind != WindowNews::Kind::Size) continue;
+    std::unique_ptr<RemoteSurface> surface(new RemoteSurface(link, *news));
+    surface->waiting_ = std::move(before);
+    return surface;
+  }
 }
 
 RemoteSurface::RemoteSurface(const WindowLink& link, const WindowNews& size)

@@ -59,6 +59,9 @@ void ShownWindow::flush() {
 
 void ShownWindow::obey(const WindowOrder& order) {
   switch (order.kind) {
+    case WindowOrder::Kind::Open:
+      width_ = height_ = 0;  // they are sent again
+      return window_->holdMouse(false);
     case WindowOrder::Kind::Show:
       return show(order.first, order.second);
     case WindowOrder::Kind::Title:

@@ -10,9 +10,10 @@
 
 namespace orris {
 
-/// To the window.
+/// To the window. The first of a process is Open: it knows neither the window's size nor that another one may
+/// have drawn there before.
 struct WindowOrder {
-  enum class Kind { Show, Title, HoldMouse, FullScreen, Edit };
+  enum class Kind { Open, Show, Title, HoldMouse, FullScreen, Edit };
   Kind kind = Kind::Show;
   int first = 0;   ///< Show: width of the picture; HoldMouse, FullScreen: on or off; Edit: line
   int second = 0;  ///< Show: its height

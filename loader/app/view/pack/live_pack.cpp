@@ -49,18 +49,22 @@ LivePack::LivePack(const PackOptions& options, gl::Context& context, Report& rep
     : options_(options), context_(context), report_(report), optionFile_(optionFileOf(options)) {}
 
 bool LivePack::open(const SceneOptions& scene, const ImageOptions& image, World world,
-                    const Camera& camera) {
-  const auto files = openPackFiles(options_.path, report_);
+                    const Camera& camera, const std::optional<KeptState>& kept) {
+  const auto files = kept ? openKept(*kept) : openPackFiles(options_.path, report_);
   if (!files) return false;
   Diagnostics diagnostics;
-  const auto load = readChoices(files, optionsNow(), environmentFor(context_.driver(), options_.versions),
-                                diagnostics);
+  PackOptions options = optionsNow();
+  if (kept) {
+    options.values.clear();
+    options.profile.clear();
+    options.settingsFile.clear();
+  }
+  auto load = readChoices(files, options, environmentFor(context_.driver(), options_.versions), diagnostics);
   report_.add(diagnostics);
   if (!load) return false;
+  if (kept) load->fileValues = kept->values;
   SessionRequest request;
-  request.openPack = [path = options_.path](Diagnostics& problems) {
-    return std::shared_ptr<const FileSource>(openPack(path, problems));
-  };
+  request.openPack = [files](Diagnostics&) { return files; };
   request.load = *load;
   request.versions = options_.versions;
   if (options_.dimension.empty()) request.load.dimension = world.environment.dimension;
@@ -70,6 +74,17 @@ bool LivePack::open(const SceneOptions& scene, const ImageOptions& image, World 
   session_ = RenderSession::create(context_, std::move(request), std::move(world), diagnostics);
   report_.add(diagnostics);
   return session_ != nullptr;
+}
+
+std::shared_ptr<const FileSource> LivePack::openKept(const KeptState& kept) {
+  report_.setPack(options_.path);
+  Diagnostics ignored;  // of files as they are now
+  std::shared_ptr<const FileSource> now = openPack(options_.path, ignored);
+  return keptFiles(kept, now ? std::move(now) : memorySource({}));
+}
+
+void LivePack::noteDeath(const Diagnostic& cause) {
+  outcome_ = {.cause = "the driver died", .succeeded = false, .problems = {cause}};
 }
 
 // The command line's choices with the option file; a pack need not have one.

@@ -14,6 +14,7 @@
 
 #include "app/input/common.h"
 #include "app/output/report.h"
+#include "app/view/apart/kept_pack.h"
 #include <orris/gl/context.h>
 #include <orris/render/session/render_session.h>
 
@@ -40,9 +41,11 @@ class LivePack {
   /// All three must outlive it.
   LivePack(const PackOptions& options, gl::Context& context, Report& report);
 
-  /// The first load. false: reported.
+  /// The first load; of `kept`, where a process died of a later one. false: reported.
   bool open(const SceneOptions& scene, const ImageOptions& image, World world,
-            const Camera& camera);
+            const Camera& camera, const std::optional<KeptState>& kept = {});
+  /// The process before this one died of an attempt.
+  void noteDeath(const Diagnostic& cause);
 
   RenderSession& session() { return *session_; }
   const RenderSession& session() const { return *session_; }
@@ -96,6 +99,7 @@ class LivePack {
     double longestFrame = 0;
   };
 
+  std::shared_ptr<const FileSource> openKept(const KeptState& kept);
   PackOptions optionsNow() const;
   PackLoader readingAgain(bool withOptionFile) const;
   PackLoader withValues(const OptionValues& values) const;

@@ -1,0 +1,150 @@
+#include "app/view/apart/kept_pack.h"
+
+#include <sys/mman.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <new>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <utility>
+
+#include <orris/core/limits.h>
+#include <orris/pack/programs/folder_build.h>
+
+namespace orris {
+namespace {
+
+using nlohmann::json;
+using FileTime = std::filesystem::file_time_type;
+
+// Texts, and the names of files beside them.
+constexpr std::size_t kMostBytes = limits::kPackTextBytes + (std::size_t{8} << 20);
+
+std::string textOf(const FileLines& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += line + '\n';
+  return text;
+}
+
+/// Of the files as they were read: an edit since then is no part of the pack.
+std::vector<std::uint8_t> bytesOf(const ShaderPack& pack) {
+  const PackFiles& files = pack.builds.front()->files();
+  json texts = json::object();
+  for (const auto& [path, lines] : files.graph.files) texts[path] = textOf(lines);
+  if (files.properties) texts[kPropertiesFile] = *files.properties;
+  return json::to_cbor({{"files", pack.source->files()}, {"texts", std::move(texts)}, {"values", pack.values}});
+}
+
+class KeptSource final : public FileSource {
+ public:
+  KeptSource(const KeptState& state, std::shared_ptr<const FileSource> below)
+      : files_(state.files), texts_(state.texts), below_(std::move(below)) {}
+  std::optional<std::string> read(std::string_view path) const override {
+    const auto found = texts_.find(std::string(path));
+    if (found != texts_.end()) return found->second;
+    return contains(path) ? below_->read(path) : std::nullopt;
+  }
+  const std::vector<std::string>& files() const override { return files_; }
+  std::optional<std::string> readResource(std::string_view path) const override {
+    return isBesideShaders(path) ? below_->readResource(path) : read(path);
+  }
+
+ private:
+  std::vector<std::string> files_;
+  std::map<std::string, std::string> texts_;
+  std::shared_ptr<const FileSource> below_;
+};
+
+}  // namespace
+
+// A process that dies while it writes leaves the other half whole.
+struct KeptPack::Shared {
+  struct Half {
+    std::size_t size = 0;
+    std::array<std::uint8_t, kMostBytes> bytes;
+  };
+  std::atomic<int> half{-1};  ///< that holds a pack, -1: none
+  std::atomic<bool> risk{false};
+  std::atomic<FileTime::rep> since{0};  ///< of the risk
+  std::atomic<bool> hasCamera{false};
+  std::array<std::atomic<double>, 6> camera{};
+  std::array<Half, 2> halves;
+};
+
+KeptPack::KeptPack() {
+  // Pages that no pack reaches cost nothing.
+  void* memory = mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (memory != MAP_FAILED) shared_ = new (memory) Shared;
+}
+
+KeptPack::~KeptPack() {
+  if (shared_) munmap(shared_, sizeof(Shared));
+}
+
+void KeptPack::drew(const std::shared_ptr<const ShaderPack>& pack, const std::optional<Camera>& camera) {
+  if (!shared_) return;
+  shared_->hasCamera = camera.has_value();
+  if (camera) {
+    const glm::dvec3& eye = camera->position;
+    const std::array<double, 6> numbers{eye.x, eye.y, eye.z, camera->yaw, camera->pitch, camera->fov};
+    for (std::size_t i = 0; i < numbers.size(); ++i) shared_->camera[i] = numbers[i];
+  }
+  if (pack == last_) return;
+  last_ = pack;
+  const std::vector<std::uint8_t> bytes = bytesOf(*pack);
+  const int free = shared_->half == 0 ? 1 : 0;
+  const bool fits = bytes.size() <= kMostBytes;
+  if (fits) {
+    shared_->halves[free].size = bytes.size();
+    std::memcpy(shared_->halves[free].bytes.data(), bytes.data(), bytes.size());
+  }
+  shared_->half = fits ? free : -1;
+}
+
+void KeptPack::setAtRisk(bool risk) {
+  if (!shared_) return;
+  if (risk && !shared_->risk) shared_->since = FileTime::clock::now().time_since_epoch().count();
+  shared_->risk = risk;
+}
+
+bool KeptPack::canGoOn() const { return shared_ && shared_->risk && shared_->half >= 0; }
+
+std::optional<KeptState> KeptPack::state() const {
+  const int half = shared_ ? shared_->half.load() : -1;
+  if (half != 0 && half != 1) return std::nullopt;
+  const Shared::Half& kept = shared_->halves[half];
+  const json value = json::from_cbor(std::span(kept.bytes.data(), std::min(kept.size, kMostBytes)), true, false);
+  KeptState state;
+  try {
+    value.at("files").get_to(state.files);
+    value.at("texts").get_to(state.texts);
+    value.at("values").get_to(state.values);
+  } catch (const json::exception&) {
+    return std::nullopt;
+  }
+  if (!shared_->hasCamera) return state;
+  std::array<double, 6> numbers{};
+  for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = shared_->camera[i];
+  if (!std::ranges::all_of(numbers, [](double number) { return std::isfinite(number); })) return state;
+  state.camera = Camera{.name = "",
+                        .position = {numbers[0], numbers[1], numbers[2]},
+                        .yaw = float(numbers[3]),
+                        .pitch = float(numbers[4]),
+                        .fov = float(numbers[5])};
+  return state;
+}
+
+std::filesystem::file_time_type KeptPack::riskSince() const {
+  return FileTime(FileTime::duration(shared_ ? shared_->since.load() : 0));
+}
+
+std::shared_ptr<const FileSource> keptFiles(const KeptState& state, std::shared_ptr<const FileSource> below) {
+  return std::make_shared<KeptSource>(state, std::move(below));
+}
+
+}  // namespace orris
