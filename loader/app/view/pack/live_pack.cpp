@@ -64,6 +64,7 @@ bool LivePack::open(const SceneOptions& scene, const ImageOptions& image, World 
   if (!load) return false;
   if (kept) load->fileValues = kept->values;
   SessionRequest request;
+  // Later loads are readingAgain().
   request.openPack = [files](Diagnostics&) { return files; };
   request.load = *load;
   request.versions = options_.versions;
