@@ -159,8 +159,12 @@ def edit_that_the_driver_dies_of_leaves_the_last_good_pack(test):
     good = (shaders / "composite.fsh").read_text()
     view = View(test, "--memory-limit", "2G", "--frame-limit", "8s")
     view.wait_for("ready")
-    test.tell_display("key", "2")  # the second of the world's cameras
-    before = view.screenshot()
+    start = before = view.screenshot()
+    test.tell_display("key", "2")  # the second of the world's cameras, from the next frame on
+    end = time.monotonic() + TIMEOUT
+    while before == start and time.monotonic() < end:
+        before = view.screenshot()
+    assert before != start
     window = view.process.pid
     # The same edit, mended and made again; then a file more, which stalls the driver.
     for _ in range(2):
@@ -185,14 +189,15 @@ def option_that_the_driver_dies_of_is_taken_back(test):
     version, good = program.read_text().split("\n", 1)
     program.write_text(f"{version}\n#include \"/lib/tint.glsl\"\n#if TINT == 2\n{DEADLY.removeprefix(VERSION)}\n"
                        f"#else\n{good.replace('#include', '//')}\n#endif\n")
+    options = test.folder / "pack.txt"
+    options.write_text("TINT=1\n")
     view = View(test, "--memory-limit", "2G", "--frame-limit", "30s")
     view.wait_for("ready")
     before = view.screenshot()
-    options = test.folder / "pack.txt"
     options.write_text("TINT=2\n")
     wait_until_taken_back(view, "pack.txt")
     assert options.read_text() == "TINT=2\n" and share_within_one(view.screenshot(), before) == 1
-    options.write_text("TINT=1\n")
+    options.write_text("TINT=0\n")
     view.wait_for("reloaded (pack.txt changed)")
     assert share_within_one(view.screenshot(), before) < 1
     view.end()
