@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """What the open window costs over `orris render`: processor time of a frame of each, run at once.
 
-view_bench.py ORRIS PACK WORLD [--size 640x360] [--rounds 3] [--frames 20]
+view_bench.py ORRIS PACK WORLD [--size 640x360] [--rounds 3] [--frames 20] [--window]
 
 Each round runs both commands with few and with many frames; their difference is the frames alone, without what
-starting takes. No panel is open, nothing is probed or watched. Exit status 1: the window costs 3 % or more of a
+starting takes. No panel is open, nothing is probed or watched. With --window a real one on a virtual display (Xvfb), where
+all processes of the command count; without, the same in an EGL context. Exit status 1: the window costs 3 % or more of a
 frame in the median of the rounds.
 """
 import argparse
@@ -32,12 +33,25 @@ def processor_seconds(commands, folder):
     return seconds
 
 
-def ending(name, frames, folder):
+def ending(name, frames, folder, window):
     """So many frames, then one picture."""
     if name == "render":
-        return ["--frames", str(frames), "-o", "render.png"]
+        return ["--backend", "egl", "--frames", str(frames), "-o", "render.png"]
+    if window:
+        return ["--frames", str(frames), "--screenshot", "view.png"]
     (folder / "steps.json").write_text(json.dumps([{"frames": frames}, {"picture": "view.png"}]))
-    return ["--script", "steps.json"]
+    return ["--backend", "egl", "--script", "steps.json"]
+
+
+def start_display():
+    """A virtual display, to which the variable DISPLAY then points."""
+    read_end, write_end = os.pipe()
+    display = subprocess.Popen(["Xvfb", "-displayfd", str(write_end), "-screen", "0", "1920x1200x24", "-nolisten", "tcp"],
+                               pass_fds=[write_end], stderr=subprocess.DEVNULL)
+    os.close(write_end)
+    with os.fdopen(read_end) as answer:
+        os.environ["DISPLAY"] = ":" + answer.readline().strip()
+    return display
 
 
 def main():
@@ -48,17 +62,21 @@ def main():
     parser.add_argument("--size", default="640x360")
     parser.add_argument("--rounds", type=int, default=3)
     parser.add_argument("--frames", type=int, default=20, help="more than the few that starting is measured by")
+    parser.add_argument("--window", action="store_true")
     arguments = parser.parse_args()
+    display = start_display() if arguments.window else None
     pack, world = str(arguments.pack.resolve()), str(arguments.world.resolve())
-    common = [pack, world, "--size", arguments.size, "--backend", "egl", "--quiet"]
+    common = [pack, world, "--size", arguments.size, "--quiet"]
     times = {"render": [], "view": []}
     with tempfile.TemporaryDirectory() as folder:
         for _ in range(arguments.rounds):
             few, many = (processor_seconds([[str(arguments.orris.resolve()), name, *common,
-                                             *ending(name, count, pathlib.Path(folder))] for name in times], folder)
+                                             *ending(name, count, pathlib.Path(folder), arguments.window)] for name in times], folder)
                          for count in (FEW, FEW + arguments.frames))
             for values, first, last in zip(times.values(), few, many):
                 values.append((last - first) / arguments.frames * 1e3)
+    if display:
+        display.terminate()
     for name, values in times.items():
         print(f"{name}: {statistics.median(values):.2f} ms of processor time a frame, {min(values):.2f} to {max(values):.2f}")
     differences = [view - render for view, render in zip(times["view"], times["render"])]
