@@ -23,19 +23,19 @@ using nlohmann::json;
 using FileTime = std::filesystem::file_time_type;
 
 // Texts, and the names of files beside them.
-constexpr std::size_t kMostBytes = limits::kPackTextBytes + (std::size_t{8} << 20);
+constexpr std::size_t kMostKeptBytes = limits::kPackTextBytes + (std::size_t{8} << 20);
 
-std::string textOf(const FileLines& lines) {
+std::string linesAsText(const FileLines& lines) {
   std::string text;
   for (const std::string& line : lines) text += line + '\n';
   return text;
 }
 
 /// Of the files as they were read: an edit since then is no part of the pack.
-std::vector<std::uint8_t> bytesOf(const ShaderPack& pack) {
+std::vector<std::uint8_t> keptBytesOf(const ShaderPack& pack) {
   const PackFiles& files = pack.builds.front()->files();
   json texts = json::object();
-  for (const auto& [path, lines] : files.graph.files) texts[path] = textOf(lines);
+  for (const auto& [path, lines] : files.graph.files) texts[path] = linesAsText(lines);
   if (files.properties) texts[kPropertiesFile] = *files.properties;
   return json::to_cbor({{"files", pack.source->files()}, {"texts", std::move(texts)}, {"values", pack.values}});
 }
@@ -66,7 +66,7 @@ class KeptSource final : public FileSource {
 struct KeptPack::Shared {
   struct Half {
     std::size_t size = 0;
-    std::array<std::uint8_t, kMostBytes> bytes;
+    std::array<std::uint8_t, kMostKeptBytes> bytes;
   };
   std::atomic<int> half{-1};  ///< that holds a pack, -1: none
   std::atomic<bool> risk{false};
@@ -96,9 +96,9 @@ void KeptPack::drew(const std::shared_ptr<const ShaderPack>& pack, const std::op
   }
   if (pack == last_) return;
   last_ = pack;
-  const std::vector<std::uint8_t> bytes = bytesOf(*pack);
+  const std::vector<std::uint8_t> bytes = keptBytesOf(*pack);
   const int free = shared_->half == 0 ? 1 : 0;
-  const bool fits = bytes.size() <= kMostBytes;
+  const bool fits = bytes.size() <= kMostKeptBytes;
   if (fits) {
     shared_->halves[free].size = bytes.size();
     std::memcpy(shared_->halves[free].bytes.data(), bytes.data(), bytes.size());
@@ -118,7 +118,7 @@ std::optional<KeptState> KeptPack::state() const {
   const int half = shared_ ? shared_->half.load() : -1;
   if (half != 0 && half != 1) return std::nullopt;
   const Shared::Half& kept = shared_->halves[half];
-  const json value = json::from_cbor(std::span(kept.bytes.data(), std::min(kept.size, kMostBytes)), true, false);
+  const json value = json::from_cbor(std::span(kept.bytes.data(), std::min(kept.size, kMostKeptBytes)), true, false);
   KeptState state;
   try {
     value.at("files").get_to(state.files);
