@@ -177,7 +177,7 @@ def edit_that_the_driver_dies_of_leaves_the_last_good_pack(test):
     wait_until_taken_back(view, "composite1.csh")
     assert share_within_one(view.screenshot(), before) == 1
     errors = view.stderr()
-    assert errors.count("/composite.fsh: error: the driver died while ") == 2, errors
+    assert errors.count("/composite.fsh: error: the driver ") == 2, errors  # it dies, or without a limit takes long
     assert errors.count("/composite1.csh: error: the driver took longer than 8 s") == 1, errors
     assert errors.count(": error:") == 3 and view.process.pid == window, errors
     view.end(status=1)
@@ -208,20 +208,20 @@ def edit_while_the_driver_stalls_is_read(test):
     view.wait_for("ready")
     stall = test.pack / "shaders" / "composite1.csh"
     stall.write_text(ENDLESS)
-    time.sleep(3)  # it is being drawn by now
+    view.wait_for("reloaded (composite1.csh changed)")  # and its first frame stalls
     stall.unlink()
     test.edit("#define TINT 0", "#define TINT 1")
-    wait_until_taken_back(view, "composite1.csh")
+    view.wait_for("taken back: the last good pack draws again")
     view.wait_for("reloaded (files changed)")
     view.end()
 
 
 def window_ends_when_the_last_good_pack_dies_too(test):
-    """Here the process that draws is ended from outside, of whatever it draws."""
+    """Here the process that draws is killed from outside."""
     view = View(test)
     view.wait_for("ready")
     view.screenshot()
-    os.kill(drawing_process(view), signal.SIGSEGV)
+    os.kill(drawing_process(view), signal.SIGKILL)
     view.finish(status=3)
     assert "error: the driver died" in view.stderr(), view.stderr()
 
