@@ -148,8 +148,8 @@ void addSceneFlags(CLI::App& command, SceneOptions& options) {
 void addResourcesFlag(CLI::App& command, std::vector<std::string>& packs) {
   command
       .add_option("--resources", packs,
-                  "resource pack that blocks are drawn with: a folder, a zip or the game's jar; may be "
-                  "repeated, the first goes before the others")
+                  "resource pack that blocks, items and figures are drawn with: a folder, a zip or the "
+                  "game's jar; may be repeated, the first goes before the others")
       ->type_name("PACK")
       ->allow_extra_args(false);
 }
