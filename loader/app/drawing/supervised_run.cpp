@@ -122,7 +122,8 @@ class Watch {
   }
 
  private:
-  static constexpr int kTickMilliseconds = 100, kAttendMilliseconds = 4;
+  // What the other process says wakes this one at once; the rest, what a user does, waits for a frame at most.
+  static constexpr int kTickMilliseconds = 100, kAttendMilliseconds = 16;
 
   int kill() {
     ::kill(process_, SIGKILL);
