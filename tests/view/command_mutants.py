@@ -61,13 +61,7 @@ MUTANTS = {
         ("lsp: notes are findings", "lsp:findings_come lsp:random_edits",
          "finding.silence == Silence::None && finding.diagnostic.severity != Severity::Note", "finding.silence == Silence::None"),
     ],
-    "loader/app/lsp/check_service.cpp": [
-        ("lsp: a lost check is not told", "lsp:a_check_that",
-         'toSay_ += lineOf({{"part", "lost"}, {"job", job}});', "static_cast<void>(job);"),
-    ],
     "loader/app/lsp/background_check.cpp": [
-        ("lsp: killed processes stay away", "lsp:a_check_that",
-         "  stop();\n  running_ = open() && writeCheckJob(jobs_, job);\n}", "}"),
         ("lsp: processes hold each other", "lsp:no_process", "    closeAllBut(jobs[0], out[1]);\n", ""),
     ],
     "loader/app/lsp/edited_pack.cpp": [
