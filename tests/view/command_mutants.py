@@ -17,7 +17,7 @@ MUTANTS = {
     ],
     "loader/app/view/apart/kept_pack.cpp": [
         ("going on: with files that are new", "apart:edit_that", ": files_(state.files), texts_", ": files_(below->files()), texts_"),
-        ("going on: with texts as they are now", "apart:edit_that apart:option_that",
+        ("going on: with texts as they are now", "apart:edit_that",
          "if (found != texts_.end()) return found->second;", "if (found == texts_.end()) return std::nullopt;"),
         ("going on: where the camera was at the start", "apart:edit_that",
          "shared_->hasCamera = camera.has_value();", "shared_->hasCamera = false;"),
@@ -67,7 +67,6 @@ MUTANTS = {
     "loader/app/lsp/edited_pack.cpp": [
         ("lsp: closing a file changes nothing", "lsp:findings_come",
          "if (overlay_.erase(packPath) > 0) changedOnDisk(packPath);", "overlay_.erase(packPath);"),
-        ("lsp: values without where they come from", "lsp:names_are_explained", '    knowledge_->valuesFrom = root_ + ".txt";\n', ""),
         ("lsp: definitions of the last saved file", "lsp:definitions", "  if (knowledge_ && !stale_) return *knowledge_;",
          "  if (knowledge_) return *knowledge_;"),
     ],
@@ -76,7 +75,6 @@ MUTANTS = {
          '    items.add(name, kConstantItem, fmt::format("option, {}", pack.options.value(pack.values, name)));\n', ";"),
     ],
     "loader/app/lsp/published.cpp": [
-        ("lsp: declarations behind the first line", "lsp:hints", "after = int(i) + 1;", "after = int(i) + 2;"),
         ("lsp: the other errors of a program go", "lsp:errors_of",
          "    if (!concerns(finding)) kept.push_back(std::move(finding));\n", "    kept.push_back(std::move(finding));\n"),
     ],
