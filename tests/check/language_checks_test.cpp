@@ -49,15 +49,15 @@ TEST(LanguageKeys, a_misspelt_key_is_a_warning_at_its_line) {
           "option.SHADOW_STPES=a\n\n  value.MODE.FNACY=b\nscreen.WATRE=c\nprofile.HIHG=d\n"
           "opton.MODE=e\n"),
       ElementsAre("language-key /lang/en_us.lang:1:1: warning: the text of option.SHADOW_STPES" +
-                      unused + "SHADOW_STPES | did you mean SHADOW_STEPS?",
+                      unused + "option SHADOW_STPES | did you mean SHADOW_STEPS?",
                   "language-key /lang/en_us.lang:3:3: warning: the text of value.MODE.FNACY" +
-                      unused + "FNACY | did you mean FANCY?",
+                      unused + "value FNACY | did you mean FANCY?",
                   "language-key /lang/en_us.lang:4:1: warning: the text of screen.WATRE" + unused +
-                      "WATRE | did you mean WATER?",
+                      "screen WATRE | did you mean WATER?",
                   "language-key /lang/en_us.lang:5:1: warning: the text of profile.HIHG" + unused +
-                      "HIHG | did you mean HIGH?",
+                      "profile HIHG | did you mean HIGH?",
                   "language-key /lang/en_us.lang:6:1: warning: the text of opton.MODE" + unused +
-                      "opton | did you mean option?"));
+                      "kind of text opton | did you mean option?"));
 }
 
 TEST(LanguageKeys, the_one_value_with_a_misspelt_option_is_a_warning) {
@@ -66,7 +66,7 @@ TEST(LanguageKeys, the_one_value_with_a_misspelt_option_is_a_warning) {
           checkLanguageKeys,
           "value.SHADOW_STEPS.2=two\nvalue.SHAODW_STEPS.4=four\nvalue.MODE.FAST=Fast\n"),
       ElementsAre("language-key /lang/en_us.lang:2:1: warning: the text of "
-                  "value.SHAODW_STEPS.4 is used for nothing: there is no SHAODW_STEPS | did "
+                  "value.SHAODW_STEPS.4 is used for nothing: there is no option SHAODW_STEPS | did "
                   "you mean SHADOW_STEPS?"));
   // Not when that value has its text, or when the old name occurs throughout.
   for (const char* lang :

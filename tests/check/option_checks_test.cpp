@@ -24,6 +24,12 @@ TEST(OptionLists, a_value_given_twice_is_a_warning_but_for_a_slider) {
                           "twice"));
 }
 
+TEST(OptionLists, a_value_given_twice_to_an_option_on_no_screen_is_a_note) {
+  EXPECT_THAT(found(checkOptionLists, {{"/settings.glsl", "#define STEPS 4 // [2 4 8 4]\n"},
+                                       {"/shaders.properties", "screen = <empty>\n"}}),
+              ElementsAre("option-value-twice /settings.glsl:1:9: note: the list of STEPS has 4 twice"));
+}
+
 TEST(OptionLists, a_value_given_twice_is_reported_in_whichever_file_it_stands) {
   EXPECT_THAT(found(checkOptionLists, {{"/final.vsh", "#version 120\n#define STEPS 4 // [2 4 8 4]\n"
                                                       "void main() {}\n"},
@@ -58,8 +64,11 @@ TEST(OptionLists, lines_with_different_lists_are_reported_at_the_second) {
       found(checkOptionLists,
             {{"/settings.glsl", "#define STEPS 4 // [2 4 8]\n#define STEPS 4 // [4 16]\n"}}),
       ElementsAre("option-list-differs /settings.glsl:2:9: warning: the list of STEPS "
-                  "differs from the one in /settings.glsl:1 | the first one is shown, "
-                  "whatever #if stands around it"));
+                  "differs from the one in /settings.glsl:1 | Iris shows the one of "
+                  "/settings.glsl:2, whatever #if stands around it"));
+  EXPECT_THAT(found(checkOptionLists, {{"/settings.glsl", "#define STEPS 4 // [2 4 8] so many\n"
+                                                          "#define STEPS 4 // [4 16]\n"}}),
+              ElementsAre(testing::EndsWith("Iris shows the one of /settings.glsl:1, whatever #if stands around it")));
   EXPECT_THAT(
       found(checkOptionLists,
             {{"/settings.glsl", "#define STEPS 4 // [2 4 8]\n#define STEPS 4 // [8 2 4]\n"}}),

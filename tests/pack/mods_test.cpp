@@ -106,6 +106,9 @@ TEST(Mods, voxy_gets_what_its_interface_file_lists) {
   ASSERT_TRUE(loaded.pack);
   EXPECT_THAT(names(loaded.pack->modPrograms), ElementsAre("voxy_opaque"));
   EXPECT_EQ(verdict(loaded), "");
+  const Loaded asked = loadVoxy("#if VOXY < 2\n#error an old Voxy\n#endif\n" + opaque, {{"far", "float"}});
+  EXPECT_EQ(asked.diagnostics.size(), loaded.diagnostics.size());
+  EXPECT_EQ(verdict(asked), "");
   const Loaded wrong =
       loadVoxy("void voxy_emitFragment(VoxyFragmentParameters p) { x = 1; }\n", {{"far", "float"}});
   EXPECT_THAT(verdict(wrong), testing::StartsWith("/voxy_opaque.glsl:1:"));

@@ -161,7 +161,8 @@ class StageNames {
       hint = fmt::format("it is a uniform: write uniform {} {};", global.type, global.name);
     if (hint.empty() && kind == NameKind::Uniform)
       hint = "define it in shaders.properties: uniform.<type>.<name> = <expression>";
-    if (hint.empty() && kind == NameKind::Sampler)
+    // The targets of other types have no texture there.
+    if (hint.empty() && kind == NameKind::Sampler && global.type == "sampler2D")
       hint = "it reads texture unit 0: gtexture in gbuffers and shadow programs, colortex0 in fullscreen ones";
     report_.add(stage_, global.place,
                 {(global.used || meant) && !numbered ? Severity::Warning : Severity::Note,

@@ -145,7 +145,7 @@ class FileCheck {
     const auto known = known_.find(key.kind);
     if (std::find(kinds().begin(), kinds().end(), key.kind) == kinds().end()) {
       const std::string meant = key.name.empty() ? "" : likelyMeant(key.kind, kinds());
-      if (!meant.empty()) misspelt(entry, key.kind, meant);
+      if (!meant.empty()) misspelt(entry, "kind of text ", key.kind, meant);
     } else if (!key.name.empty() && (known == known_.end() || !known->second.contains(key.name))) {
       checkUnknown(entry, key);
     } else if (key.kind == "value" && !key.value.empty()) {
@@ -161,11 +161,13 @@ class FileCheck {
             ? ""
             : likelyMeant(key.name, untranslated(known->second, translated_[key.group()]));
     if (meant.empty() && !late) meant = optionOfValue(key);
-    if (!meant.empty()) return misspelt(entry, key.name, meant);
     const bool option = key.kind != "screen" && key.kind != "profile";
+    const std::string noun = option ? "option" : key.kind;
+    if (!meant.empty()) return misspelt(entry, noun + ' ', key.name, meant);
     const bool defined = option && pack_.options.rejected(key.name);
+    anyGone_ = anyGone_ || !defined;
     stale_.emplace_back(
-        &entry, fmt::format("the pack has no {} {}{}", option ? "option" : key.kind, key.name,
+        &entry, fmt::format("the pack has no {} {}{}", noun, key.name,
                             defined ? ": " + missingOptionHint(pack_.options, key.name) : ""));
   }
 
@@ -178,7 +180,7 @@ class FileCheck {
         : stale_.size() == 2 ? ", and one more line is for nothing"
                              : fmt::format(", and {} more lines are for nothing", stale_.size() - 1);
     report(Severity::Warning, "language-stale", *entry, message + others,
-           "take lines away whose options are gone");
+           anyGone_ ? "take lines away whose options are gone" : "");
     for (const auto& [other, reason] :
          std::span(stale_).subspan(1).first(std::min(stale_.size() - 1, kMostListed))) {
       diagnostics_.back().related.push_back({other->at, reason});
@@ -207,7 +209,8 @@ class FileCheck {
         key.value.size() < 3 || hints_++ >= limits::kSuggestions
             ? ""
             : likelyMeant(key.value, untranslated(values, translated_["value." + key.name]));
-    if (!meant.empty()) return misspelt(entry, key.value, meant);
+    if (!meant.empty()) return misspelt(entry, "value ", key.value, meant);
+    anyGone_ = true;
     stale_.emplace_back(&entry, fmt::format("{} has no value {}", key.name, key.value));
   }
 
@@ -224,9 +227,11 @@ class FileCheck {
     return left;
   }
 
-  void misspelt(const PropertyEntry& entry, const std::string& name, const std::string& meant) {
+  /// `noun`: what the name would be of, and a blank.
+  void misspelt(const PropertyEntry& entry, const std::string& noun, const std::string& name,
+                const std::string& meant) {
     report(Severity::Warning, "language-key", entry,
-           fmt::format("the text of {} is used for nothing: there is no {}", entry.key, name),
+           fmt::format("the text of {} is used for nothing: there is no {}{}", entry.key, noun, name),
            fmt::format("did you mean {}?", meant));
   }
 
@@ -246,6 +251,7 @@ class FileCheck {
   std::map<std::string, const PropertyEntry*> first_;
   std::vector<std::pair<const PropertyEntry*, const PropertyEntry*>> twice_;
   std::vector<std::pair<const PropertyEntry*, std::string>> stale_;
+  bool anyGone_ = false;  ///< is one of them of something that no line defines?
 };
 
 /// What the screens show and the English file has no text for.

@@ -85,11 +85,11 @@ void checkList(AuthorLines& lines, const Option& option, Shown shown, Diagnostic
   for (const SourceLocation& place : option.at) {
     const std::string value = repeatedValue(listOf(lines.at(place)));
     if (value.empty()) continue;
+    const bool button = shown.at && !shown.slider;
     diagnostics.push_back(optionDiagnostic(
-        lines, shown.slider ? Severity::Note : Severity::Warning, "option-value-twice", place,
+        lines, button ? Severity::Warning : Severity::Note, "option-value-twice", place,
         option.name, fmt::format("the list of {} has {} twice", option.name, value),
-        shown.slider ? ""
-                     : "the button that steps through the values never gets past the second one"));
+        button ? "the button that steps through the values never gets past the second one" : ""));
     break;
   }
   const SourceLocation& place = option.at.front();
@@ -102,7 +102,8 @@ void checkList(AuthorLines& lines, const Option& option, Shown shown, Diagnostic
   }
 }
 
-/// Iris: MergedStringOption keeps the list of the first line that has one, in the order of its table of files.
+/// Iris: MergedStringOption keeps the list of the first line that has a text beside it, else of the last, in
+/// the order of its table of files.
 std::string shownList(AuthorLines& lines, const Option& option) {
   const std::set<std::string> shown(option.values.begin(), option.values.end());
   const auto place = std::ranges::find_if(option.at, [&](const SourceLocation& at) {
@@ -129,8 +130,7 @@ void checkSameLists(AuthorLines& lines, const Option& option, Diagnostics& diagn
       lines, Severity::Warning, "option-list-differs", *other, option.name,
       fmt::format("the list of {} differs from the one in {}:{}", option.name, first.file,
                   first.line),
-      other->file == first.file ? "the first one is shown, whatever #if stands around it"
-                                : shownList(lines, option)));
+      shownList(lines, option) + (other->file == first.file ? ", whatever #if stands around it" : "")));
   diagnostics.back().related.push_back({first, "the other list"});
 }
 

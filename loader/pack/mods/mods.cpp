@@ -37,7 +37,8 @@ constexpr std::array<HostName, 13> kColorwheelNames{{
 constexpr std::array<ModFamily, 3> kFamilies{
     {{"Distant Horizons", ProgramGroup::DistantHorizons, "DISTANT_HORIZONS", kDistantHorizonsNames},
      {"Colorwheel", ProgramGroup::Colorwheel, "HAS_COLORWHEEL", kColorwheelNames},
-     {"Voxy", ProgramGroup::Voxy, "VOXY", {}}}};
+     // Voxy: IrisShaderPatch.SHADER_DEFINE_VERSION, for packs that ask #if VOXY >= 2.
+     {"Voxy", ProgramGroup::Voxy, "VOXY", {}, "2"}}};
 
 }  // namespace
 

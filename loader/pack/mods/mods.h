@@ -17,6 +17,7 @@ struct ModFamily {
   ProgramGroup group;
   std::string_view macro;           ///< defined while the mod is there
   std::span<const HostName> names;  ///< what its shader code declares for the pack's
+  std::string_view value{};         ///< of the macro
 };
 
 std::span<const ModFamily> modFamilies();

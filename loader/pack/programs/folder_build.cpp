@@ -51,7 +51,7 @@ FolderBuild::FolderBuild(const FolderBuild& host, const ModFamily& mod,
   const auto asks = [&](const std::string& macro) { return macro == mod.macro; };
   if (std::ranges::any_of(host.properties().modMacros, asks)) {
     MacroDefinitions macros = environment;
-    macros.emplace_back(mod.macro, "");
+    macros.emplace_back(mod.macro, mod.value);
     readProperties(macros, similar);
   } else {
     properties_ = std::make_shared<const PackProperties>(withMacro(host.properties(), mod.macro));

@@ -46,7 +46,7 @@ void checkTexture(const TextureBinding& texture, const FileSource& source, Repor
     report.add(Severity::Warning, "texture-missing", texture.at,
                fmt::format("no such file: {}", texture.path),
                beside ? "files beside shaders/ are read when the folder around it is given"
-                      : "the sampler is left unbound");
+                      : "Iris binds the sampler as if this line were not there");
     return;
   }
   if (texture.rawType.empty()) return;
