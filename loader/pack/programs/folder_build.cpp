@@ -54,7 +54,7 @@ FolderBuild::FolderBuild(const FolderBuild& host, const ModFamily& mod,
     macros.emplace_back(mod.macro, mod.value);
     readProperties(macros, similar);
   } else {
-    properties_ = std::make_shared<const PackProperties>(withMacro(host.properties(), mod.macro));
+    properties_ = std::make_shared<const PackProperties>(withMacro(host.properties(), mod.macro, mod.value));
   }
   if (mod.group == ProgramGroup::Voxy) {
     listVoxy(uniformTypes);

@@ -103,9 +103,9 @@ PackProperties readPackProperties(const PackFiles& files, const OptionValues& va
   return out;
 }
 
-PackProperties withMacro(PackProperties properties, std::string_view macro) {
+PackProperties withMacro(PackProperties properties, std::string_view macro, std::string_view value) {
   properties.macros.emplace_back(macro, "1");
-  properties.shaderMacros.emplace_back(macro, "");
+  properties.shaderMacros.emplace_back(macro, value);
   return properties;
 }
 

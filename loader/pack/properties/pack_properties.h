@@ -28,6 +28,6 @@ PackProperties readPackProperties(const PackFiles& files, const OptionValues& va
                                   const MacroDefinitions& environment);
 
 /// As they are with one more macro, which the files do not ask for.
-PackProperties withMacro(PackProperties properties, std::string_view macro);
+PackProperties withMacro(PackProperties properties, std::string_view macro, std::string_view value);
 
 }  // namespace orris
