@@ -89,14 +89,14 @@ INSTANTIATE_TEST_SUITE_P(, FaceEnergy, testing::ValuesIn(kThings),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
 // Fire is drawn by planes and met as a cube.
-TEST(face_energy, rays_to_lamps_find_every_side_of_fire) {
+TEST(FaceEnergyOfLamps, rays_to_lamps_find_every_side_of_fire) {
   const Held held = heldIn(kThings[0], evenGlow, 200);
   EXPECT_NEAR(held.ceiling, 1, .04);
   EXPECT_NEAR(held.wall, 1, .04);
 }
 
 // With rays to lamps, 1 to 2 % of noise stay in each mean, of which all boxes together have less.
-TEST(face_energy, rays_to_lamps_keep_it) {
+TEST(FaceEnergyOfLamps, rays_to_lamps_keep_it) {
   double sum = 0;
   for (const Thing& thing : kThings) {
     const Held held = heldIn(thing, evenGlow, 400);

@@ -74,7 +74,7 @@ double meanOfShafts(const FaceField& field, glm::ivec3 offset, Face face) {
 }
 
 // Six faces see each other, one of them a lamp, which reflects light as well: a system of three unknowns by symmetry.
-TEST(face_cache, one_cell_room_is_the_radiosity_solution) {
+TEST(FaceCache, one_cell_room_is_the_radiosity_solution) {
   PackSession pack(shafts("white_concrete", 1),
                    cacheOptions({{"FACE_SHARE", "1"}, {"FACE_WINDOW", "128"}}), 8, 8);
   pack.renderFrames(200);
@@ -118,7 +118,7 @@ double squaresAcross(double gap, int x, int z) {
 }
 
 // Near lamps are found by rays, far ones sampled: no light is counted twice or lost between.
-TEST(face_cache, lamps_at_any_distance_give_their_form_factor) {
+TEST(FaceCache, lamps_at_any_distance_give_their_form_factor) {
   for (const int height : {1, 2, 5}) {
     std::string world = fmt::format(
         R"({{"size": [13, {0}, 13], "cameras": [{{"name": "eye", "position": [6.5, 1.5, 6.5]}}],
@@ -142,7 +142,7 @@ TEST(face_cache, lamps_at_any_distance_give_their_form_factor) {
   }
 }
 
-TEST(face_cache, removed_lamp_fades_and_a_placed_one_fills_the_room) {
+TEST(FaceCache, removed_lamp_fades_and_a_placed_one_fills_the_room) {
   PackSession pack(room("white_concrete", {12, 12, 12},
                         R"({"frame": 80, "set": {"at": [6, 13, 6], "block": "white_concrete"}},
                            {"frame": 200, "set": {"at": [6, 13, 6], "block": "glowstone"}})"),
@@ -168,7 +168,7 @@ TEST(face_cache, removed_lamp_fades_and_a_placed_one_fills_the_room) {
 }
 
 // The picture, with the default means over frames.
-TEST(face_cache, picture_follows_a_removed_lamp) {
+TEST(FaceCache, picture_follows_a_removed_lamp) {
   const std::string event = R"({"frame": 130, "set": {"at": [6, 13, 6], "block": "air"}})";
   PackSession pack(room("light_gray_concrete", {12, 12, 12}, event),
                    cacheOptions({{"AMBIENT_MINIMUM", "0.0"}}));
@@ -178,7 +178,7 @@ TEST(face_cache, picture_follows_a_removed_lamp) {
   EXPECT_LT(pack.meanRadiance().r, 0.01 * lit);
 }
 
-TEST(face_cache, closed_wall_lets_nothing_through) {
+TEST(FaceCache, closed_wall_lets_nothing_through) {
   const char* const world = R"({
     "size": [13, 8, 8],
     "blocks": [{"hollow": "white_concrete", "min": [0, 0, 0], "max": [12, 7, 7]},
@@ -197,7 +197,7 @@ TEST(face_cache, closed_wall_lets_nothing_through) {
 }
 
 // The picture of the dark one of two rooms: black, while the one beside it is lit.
-TEST(face_cache, picture_of_a_dark_room_behind_a_wall_is_black) {
+TEST(FaceCache, picture_of_a_dark_room_behind_a_wall_is_black) {
   const OptionValues plain = cacheOptions({{"AMBIENT_MINIMUM", "0.0"}, {"VOXEL_SIZE", "64"}});
   PackSession pack = PackSession::ofWorld("h5_two_rooms", plain, 32, 18);
   pack.renderFrames(40);
@@ -208,7 +208,7 @@ TEST(face_cache, picture_of_a_dark_room_behind_a_wall_is_black) {
 }
 
 // Two rooms with a wall between them, and a lamp in one.
-TEST(face_cache, opened_wall_lights_the_dark_room) {
+TEST(FaceCache, opened_wall_lights_the_dark_room) {
   const char* const world = R"({
     "size": [27, 14, 14],
     "blocks": [{"hollow": "light_gray_concrete", "min": [0, 0, 0], "max": [26, 13, 13]},
@@ -253,7 +253,7 @@ const char* const kTwoRooms = R"({
   "events": [{"frame": 40, "camera": {"position": [36.5, 4.5, 4.5]}}]
 })";
 
-TEST(face_cache, teleport_leaves_no_old_light) {
+TEST(FaceCache, teleport_leaves_no_old_light) {
   PackSession pack(kTwoRooms, cacheOptions({{"SKY_STRENGTH", "0.0"}, {"SUN_STRENGTH", "2.0"}}));
   pack.renderFrames(40);
   EXPECT_GT(faceField(pack, kFaceVolume).meanRed({1, 0, 1}, {8, 0, 8}, kUp), 0.1);
@@ -265,7 +265,7 @@ TEST(face_cache, teleport_leaves_no_old_light) {
   EXPECT_LT(lastEdit(pack), 5) << "moving is no edit";
 }
 
-TEST(face_cache, faces_keep_their_light_while_the_volume_moves) {
+TEST(FaceCache, faces_keep_their_light_while_the_volume_moves) {
   // A hall along x; the eye walks a block a frame, through 0.
   std::string events;
   for (int i = 0; i < 12; ++i)
@@ -296,7 +296,7 @@ TEST(face_cache, faces_keep_their_light_while_the_volume_moves) {
   EXPECT_LT(lastEdit(pack), 5);
 }
 
-TEST(face_cache, edits_are_noticed_while_the_volume_moves) {
+TEST(FaceCache, edits_are_noticed_while_the_volume_moves) {
   const char* const world = R"({
     "size": [16, 8, 8],
     "blocks": [{"hollow": "white_concrete", "min": [0, 0, 0], "max": [15, 7, 7]}],
@@ -318,7 +318,7 @@ TEST(face_cache, edits_are_noticed_while_the_volume_moves) {
   EXPECT_EQ(lastEdit(pack), first + 10) << "another block of the same shape";
 }
 
-TEST(face_cache, only_a_share_of_the_faces_is_updated_while_nothing_changes) {
+TEST(FaceCache, only_a_share_of_the_faces_is_updated_while_nothing_changes) {
   const std::string event = R"({"frame": 70, "set": {"at": [2, 1, 2], "block": "oak_stairs"}})";
   PackSession pack(room("white_concrete", {6, 6, 6}, event), cacheOptions({{"FACE_SHARE", "4"}}));
   pack.renderFrames(30);
@@ -336,7 +336,7 @@ TEST(face_cache, only_a_share_of_the_faces_is_updated_while_nothing_changes) {
 }
 
 // Boiling. FACE_GAIN=1 only shortens the time until a face rests on a whole window.
-TEST(face_cache, settled_light_hardly_changes) {
+TEST(FaceCache, settled_light_hardly_changes) {
   std::string world = R"({"size": [14, 8, 14],
       "cameras": [{"name": "eye", "position": [6.5, 3.5, 6.5]}], "environment": {"time": 18000},
       "blocks": [{"hollow": "light_gray_concrete", "min": [0, 0, 0], "max": [13, 7, 13]})";
@@ -356,7 +356,7 @@ TEST(face_cache, settled_light_hardly_changes) {
   EXPECT_GT(boiling.ofFaces(), .01) << "nothing is sampled";
 }
 
-TEST(face_cache, repeated_runs_give_the_same_bits) {
+TEST(FaceCache, repeated_runs_give_the_same_bits) {
   const auto picture = [] {
     PackSession pack = PackSession::ofWorld("corridor", cacheOptions(), 48, 27);
     pack.renderFrames(40);

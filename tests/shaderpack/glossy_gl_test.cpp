@@ -74,7 +74,7 @@ glm::dvec3 mirrored(PackSession& pack) {
 }
 
 // Lamps that reflect nothing are all equally bright.
-TEST(glossy, metal_shows_the_lamps_that_it_mirrors_in_its_own_colour) {
+TEST(GlossyReflection, metal_shows_the_lamps_that_it_mirrors_in_its_own_colour) {
   SessionSetup setup;
   setup.world = hall("gold_block", "glowstone");
   setup.options = glossyOptions("true");
@@ -91,7 +91,7 @@ TEST(glossy, metal_shows_the_lamps_that_it_mirrors_in_its_own_colour) {
     EXPECT_NEAR(seen[channel] / (16 * glm::dvec3(1, .70, .38)[channel]), 1, .03) << channel;
 }
 
-TEST(glossy, metal_shows_what_lamps_reflect) {
+TEST(GlossyReflection, metal_shows_what_lamps_reflect) {
   PackSession pack(hall("gold_block", "glowstone"), glossyOptions("true"));
   const glm::dvec3 seen = mirrored(pack);
   const auto [darkest, brightest] = lampWall(pack);
@@ -102,7 +102,7 @@ TEST(glossy, metal_shows_what_lamps_reflect) {
   }
 }
 
-TEST(glossy, a_polished_floor_mirrors_a_little_over_its_diffuse_base) {
+TEST(GlossyReflection, a_polished_floor_mirrors_a_little_over_its_diffuse_base) {
   const auto floor = [](const char* glossy) {
     PackSession pack(hall("polished_diorite"), glossyOptions(glossy));
     pack.look(kEye, kFloor);
@@ -113,7 +113,7 @@ TEST(glossy, a_polished_floor_mirrors_a_little_over_its_diffuse_base) {
   EXPECT_NEAR((floor("true") - (1 - fresnel) * floor("false")) / (fresnel * 16), 1, .05);
 }
 
-TEST(glossy, what_was_mirrored_is_gone_when_the_eye_moves) {
+TEST(GlossyReflection, what_was_mirrored_is_gone_when_the_eye_moves) {
   PackSession pack(hall("iron_block"), glossyOptions("true"));
   pack.look(kEye, kFloor);
   pack.renderFrames(60);
@@ -127,7 +127,7 @@ TEST(glossy, what_was_mirrored_is_gone_when_the_eye_moves) {
   EXPECT_LT(sum / double(mirrored.pixels.size() / 4), .6);
 }
 
-TEST(glossy, only_mirrors_need_a_target) {
+TEST(GlossyReflection, only_mirrors_need_a_target) {
   for (const auto& [glossy, method, there] : {std::tuple("false", "FACE_CACHE", false),
                                               {"true", "BOUNCE_1", false},
                                               {"true", "FACE_CACHE", true}}) {

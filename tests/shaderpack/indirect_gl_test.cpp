@@ -28,7 +28,7 @@ std::string darkRoom(const std::string& blocks) {
 }
 
 // A ball of radius r and radiance L gives a point below it L r^2 h / d^3.
-TEST(indirect, small_lamps_light_the_floor_that_they_stand_on) {
+TEST(IndirectLight, small_lamps_light_the_floor_that_they_stand_on) {
   std::string rods = R"({"block": "end_rod[facing=up]", "at": [)";
   for (int i = 0; i < 9; ++i)
     rods += fmt::format("{}[{}, 1, {}]", i > 0 ? ", " : "", 2 + i % 3 * 2, 2 + i / 3 * 2);
@@ -50,7 +50,7 @@ TEST(indirect, small_lamps_light_the_floor_that_they_stand_on) {
 
 // From the floor of a shaft to the lamp at its end, glass in between: every ray has 1 to sqrt(3) blocks of
 // glass on its way, in the cell where it begins.
-TEST(indirect, glass_takes_light_where_a_ray_begins) {
+TEST(IndirectLight, glass_takes_light_where_a_ray_begins) {
   const auto floorLight = [](const std::string& filling) {
     PackSession pack(
         fmt::format(R"({{"size": [9, 7, 9],
@@ -84,7 +84,7 @@ glm::dvec3 seen(const std::string& world, const OptionValues& more, glm::dvec3 e
 }
 
 // The lightmap has every lamp orange.
-TEST(indirect, glass_and_water_have_the_colour_of_the_lamp) {
+TEST(IndirectLight, glass_and_water_have_the_colour_of_the_lamp) {
   for (const char* block : {"white_stained_glass", "water"}) {
     const std::string world =
         darkRoom(fmt::format(R"({{"box": "black_concrete", "min": [1, 1, 1], "max": [7, 1, 7]}},
@@ -98,7 +98,7 @@ TEST(indirect, glass_and_water_have_the_colour_of_the_lamp) {
 }
 
 // Light to the bed of a lake takes its colour over the whole way, also through cells that have no faces.
-TEST(indirect, deep_water_takes_light_by_the_way_through_it) {
+TEST(IndirectLight, deep_water_takes_light_by_the_way_through_it) {
   const auto bed = [](const std::string& water) {
     PackSession pack(
         darkRoom(R"({"box": "glowstone", "min": [1, 6, 1], "max": [7, 6, 7]})" + water),
@@ -117,7 +117,7 @@ TEST(indirect, deep_water_takes_light_by_the_way_through_it) {
 }
 
 // At a flat angle water shows what is behind it: here a wall of lamps.
-TEST(indirect, water_mirrors_the_blocks_behind_it) {
+TEST(IndirectLight, water_mirrors_the_blocks_behind_it) {
   const auto lit = [](const std::string& wall) {
     return seen(darkRoom(R"({"box": "water", "min": [1, 1, 1], "max": [7, 1, 7]},
                             {"box": ")" +
@@ -131,7 +131,7 @@ TEST(indirect, water_mirrors_the_blocks_behind_it) {
 
 // Grass between the eye and a wall of lamps is seen by the light that passes it: about as bright as
 // with the lamps at the eye's side.
-TEST(indirect, plants_pass_light) {
+TEST(IndirectLight, plants_pass_light) {
   const auto lit = [](int z) {
     return seen(
                darkRoom(fmt::format(
@@ -168,7 +168,7 @@ std::pair<double, double> floorOverFrames(const std::string& lamps) {
   return {mean, std::sqrt(squares / count - mean * mean) / mean};
 }
 
-TEST(indirect, rays_to_lamps_count_each_once_and_take_away_noise) {
+TEST(IndirectLight, rays_to_lamps_count_each_once_and_take_away_noise) {
   const auto [hit, hitNoise] = floorOverFrames("HIT");
   const auto [sampled, sampledNoise] = floorOverFrames("SAMPLED");
   EXPECT_NEAR(sampled / hit, 1, .06);
@@ -176,7 +176,7 @@ TEST(indirect, rays_to_lamps_count_each_once_and_take_away_noise) {
 }
 
 // On the foot of a wall, beside a lamp in it: the floor there is far darker than the mean of its block's face.
-TEST(indirect, corners_beside_a_lamp_are_as_dark_as_with_more_bounces) {
+TEST(IndirectLight, corners_beside_a_lamp_are_as_dark_as_with_more_bounces) {
   const auto foot = [](OptionValues more) {
     more.insert({{"TEMPORAL_FRAMES", "1024"}, {"GI_SAMPLES", "4"}});
     PackSession pack(darkRoom(R"({"box": "white_concrete", "min": [1, 0, 1], "max": [7, 0, 7]},
@@ -193,7 +193,7 @@ TEST(indirect, corners_beside_a_lamp_are_as_dark_as_with_more_bounces) {
 }
 
 // Under the sky alone both gather the same light, and keep the same means over frames.
-TEST(indirect, rays_of_a_pixel_are_spread_over_frames) {
+TEST(IndirectLight, rays_of_a_pixel_are_spread_over_frames) {
   const auto noise = [](const char* method) {
     PackSession pack(R"({"size": [32, 1, 32],
         "blocks": [{"box": "white_concrete", "min": [0, 0, 0], "max": [31, 0, 31]}],

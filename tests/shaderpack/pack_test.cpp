@@ -10,7 +10,7 @@ namespace {
 
 using testing::ElementsAre;
 
-TEST(pack, every_profile_loads_and_is_recognised) {
+TEST(ReferencePack, every_profile_loads_and_is_recognised) {
   for (const char* profile : {"LOW", "MEDIUM", "HIGH", "REFERENCE"}) {
     const std::optional<ShaderPack> pack = loadReferencePack({.profile = profile});
     ASSERT_TRUE(pack);
@@ -18,11 +18,11 @@ TEST(pack, every_profile_loads_and_is_recognised) {
   }
 }
 
-TEST(pack, defaults_are_the_medium_profile) {
+TEST(ReferencePack, defaults_are_the_medium_profile) {
   EXPECT_EQ(loadReferencePack({})->currentProfile(), "MEDIUM");
 }
 
-TEST(pack, method_options_have_the_published_values) {
+TEST(ReferencePack, method_options_have_the_published_values) {
   const std::optional<ShaderPack> pack = loadReferencePack({});
   ASSERT_TRUE(pack);
   const auto values = [&](const char* name) { return pack->options.find(name)->values; };
@@ -40,14 +40,14 @@ TEST(pack, method_options_have_the_published_values) {
   EXPECT_EQ(pack->options.find("FLOODFILL_INTERVAL")->defaultValue, "3");
 }
 
-TEST(pack, guards_and_stage_names_are_not_options) {
+TEST(ReferencePack, guards_and_stage_names_are_not_options) {
   const std::optional<ShaderPack> pack = loadReferencePack({});
   ASSERT_TRUE(pack);
   for (const auto& [name, option] : pack->options.all())
     EXPECT_EQ(option.at.front().file, "/settings.glsl") << name;
 }
 
-TEST(pack, every_option_is_on_a_screen) {
+TEST(ReferencePack, every_option_is_on_a_screen) {
   const std::optional<ShaderPack> pack = loadReferencePack({});
   ASSERT_TRUE(pack);
   std::set<std::string> placed;
@@ -58,7 +58,7 @@ TEST(pack, every_option_is_on_a_screen) {
     EXPECT_TRUE(pack->options.find(slider)) << slider;
 }
 
-TEST(pack, programs_follow_the_methods) {
+TEST(ReferencePack, programs_follow_the_methods) {
   const auto has = [](const OptionValues& values, const char* program) {
     return loadReferencePack({.values = values})->find(program) != nullptr;
   };
@@ -81,7 +81,7 @@ TEST(pack, programs_follow_the_methods) {
       has({{"GI_METHOD", "NONE"}, {"SHADOW_METHOD", "NONE"}, {"LIGHT_METHOD", "TILED"}}, "shadow"));
 }
 
-TEST(pack, lamps_have_what_their_method_needs) {
+TEST(ReferencePack, lamps_have_what_their_method_needs) {
   const auto images = [](const ShaderPack& pack) {
     std::set<std::string> names;
     for (const CustomImage& image : pack.properties.images) names.insert(image.name);
@@ -110,7 +110,7 @@ TEST(pack, lamps_have_what_their_method_needs) {
       loadReferencePack({.values = {{"GI_METHOD", "FACE_CACHE"}, {"LIGHT_METHOD", "CLUSTERED"}}}));
 }
 
-TEST(pack, lamps_without_shadows_have_no_voxels) {
+TEST(ReferencePack, lamps_without_shadows_have_no_voxels) {
   const auto loaded = [](const char* shadows) {
     return loadReferencePack(
         {.values = {
@@ -130,7 +130,7 @@ TEST(pack, lamps_without_shadows_have_no_voxels) {
   EXPECT_FALSE(with->find("deferred")) << "no rays but those to lamps";
 }
 
-TEST(pack, automatic_shadows_are_a_map_where_the_host_chooses_nothing) {
+TEST(ReferencePack, automatic_shadows_are_a_map_where_the_host_chooses_nothing) {
   const auto pack =
       loadReferencePack({.values = {{"GI_METHOD", "NONE"}, {"SHADOW_METHOD", "AUTO"}}});
   EXPECT_TRUE(pack->find("shadow"));

@@ -27,17 +27,17 @@ double colourBleeding(const std::string& method, int frames) {
   return redOverGreen(kRedEye, kRedSide) / redOverGreen(kGreenEye, kGreenSide);
 }
 
-TEST(picture, floodfill_bleeds_the_walls_onto_the_blocks) {
+TEST(PackPicture, floodfill_bleeds_the_walls_onto_the_blocks) {
   EXPECT_GT(colourBleeding("FLOODFILL", 60), 1.5);
 }
 
-TEST(picture, four_bounces_bleed_more) { EXPECT_GT(colourBleeding("BOUNCE_4", 30), 3); }
+TEST(PackPicture, four_bounces_bleed_more) { EXPECT_GT(colourBleeding("BOUNCE_4", 30), 3); }
 
-TEST(picture, lightmap_alone_does_not_bleed) { EXPECT_NEAR(colourBleeding("NONE", 2), 1, 0.1); }
+TEST(PackPicture, lightmap_alone_does_not_bleed) { EXPECT_NEAR(colourBleeding("NONE", 2), 1, 0.1); }
 
 // Radiance 16 at level 15, of a portal (11) 16 * (11 / 15)^2 = 8.6 times its texture, which is violet and .7 to .8 dense;
 // by the lightmap alone it would have a seventeenth.
-TEST(picture, portals_shine_where_the_camera_sees_them) {
+TEST(PackPicture, portals_shine_where_the_camera_sees_them) {
   PackSession pack(R"({"size": [9, 7, 9],
       "blocks": [{"hollow": "black_concrete", "min": [0, 0, 0], "max": [8, 6, 8]},
                  {"box": "nether_portal[axis=x]", "min": [1, 1, 4], "max": [7, 5, 4]}],
@@ -70,7 +70,7 @@ glm::dvec3 floorRadiance(const OptionValues& options, glm::dvec3 eye, glm::dvec3
   return pack.meanRadiance();
 }
 
-TEST(picture, no_bias_puts_shadows_on_an_open_floor) {
+TEST(PackPicture, no_bias_puts_shadows_on_an_open_floor) {
   const glm::dvec3 eye(30, 6, 50), floor(30, 1, 46);
   const double lit = floorRadiance({{"SHADOW_METHOD", "NONE"}}, eye, floor).g;
   for (const char* method : {"MAP", "MAP_PCF"})
@@ -81,7 +81,7 @@ TEST(picture, no_bias_puts_shadows_on_an_open_floor) {
           << method << ' ' << bias;
 }
 
-TEST(picture, published_bias_detaches_the_shadow_of_a_wall) {
+TEST(PackPicture, published_bias_detaches_the_shadow_of_a_wall) {
   // The sun is in the east (+x): west of the wall, at its foot.
   const glm::dvec3 eye(36, 4, 14), floor(39.5, 1, 10);
   const double lit = floorRadiance({{"SHADOW_METHOD", "NONE"}}, eye, floor).g;
@@ -89,7 +89,7 @@ TEST(picture, published_bias_detaches_the_shadow_of_a_wall) {
   EXPECT_NEAR(floorRadiance({{"SHADOW_BIAS", "PUBLISHED"}}, eye, floor).g / lit, 1, 1e-4);
 }
 
-TEST(picture, sun_stays_out_of_a_closed_room_without_shadows) {
+TEST(PackPicture, sun_stays_out_of_a_closed_room_without_shadows) {
   const char* const world = R"({
     "size": [7, 7, 7],
     "blocks": [{"hollow": "white_concrete", "min": [0, 0, 0], "max": [6, 6, 6]}],
@@ -104,7 +104,7 @@ TEST(picture, sun_stays_out_of_a_closed_room_without_shadows) {
 }
 
 // A red wall before a green one.
-TEST(picture, view_of_the_volume_shows_what_rays_meet_beyond_a_distance) {
+TEST(PackPicture, view_of_the_volume_shows_what_rays_meet_beyond_a_distance) {
   const char* const world = R"({
     "size": [9, 7, 9],
     "blocks": [{"hollow": "white_concrete", "min": [0, 0, 0], "max": [8, 6, 8]},
@@ -132,7 +132,7 @@ TEST(picture, view_of_the_volume_shows_what_rays_meet_beyond_a_distance) {
 }
 
 // A volume of 256 x 128 x 256: a red wall 110 blocks to the east, a green one 70 blocks above.
-TEST(picture, largest_volume_is_wider_than_high) {
+TEST(PackPicture, largest_volume_is_wider_than_high) {
   const char* const world = R"({
     "size": [224, 104, 8],
     "blocks": [{"box": "red_concrete", "min": [220, 0, 0], "max": [220, 60, 7]},
@@ -170,7 +170,7 @@ bool mentions(const Schedule& schedule, const ShaderPack& pack, const std::strin
                      [&](int index) { return pack.programs[index].name == program; });
 }
 
-TEST(cost, without_lights_and_shadows_no_voxels_floodfill_or_shadow_map_exist) {
+TEST(PackCost, without_lights_and_shadows_no_voxels_floodfill_or_shadow_map_exist) {
   PackSession pack =
       PackSession::ofWorld("cornell", {{"GI_METHOD", "NONE"}, {"SHADOW_METHOD", "NONE"}}, 32, 32);
   const FrameRenderer& renderer = pack.session().renderer();
@@ -184,7 +184,7 @@ TEST(cost, without_lights_and_shadows_no_voxels_floodfill_or_shadow_map_exist) {
   EXPECT_TRUE(mentions(schedule, renderer.pack(), "deferred4"));
 }
 
-TEST(cost, shadow_map_alone_needs_no_voxels) {
+TEST(PackCost, shadow_map_alone_needs_no_voxels) {
   PackSession pack = PackSession::ofWorld("cornell", {{"GI_METHOD", "NONE"}}, 32, 32);
   const Schedule& schedule = pack.session().renderer().schedule();
   EXPECT_EQ(schedule.shadowResolution, 1024);
@@ -192,7 +192,7 @@ TEST(cost, shadow_map_alone_needs_no_voxels) {
   EXPECT_FALSE(mentions(schedule, pack.session().renderer().pack(), "prepare"));
 }
 
-TEST(cost, bounces_need_no_floodfill) {
+TEST(PackCost, bounces_need_no_floodfill) {
   PackSession pack = PackSession::ofWorld("cornell", {{"GI_METHOD", "BOUNCE_2"}}, 32, 32);
   const Schedule& schedule = pack.session().renderer().schedule();
   EXPECT_TRUE(schedule.target(false, 3));
@@ -200,7 +200,7 @@ TEST(cost, bounces_need_no_floodfill) {
 }
 
 // A block on its own has six faces; each pixel sends a ray, and what it hits none.
-TEST(cost, voxels_and_rays_are_counted_when_asked_for) {
+TEST(PackCost, voxels_and_rays_are_counted_when_asked_for) {
   constexpr const char* kBlock = R"({
     "size": [4, 4, 4], "blocks": [{"block": "stone", "at": [1, 1, 1]}],
     "cameras": [{"name": "eye", "position": [1.5, 1.5, 2.1], "yaw": 180, "fov": 30}]})";
@@ -220,14 +220,14 @@ int volumeOf(const std::string& world) {
   return 0;
 }
 
-TEST(cost, no_volume_is_chosen_without_voxels) {
+TEST(PackCost, no_volume_is_chosen_without_voxels) {
   PackSession pack =
       PackSession::ofWorld("cornell", {{"GI_METHOD", "NONE"}, {"VOXEL_SIZE", "AUTO"}}, 8, 8);
   EXPECT_EQ(pack.session().autoChoices().text(), "");
 }
 
 // Twice the side of what is drawn, and four cells at each end that fade.
-TEST(cost, volume_of_voxels_is_as_large_as_the_world_needs) {
+TEST(PackCost, volume_of_voxels_is_as_large_as_the_world_needs) {
   const auto floor = [](int side, int eye) {
     return fmt::format(R"({{"size": [{0}, 4, {0}],
         "blocks": [{{"box": "stone", "min": [0, 0, 0], "max": [{1}, 0, {1}]}}],

@@ -45,7 +45,7 @@ std::vector<std::string> allOf(const std::multimap<std::string, std::string>& de
   return values;
 }
 
-TEST(properties, words_and_flags_are_those_of_the_shaders) {
+TEST(ReferencePackProperties, words_and_flags_are_those_of_the_shaders) {
   FileLines shaders = linesOf("include/derived/words.glsl");
   for (const char* file : {"include/derived/features.glsl", "include/derived/sizes.glsl"})
     for (const std::string& line : linesOf(file)) shaders.push_back(line);
@@ -60,7 +60,7 @@ TEST(properties, words_and_flags_are_those_of_the_shaders) {
 }
 
 /// Every number that a word stands for is of one word.
-TEST(properties, words_of_options_differ) {
+TEST(ReferencePackProperties, words_of_options_differ) {
   std::map<std::string, std::string> names;
   static const std::regex number("[0-9]+");
   for (const auto& [name, value] : definitionsOf(linesOf("include/derived/words.glsl"))) {
@@ -71,7 +71,7 @@ TEST(properties, words_of_options_differ) {
 }
 
 /// An option is compared with words of its own list, which stand for names that begin with the option's.
-TEST(properties, options_are_compared_with_their_own_words) {
+TEST(ReferencePackProperties, options_are_compared_with_their_own_words) {
   const ShaderPack pack = loadReferencePack({}).value();
   static const std::regex comparison(R"(\b([A-Z]\w+) (==|!=|>=|<=|<|>) ([A-Z]\w+))");
   std::map<std::string, FileLines> files = pack.files;
@@ -92,7 +92,7 @@ TEST(properties, options_are_compared_with_their_own_words) {
   EXPECT_GT(compared, 50);
 }
 
-TEST(properties, images_have_the_size_of_the_volume) {
+TEST(ReferencePackProperties, images_have_the_size_of_the_volume) {
   for (const int volume : {32, 48, 64, 96, 128}) {
     const float v = static_cast<float>(volume);
     const OptionValues values = {{"SHADOW_RESOLUTION", "2048"},
@@ -111,7 +111,7 @@ TEST(properties, images_have_the_size_of_the_volume) {
   }
 }
 
-TEST(properties, largest_volume_is_not_for_the_face_cache) {
+TEST(ReferencePackProperties, largest_volume_is_not_for_the_face_cache) {
   const auto sizes = [](const char* method) {
     return imageSizes(
         {{"GI_METHOD", method}, {"VOXEL_SIZE", "256"}, {"SHADOW_RESOLUTION", "4096"}});
@@ -124,7 +124,7 @@ TEST(properties, largest_volume_is_not_for_the_face_cache) {
   EXPECT_EQ(faces.at("face_light"), (Size{1152, 128, 128}));
 }
 
-TEST(properties, methods_without_images_have_none) {
+TEST(ReferencePackProperties, methods_without_images_have_none) {
   for (const char* method : {"NONE", "BOUNCE_1", "BOUNCE_4", "FLOODFILL"}) {
     EXPECT_FALSE(imageSizes({{"GI_METHOD", method}}).contains("face_light")) << method;
     EXPECT_TRUE(
@@ -134,7 +134,7 @@ TEST(properties, methods_without_images_have_none) {
   }
 }
 
-TEST(properties, floodfill_buffer_has_the_size_of_its_atlas) {
+TEST(ReferencePackProperties, floodfill_buffer_has_the_size_of_its_atlas) {
   const auto size = [](const char* volume, const char* resolution) {
     const OptionValues values = {{"VOXEL_SIZE", volume}, {"SHADOW_RESOLUTION", resolution}};
     return loadReferencePack({.values = values})->properties.bufferSize.at("colortex4").size;
@@ -148,7 +148,7 @@ TEST(properties, floodfill_buffer_has_the_size_of_its_atlas) {
   EXPECT_THAT(size("128", "2048"), ElementsAre(2048, 1024));
 }
 
-TEST(properties, images_of_the_lamps_have_room_for_the_lists) {
+TEST(ReferencePackProperties, images_of_the_lamps_have_room_for_the_lists) {
   for (const int columns : {8, 16, 20, 32}) {
     const std::map<int, int> rows = {{8, 5}, {16, 9}, {20, 12}, {32, 18}};
     const auto sizes = imageSizes({{"GI_METHOD", "NONE"},

@@ -38,7 +38,7 @@ std::set<int> changedRows(PackSession& pack, const std::string& buffer) {
   return rows;
 }
 
-TEST(rest, a_frame_draws_an_eighth_of_what_is_settled) {
+TEST(PictureAtRest, a_frame_draws_an_eighth_of_what_is_settled) {
   const std::array buffers = {"colortex3", "colortex6"};
   PackSession pack = restingRoom();
   pack.renderFrames(40);
@@ -57,7 +57,7 @@ TEST(rest, a_frame_draws_an_eighth_of_what_is_settled) {
   }
 }
 
-TEST(rest, ends_with_the_frame_of_an_edit) {
+TEST(PictureAtRest, ends_with_the_frame_of_an_edit) {
   PackSession pack =
       restingRoom(R"({"frame": 100, "set": {"at": [1, 1, 7], "block": "glowstone"}})");
   pack.renderFrames(99);
@@ -66,7 +66,7 @@ TEST(rest, ends_with_the_frame_of_an_edit) {
   EXPECT_EQ(changedRows(pack, "colortex3").size(), kSide);
 }
 
-TEST(rest, ends_as_the_eye_moves) {
+TEST(PictureAtRest, ends_as_the_eye_moves) {
   PackSession pack = restingRoom();
   pack.renderFrames(kRestsFrom);
   EXPECT_EQ(changedRows(pack, "colortex3").size(), kSide / kBands);

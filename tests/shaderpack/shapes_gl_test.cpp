@@ -61,7 +61,7 @@ double cornerRectangles(double w, double h) {
 
 // The upper half of the stairs takes the lamp's other half from the tread; and of the faces towards the
 // step, those on the side of the cell are behind the wall.
-TEST(shapes, tread_and_riser_see_half_of_the_lamp_over_them) {
+TEST(LightOfShapes, tread_and_riser_see_half_of_the_lamp_over_them) {
   PackSession pack(cells("nether_brick_stairs[facing=north]", 2), options());
   pack.renderFrames(140);
   const FaceField field = faceField(pack, kVolume);
@@ -70,7 +70,7 @@ TEST(shapes, tread_and_riser_see_half_of_the_lamp_over_them) {
 }
 
 // Either half of a square sees as much of an equal one opposite.
-TEST(shapes, step_and_tread_of_a_stair_have_their_own_light) {
+TEST(LightOfShapes, step_and_tread_of_a_stair_have_their_own_light) {
   PackSession pack(cells("nether_brick_stairs[facing=north]", 3), options());
   pack.renderFrames(140);
   const FaceField field = faceField(pack, kVolume);
@@ -78,7 +78,7 @@ TEST(shapes, step_and_tread_of_a_stair_have_their_own_light) {
   EXPECT_LT(meanOfCells(field, 1, kInnerY), .6 * meanOfCells(field, 1, kUp));
 }
 
-TEST(shapes, wall_beside_a_slab_has_the_light_of_its_open_half) {
+TEST(LightOfShapes, wall_beside_a_slab_has_the_light_of_its_open_half) {
   PackSession pack(cells("nether_brick_slab[type=bottom]", 2), options());
   pack.renderFrames(140);
   const FaceField field = faceField(pack, kVolume);
@@ -100,13 +100,13 @@ double ceilingOver(const std::string& floor) {
   return faceField(pack, kVolume).meanRed({1, 4, 1}, {7, 4, 7}, kDown);
 }
 
-TEST(shapes, rays_find_the_light_on_the_top_of_slabs) {
+TEST(LightOfShapes, rays_find_the_light_on_the_top_of_slabs) {
   const double slabs = ceilingOver("smooth_quartz_slab[type=bottom]");
   EXPECT_GT(slabs, .5 * ceilingOver("smooth_quartz"));
   EXPECT_GT(slabs, 5 * ceilingOver("black_concrete"));
 }
 
-TEST(shapes, slab_shades_the_floor_of_its_cell) {
+TEST(LightOfShapes, slab_shades_the_floor_of_its_cell) {
   PackSession pack(cells("stone_slab[type=top]", 3), options());
   pack.renderFrames(20);
   const FaceField field = faceField(pack, kVolume);
@@ -115,7 +115,7 @@ TEST(shapes, slab_shades_the_floor_of_its_cell) {
 }
 
 // The floor below a lamp, with more and more between them.
-TEST(shapes, posts_and_arms_shade_the_floor) {
+TEST(LightOfShapes, posts_and_arms_shade_the_floor) {
   const auto floor = [](const std::string& block) {
     PackSession pack(cells(block, 2), options());
     pack.renderFrames(60);
@@ -133,7 +133,7 @@ TEST(shapes, posts_and_arms_shade_the_floor) {
 }
 
 // A strip half a block wide from the lamp's edge inwards, so less than half of the corner of a whole one.
-TEST(shapes, posts_are_lit_on_their_own_sides) {
+TEST(LightOfShapes, posts_are_lit_on_their_own_sides) {
   PackSession pack(cells("stone_brick_wall", 2), options());
   pack.renderFrames(60);
   const FaceField field = faceField(pack, kVolume);
@@ -144,7 +144,7 @@ TEST(shapes, posts_are_lit_on_their_own_sides) {
 }
 
 // The top is two sixteenths below the cell's, and smaller than the lamp a block above it.
-TEST(shapes, chests_are_lit_on_their_tops) {
+TEST(LightOfShapes, chests_are_lit_on_their_tops) {
   PackSession pack(cells("chest", 3), options());
   pack.renderFrames(140);
   const double top = meanOfCells(faceField(pack, kVolume), 1, kUp);
@@ -153,7 +153,7 @@ TEST(shapes, chests_are_lit_on_their_tops) {
   EXPECT_LT(top, 1.1 * asLarge);
 }
 
-TEST(shapes, chests_shade_the_wall_beside_them) {
+TEST(LightOfShapes, chests_shade_the_wall_beside_them) {
   const auto wall = [](const std::string& block) {
     PackSession pack(cells(block, 2), options());
     pack.renderFrames(60);
@@ -166,7 +166,7 @@ TEST(shapes, chests_shade_the_wall_beside_them) {
 }
 
 // A window that two chests fill lets light pass between them, one that a large chest fills does not.
-TEST(shapes, halves_of_a_chest_leave_no_gap) {
+TEST(LightOfShapes, halves_of_a_chest_leave_no_gap) {
   const auto beyond = [](const std::string& left, const std::string& right) {
     PackSession pack(fmt::format(R"({{"size": [8, 5, 7],
         "cameras": [{{"name": "eye", "position": [3.5, 2.5, 5.5]}}], "environment": {{"time": 18000}},
@@ -185,7 +185,7 @@ TEST(shapes, halves_of_a_chest_leave_no_gap) {
 
 // A quarter of an oak trapdoor is open, a square in each of its quarters. What of the lamp the floor sees
 // through them, of all that it sees without: (1/r^4 over the rays that pass) by integration.
-TEST(shapes, light_passes_the_holes_of_trapdoors) {
+TEST(LightOfShapes, light_passes_the_holes_of_trapdoors) {
   const auto floor = [](const std::string& block) {
     PackSession pack(cells(block, 2), options());
     pack.renderFrames(140);
@@ -194,7 +194,7 @@ TEST(shapes, light_passes_the_holes_of_trapdoors) {
   EXPECT_NEAR(floor("oak_trapdoor[half=top]") / floor("air"), .322, .015);
 }
 
-TEST(shapes, shut_doors_let_nothing_through) {
+TEST(LightOfShapes, shut_doors_let_nothing_through) {
   PackSession pack(R"({"size": [13, 6, 7],
       "cameras": [{"name": "eye", "position": [9.5, 2.5, 3.5]}], "environment": {"time": 18000},
       "blocks": [{"hollow": "white_concrete", "min": [0, 0, 0], "max": [12, 5, 6]},

@@ -48,7 +48,7 @@ INSTANTIATE_TEST_SUITE_P(
         Expected{"minecraft:oak_door[half=lower]", 10}, Expected{"minecraft:oak_sign", 0},
         Expected{"minecraft:white_banner", 0}, Expected{"minecraft:conduit", 32 + 15}));
 
-TEST(volume, red_concrete_becomes_a_red_voxel) {
+TEST(VoxelVolume, red_concrete_becomes_a_red_voxel) {
   PackSession pack(R"({
     "size": [1, 1, 1],
     "blocks": [{"box": "red_concrete", "min": [0, 0, 0], "max": [0, 0, 0]}],
@@ -62,7 +62,7 @@ TEST(volume, red_concrete_becomes_a_red_voxel) {
 }
 
 // Its lock, of iron, has a top as well.
-TEST(volume, chest_becomes_a_voxel_of_its_wood) {
+TEST(VoxelVolume, chest_becomes_a_voxel_of_its_wood) {
   PackSession pack(R"({
     "size": [1, 1, 1],
     "blocks": [{"block": "chest[facing=south]", "at": [0, 0, 0]}],
@@ -75,7 +75,7 @@ TEST(volume, chest_becomes_a_voxel_of_its_wood) {
 }
 
 // Water between water has no faces. The lake lies in stone and a slab stands in it.
-TEST(volume, lakes_are_filled_down_to_their_bed) {
+TEST(VoxelVolume, lakes_are_filled_down_to_their_bed) {
   PackSession pack(R"({
     "size": [7, 6, 7],
     "blocks": [{"box": "stone", "min": [0, 0, 0], "max": [6, 4, 6]},

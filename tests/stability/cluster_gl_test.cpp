@@ -47,7 +47,8 @@ Comparison compareFrames(const ClusterSetup& setup, int frames) {
   return sum;
 }
 
-TEST(F5, a_thousand_sets_of_lights_are_as_if_every_light_were_asked) {
+// Row F5 of docs/failure-modes.md.
+TEST(ClusterLights, a_thousand_sets_of_lights_are_as_if_every_light_were_asked) {
   const OptionValues grids[] = {
       {},
       {{"LIGHT_METHOD", "TILED"}},
@@ -62,7 +63,7 @@ TEST(F5, a_thousand_sets_of_lights_are_as_if_every_light_were_asked) {
   }
 }
 
-TEST(F5, points_beside_the_screen_get_the_light_of_all) {
+TEST(ClusterLights, points_beside_the_screen_get_the_light_of_all) {
   const Comparison found = compareFrames(
       {.light = kAround,
        .lights = 60,
@@ -74,7 +75,7 @@ TEST(F5, points_beside_the_screen_get_the_light_of_all) {
   EXPECT_GT(found.lit, 20 * 24 * 24 / 4);
 }
 
-TEST(F5, light_fades_to_nothing_at_its_range) {
+TEST(ClusterLights, light_fades_to_nothing_at_its_range) {
   // A surface that faces the light at x/16 ranges from it.
   ClusterLab lab({.light = "Light(vec3(0.0), 1.0 / 64.0, vec3(1.0), 0.25)",
                   .lights = 1,
@@ -88,7 +89,8 @@ TEST(F5, light_fades_to_nothing_at_its_range) {
   EXPECT_EQ(lab.probe(17, 0)[0], 0);
 }
 
-TEST(E1, light_is_finite_however_near_the_lamp) {
+// Row E1 of docs/failure-modes.md.
+TEST(LampFalloff, light_is_finite_however_near_the_lamp) {
   // Rows: a small lamp's radius squared, a cube's.
   const double radius[] = {1. / 16, 1.5 / M_PI};
   const double distances[] = {0, 1e-4, .01, .3, .495, .6, 1};
@@ -111,7 +113,8 @@ TEST(E1, light_is_finite_however_near_the_lamp) {
     }
 }
 
-TEST(F1, slices_begin_where_the_formula_says) {
+// Row F1 of docs/failure-modes.md.
+TEST(ClusterSlices, slices_begin_where_the_formula_says) {
   const double first = 4, far = 64;
   const int slices = 24;
   // Column k: where slice k begins; rows: 8 units in the last place below to 8 above.
@@ -130,7 +133,7 @@ TEST(F1, slices_begin_where_the_formula_says) {
   }
 }
 
-TEST(F1, distances_beyond_both_ends_have_a_slice) {
+TEST(ClusterSlices, distances_beyond_both_ends_have_a_slice) {
   ClusterLab lab({.light = kAround,
                   .lights = 1,
                   .probe = "vec4(slice_of(float[8](-5.0, 0.0, 1e-30, 0.05, 63.999, 64.0, 1e9, "
@@ -142,7 +145,7 @@ TEST(F1, distances_beyond_both_ends_have_a_slice) {
 
 // Straight ahead, on either side of where slice k begins, and lights that end a hair beyond it, so few
 // and small that the hair is not lost in other light.
-TEST(F1, points_where_slices_begin_get_the_light_of_all) {
+TEST(ClusterSlices, points_where_slices_begin_get_the_light_of_all) {
   ClusterLab lab(
       {.light = "Light((gbufferModelViewInverse * vec4(0.0, 0.0, -slice_start(12 + i % 12) + (i < "
                 "12 ? 1.0 : -1.0) * (0.8 - 1e-5 * random(i).x), 1.0)).xyz, 1.0 / 0.64, vec3(1.0), "
@@ -160,7 +163,8 @@ TEST(F1, points_where_slices_begin_get_the_light_of_all) {
   EXPECT_GT(found.lit, 1000);
 }
 
-TEST(F4, lights_behind_the_eye_light_what_is_before_it) {
+// Row F4 of docs/failure-modes.md.
+TEST(ClusterLights, lights_behind_the_eye_light_what_is_before_it) {
   const Comparison found = compareFrames(
       {.light = "Light((gbufferModelViewInverse * vec4((random(i).xy - 0.5) * 4.0, 0.5 + 6.0 * "
                 "random(i).z, 1.0)).xyz, 1.0 / 64.0, vec3(1.0), 0.25)",
@@ -172,7 +176,8 @@ TEST(F4, lights_behind_the_eye_light_what_is_before_it) {
   EXPECT_GT(found.lit, 1000);
 }
 
-TEST(F8, what_a_list_has_no_room_for_is_counted_and_kept_by_its_bit) {
+// Row F8 of docs/failure-modes.md.
+TEST(ClusterLists, what_a_list_has_no_room_for_is_counted_and_kept_by_its_bit) {
   // A thousand lights too small to leave the cluster before the middle of a tile.
   ClusterLab lab({.light =
                       "Light((gbufferModelViewInverse * vec4(0.15, 0.15, -4.5, 1.0)).xyz, 1e4, "
@@ -201,7 +206,7 @@ TEST(F8, what_a_list_has_no_room_for_is_counted_and_kept_by_its_bit) {
   EXPECT_EQ(written, 63);
 }
 
-TEST(F8, points_get_the_light_of_all_whether_lists_have_room_or_not) {
+TEST(ClusterLists, points_get_the_light_of_all_whether_lists_have_room_or_not) {
   const OptionValues coarse{{"LIGHT_LIST", "64"}, {"LIGHT_COLUMNS", "8"}, {"LIGHT_SLICES", "8"}};
   const OptionValues grids[] = {coarse, {{"LIGHT_LIST", "64"}, {"LIGHT_METHOD", "TILED"}}};
   for (const OptionValues& grid : grids) {
@@ -216,7 +221,7 @@ TEST(F8, points_get_the_light_of_all_whether_lists_have_room_or_not) {
   }
 }
 
-TEST(F8, what_lists_left_in_the_bits_is_gone_when_they_are_made_anew) {
+TEST(ClusterLists, what_lists_left_in_the_bits_is_gone_when_they_are_made_anew) {
   const auto entries = [](const char* room) {
     ClusterLab lab({.light = kAround,
                     .lights = 1000,
@@ -229,7 +234,7 @@ TEST(F8, what_lists_left_in_the_bits_is_gone_when_they_are_made_anew) {
   EXPECT_EQ(entries("64"), entries("1024"));
 }
 
-TEST(F8, lists_are_sorted_and_hold_each_light_once) {
+TEST(ClusterLists, lists_are_sorted_and_hold_each_light_once) {
   ClusterLab lab({.light = kAround, .lights = 600, .probe = kSeen, .width = 8});
   lab.renderFrames(1);
   const ImageF list = lab.pack().dump("light_list");

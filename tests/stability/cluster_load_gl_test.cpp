@@ -73,9 +73,10 @@ struct Share {
   double value() const { return listed == 0 ? 0 : double(wrong) / listed; }
 };
 
+// Row F6 of docs/failure-modes.md.
 // Spheres of 8 blocks spread over what is seen. Clusters at the border of the screen have no end there,
 // so they are left out.
-TEST(F6, clusters_list_lights_in_vain_as_often_as_predicted) {
+TEST(ClusterLoad, clusters_list_lights_in_vain_as_often_as_predicted) {
   constexpr int kWidth = 64;
   ClusterLab lab({.light =
                       "Light((gbufferModelViewInverse * vec4((random(i).xy * 2.0 - 1.0) * (8.0 "
@@ -183,13 +184,14 @@ Load loadOf(int side, const char* method) {
   return {sum.asked / pixels, sum.reached / pixels, sum.border, sum.beside};
 }
 
-TEST(F7, tiles_at_the_border_ask_no_more_than_those_beside_them) {
+// Row F7 of docs/failure-modes.md.
+TEST(ClusterLoad, tiles_at_the_border_ask_no_more_than_those_beside_them) {
   const Load load = loadOf(32, "CLUSTERED");
   EXPECT_GT(load.beside, 1000);
   EXPECT_NEAR(load.border / load.beside, 1, 0.25);
 }
 
-TEST(F7, lights_a_pixel_are_those_that_reach_it_and_few_more) {
+TEST(ClusterLoad, lights_a_pixel_are_those_that_reach_it_and_few_more) {
   const Load few = loadOf(16, "CLUSTERED"), many = loadOf(32, "CLUSTERED");
   const Load tiled = loadOf(32, "TILED");
   fmt::print("lights a pixel: {:.2f} of {:.2f}, {:.2f} of {:.2f}, tiled {:.1f}\n", few.asked,
@@ -203,7 +205,8 @@ TEST(F7, lights_a_pixel_are_those_that_reach_it_and_few_more) {
   EXPECT_GT(1024, 10 * many.asked);
 }
 
-TEST(F9, each_light_is_tested_against_the_clusters_about_it_only) {
+// Row F9 of docs/failure-modes.md.
+TEST(ClusterLoad, each_light_is_tested_against_the_clusters_about_it_only) {
   const auto entriesOf = [](bool andTests) {
     ClusterSetup setup{
         .light =
@@ -231,7 +234,8 @@ TEST(F9, each_light_is_tested_against_the_clusters_about_it_only) {
   EXPECT_LT(tests, 0.02 * kTiles * kSlices * 1000);
 }
 
-TEST(F2, no_slice_is_spent_on_what_is_right_before_the_eye) {
+// Row F2 of docs/failure-modes.md.
+TEST(ClusterSlices, no_slice_is_spent_on_what_is_right_before_the_eye) {
   // Columns: distances 4 and 1 to 64; where the slices are.
   ClusterLab lab({.light = "Light(vec3(0.0), 1.0, vec3(1.0), 0.25)",
                   .lights = 1,

@@ -40,7 +40,7 @@ ImageF pictureOf(const std::string& world, const std::string& method, int frames
   return pack.dump("colortex0");
 }
 
-TEST(lamps, every_method_gives_the_same_picture) {
+TEST(ClusteredLamps, every_method_gives_the_same_picture) {
   const std::string world = floorWith(kThreeLamps);
   const ImageF deferred = pictureOf(world, "DEFERRED");
   EXPECT_EQ(pictureOf(world, "TILED").pixels, deferred.pixels);
@@ -72,13 +72,13 @@ double glossAt(double z, const char* reflection) {
   return light("true") / light("false");
 }
 
-TEST(lamps, highlights_are_where_a_mirror_would_show_the_lamp) {
+TEST(ClusteredLamps, highlights_are_where_a_mirror_would_show_the_lamp) {
   for (const char* reflection : {"PHONG", "LAMBERT_GGX"})
     EXPECT_GT(glossAt(17.75, reflection), 1.1) << reflection;
   EXPECT_NEAR(glossAt(10, "PHONG"), 0.9, 0.01) << "what Phong's diffuse part has";
 }
 
-TEST(lamps, every_method_gives_the_same_highlights) {
+TEST(ClusteredLamps, every_method_gives_the_same_highlights) {
   const auto picture = [](const char* method) {
     PackSession pack = sessionOf(floorWith(kThreeLamps), method, {{"LIGHT_GLOSS", "true"}});
     pack.renderFrames(1);
@@ -91,8 +91,9 @@ TEST(lamps, every_method_gives_the_same_highlights) {
     ASSERT_NEAR(forward.pixels[i], deferred.pixels[i], (1 + deferred.pixels[i]) / 255) << i;
 }
 
+// Row F3 of docs/failure-modes.md.
 // The slice is that of the distance, not of the depth buffer's number.
-TEST(F3, slices_on_a_floor_are_where_the_plane_is) {
+TEST(ClusterSlices, slices_on_a_floor_are_where_the_plane_is) {
   PackSession pack = sessionOf(
       floorWith(R"({"block": "torch", "at": [2, 1, 2]})"), "CLUSTERED",
       {{"LIGHT_DEBUG", "COUNT"}, {"LIGHT_FIRST_SLICE", "4.0"}, {"LIGHT_SLICES", "24"}}, 96);
@@ -112,7 +113,7 @@ TEST(F3, slices_on_a_floor_are_where_the_plane_is) {
   EXPECT_GT(seen.size(), 8U);
 }
 
-TEST(lamps, views_of_the_grid_show_what_is_counted) {
+TEST(ClusteredLamps, views_of_the_grid_show_what_is_counted) {
   const std::string world =
       floorWith(R"({"box": "sea_lantern", "min": [10, 1, 6], "max": [20, 1, 16]})");
   const auto view = [&world](const char* what) {
@@ -138,7 +139,7 @@ TEST(lamps, views_of_the_grid_show_what_is_counted) {
   EXPECT_GT(none, 5);
 }
 
-TEST(lamps, translucent_surfaces_are_lit_by_the_same_lists) {
+TEST(ClusteredLamps, translucent_surfaces_are_lit_by_the_same_lists) {
   // Nothing but glass is in sight.
   const auto picture = [](const std::string& lamp, const std::string& method) {
     return pictureOf(floorWith(R"({"box": "white_stained_glass", "min": [0, 1, 20],
@@ -153,7 +154,7 @@ TEST(lamps, translucent_surfaces_are_lit_by_the_same_lists) {
   EXPECT_GT(above[0], 10 * picture("", "CLUSTERED").at(24, 6)[0]);
 }
 
-TEST(lamps, table_is_sorted_by_place) {
+TEST(ClusteredLamps, table_is_sorted_by_place) {
   std::string lamps;
   for (int i = 0; i < 60; ++i)
     lamps += fmt::format(R"({}{{"block": "torch", "at": [{}, 1, {}]}})", i ? "," : "", i * 7 % 31,
@@ -172,7 +173,7 @@ TEST(lamps, table_is_sorted_by_place) {
   }
 }
 
-TEST(lamps, few_lamps_get_no_lists_when_the_method_is_chosen_by_its_cost) {
+TEST(ClusteredLamps, few_lamps_get_no_lists_when_the_method_is_chosen_by_its_cost) {
   const auto square = [](int side) {
     return floorWith(fmt::format(
         R"({{"box": "magma_block", "min": [3, 1, 3], "max": [{0}, 1, {0}]}})", 2 + side));
@@ -189,7 +190,7 @@ TEST(lamps, few_lamps_get_no_lists_when_the_method_is_chosen_by_its_cost) {
 }
 
 // Without the lines of shaders.properties that a host chooses by, as in the game.
-TEST(lamps, few_lamps_get_no_lists_when_the_pack_chooses_for_itself) {
+TEST(ClusteredLamps, few_lamps_get_no_lists_when_the_pack_chooses_for_itself) {
   const auto row = [](int count) {
     return floorWith(
         fmt::format(R"({{"box": "torch", "min": [6, 1, 12], "max": [{}, 1, 12]}})", 5 + count));
@@ -213,7 +214,7 @@ TEST(lamps, few_lamps_get_no_lists_when_the_pack_chooses_for_itself) {
   }
 }
 
-TEST(lamps, two_runs_give_the_same_bits) {
+TEST(ClusteredLamps, two_runs_give_the_same_bits) {
   const std::string world = floorWith(kThreeLamps);
   PackSession first = sessionOf(world, "CLUSTERED"), second = sessionOf(world, "CLUSTERED");
   first.renderFrames(2);
@@ -222,7 +223,7 @@ TEST(lamps, two_runs_give_the_same_bits) {
     EXPECT_EQ(first.dump(buffer).pixels, second.dump(buffer).pixels) << buffer;
 }
 
-TEST(lamps, nothing_is_made_anew_while_nothing_changes) {
+TEST(ClusteredLamps, nothing_is_made_anew_while_nothing_changes) {
   PackSession pack =
       sessionOf(floorWith(kThreeLamps,
                           R"({"frame": 6, "set": {"at": [20, 1, 16], "block": "air"}},
@@ -251,7 +252,7 @@ TEST(lamps, nothing_is_made_anew_while_nothing_changes) {
   EXPECT_EQ(stateOf(pack).tables, looked.tables + 1);
 }
 
-TEST(lamps, a_lamp_that_moved_lights_as_if_it_had_always_been_there) {
+TEST(ClusteredLamps, a_lamp_that_moved_lights_as_if_it_had_always_been_there) {
   const auto torchAt = [](int z) {
     return fmt::format(R"({{"block": "torch", "at": [20, 1, {}]}})", z);
   };
@@ -262,7 +263,7 @@ TEST(lamps, a_lamp_that_moved_lights_as_if_it_had_always_been_there) {
   EXPECT_NE(moved.pixels, pictureOf(floorWith(torchAt(16)), "CLUSTERED", 5).pixels);
 }
 
-TEST(lamps, table_without_room_counts_what_is_missing) {
+TEST(ClusteredLamps, table_without_room_counts_what_is_missing) {
   PackSession pack =
       sessionOf(floorWith(R"({"box": "sea_lantern", "min": [4, 2, 4], "max": [18, 2, 23]})"),
                 "CLUSTERED", {{"LIGHT_CAPACITY", "256"}});
@@ -271,7 +272,7 @@ TEST(lamps, table_without_room_counts_what_is_missing) {
   EXPECT_EQ(stateOf(pack).lampsDropped, 15 * 20 - 256);
 }
 
-TEST(lamps, spots_shine_one_way) {
+TEST(ClusteredLamps, spots_shine_one_way) {
   // Mean over the floor below a rod that hangs in the air.
   const auto below = [](const char* state) {
     PackSession pack = sessionOf(
@@ -287,7 +288,7 @@ TEST(lamps, spots_shine_one_way) {
   EXPECT_LT(below("end_rod[facing=east]"), 1e-3 * down);
 }
 
-TEST(lamps, spots_are_in_the_lists_of_all_that_they_light) {
+TEST(ClusteredLamps, spots_are_in_the_lists_of_all_that_they_light) {
   const std::string world = floorWith(
       R"({"block": "end_rod[facing=down]", "at": [[16, 5, 14], [9, 8, 18]]},
          {"block": "end_rod[facing=east]", "at": [[22, 2, 12], [5, 1, 8]]},
@@ -314,7 +315,7 @@ glm::dvec3 lightOfFloor(const std::string& blocks, double z, const char* shadows
 
 constexpr const char* kWall = R"(, {"box": "stone", "min": [8, 1, 13], "max": [24, 4, 13]})";
 
-TEST(lamps, rays_find_what_hides_a_lamp) {
+TEST(ClusteredLamps, rays_find_what_hides_a_lamp) {
   for (const char* lamp : {"sea_lantern", "torch"}) {
     const std::string blocks = fmt::format(R"({{"block": "{}", "at": [16, 1, 10]}})", lamp) + kWall;
     const double open = lightOfFloor(blocks, 15.5, "0").g;
@@ -325,7 +326,7 @@ TEST(lamps, rays_find_what_hides_a_lamp) {
   }
 }
 
-TEST(lamps, rays_to_lamps_pass_glass_with_its_colour) {
+TEST(ClusteredLamps, rays_to_lamps_pass_glass_with_its_colour) {
   const std::string blocks = R"({"block": "sea_lantern", "at": [16, 1, 10]},
                                 {"box": "red_stained_glass", "min": [8, 1, 13], "max": [24, 4, 13]})";
   const glm::dvec3 open = lightOfFloor(blocks, 15.5, "0"), tinted = lightOfFloor(blocks, 15.5, "1");
@@ -334,7 +335,7 @@ TEST(lamps, rays_to_lamps_pass_glass_with_its_colour) {
   EXPECT_LT(tinted.b / open.b, 0.5 * tinted.r / open.r);
 }
 
-TEST(lamps, as_many_lamps_have_shadows_as_are_asked_for) {
+TEST(ClusteredLamps, as_many_lamps_have_shadows_as_are_asked_for) {
   const std::string strong = R"({"block": "sea_lantern", "at": [16, 1, 11]})";
   const std::string weak = R"({"block": "redstone_torch[lit=true]", "at": [17, 1, 11]})";
   const double left = lightOfFloor(strong + "," + weak + kWall, 15.5, "1").r;
@@ -343,7 +344,7 @@ TEST(lamps, as_many_lamps_have_shadows_as_are_asked_for) {
   EXPECT_LT(lightOfFloor(strong + "," + weak + kWall, 15.5, "2").r, 1e-4);
 }
 
-TEST(lamps, light_is_not_counted_twice_with_global_illumination) {
+TEST(ClusteredLamps, light_is_not_counted_twice_with_global_illumination) {
   const std::string world = floorWith(R"({"block": "sea_lantern", "at": [16, 3, 16]})");
   const auto below = [&world](const char* light) {
     PackSession pack({.world = world,
@@ -364,7 +365,7 @@ TEST(lamps, light_is_not_counted_twice_with_global_illumination) {
   EXPECT_NEAR(below("CLUSTERED") / below("NONE"), 1, 0.25);
 }
 
-TEST(lamps, lightmap_does_not_light_where_lamps_do) {
+TEST(ClusteredLamps, lightmap_does_not_light_where_lamps_do) {
   const std::string world = floorWith(R"({"block": "sea_lantern", "at": [16, 1, 16]})");
   const auto behind = [&world](const char* method) {
     PackSession pack =

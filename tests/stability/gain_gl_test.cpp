@@ -19,7 +19,8 @@ double hashed(glm::ivec3 c) {
   return 0.1 + ((c.x * 73 + c.y * 151 + c.z * 199 + c.x * c.z * 31) & 255) / 255.0;
 }
 
-TEST(A0, is_linear_in_the_power_of_the_light) {
+// Row A0 of docs/failure-modes.md.
+TEST(FloodfillGain, is_linear_in_the_power_of_the_light) {
   LinearField theory(kLabSize);
   for (int y = 9; y <= 20; ++y)
     for (int z = 5; z <= 25; ++z) theory.setSolid({12, y, z});
@@ -44,8 +45,9 @@ TEST(A0, is_linear_in_the_power_of_the_light) {
   }
 }
 
+// Row A1 of docs/failure-modes.md.
 // The field is uniform, its rim has fewer open neighbours, and a dead end has one.
-TEST(A1, gain_of_a_step_follows_the_open_neighbours) {
+TEST(FloodfillGain, gain_of_a_step_follows_the_open_neighbours) {
   Lab lab({.blocks = R"({"box": "stone", "min": [4, 4, 4], "max": [12, 8, 8]},
                         {"box": "air", "min": [5, 6, 6], "max": [11, 6, 6]})",
            .initial = "vec3(1.0)"});
@@ -60,7 +62,7 @@ TEST(A1, gain_of_a_step_follows_the_open_neighbours) {
   }
 }
 
-TEST(A1, light_grows_beyond_the_limit_of_alpha_only) {
+TEST(FloodfillGain, light_grows_beyond_the_limit_of_alpha_only) {
   const Rule rules[] = {{2.55, 2.2},  {2.65, 2.2}, {2.67, 2.2}, {2.75, 2.2},
                         {0.99, 1},    {1.01, 1},   {2.21, 1.8}, {2.23, 1.8},
                         {2.43902, 2}, {2.46, 2},   {2.83, 2.4}, {2.86, 2.4}};
@@ -94,7 +96,8 @@ std::string slowestShape(const std::string& axes, int n) {
   return fmt::format("vec3(1000.0 * pow(max({}, 1e-6), 1.0 / 2.2))", product);
 }
 
-TEST(A2, gain_of_a_room_with_black_walls) {
+// Row A2 of docs/failure-modes.md.
+TEST(FloodfillGain, gain_of_a_room_with_black_walls) {
   const std::pair<int, double> rooms[] = {{2, .670}, {4, .834}, {8, .8923}, {16, .9107}};
   for (const auto& [n, known] : rooms) {
     const LabSetup setup{
@@ -106,7 +109,7 @@ TEST(A2, gain_of_a_room_with_black_walls) {
   }
 }
 
-TEST(A2, gain_of_a_corridor_with_black_walls) {
+TEST(FloodfillGain, gain_of_a_corridor_with_black_walls) {
   const std::pair<int, double> corridors[] = {{1, .5571}, {2, .763}, {3, .832}};
   for (const auto& [n, known] : corridors) {
     const LabSetup setup{.blocks = fmt::format(
@@ -119,7 +122,7 @@ TEST(A2, gain_of_a_corridor_with_black_walls) {
   }
 }
 
-TEST(A2, a_dead_end_has_the_light_of_its_neighbour_times_the_gain_of_one) {
+TEST(FloodfillGain, a_dead_end_has_the_light_of_its_neighbour_times_the_gain_of_one) {
   Lab lab({.blocks = R"({"box": "stone", "min": [8, 8, 8], "max": [20, 10, 10]},
                         {"box": "air", "min": [9, 9, 9], "max": [19, 9, 9]},
                         {"block": "glowstone", "at": [16, 9, 9]})"});

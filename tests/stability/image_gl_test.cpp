@@ -59,18 +59,18 @@ void expectTheAtlas(const char* rule, const char* sky, double share, double leas
   EXPECT_GT(image.light().countLit(), 3000) << rule;
 }
 
-TEST(image, holds_the_light_of_the_atlas) { expectTheAtlas("PUBLISHED", "NONE", 1e-2, 3e-4); }
+TEST(FloodfillImage, holds_the_light_of_the_atlas) { expectTheAtlas("PUBLISHED", "NONE", 1e-2, 3e-4); }
 
-TEST(image, holds_the_light_of_the_atlas_under_the_sky) {
+TEST(FloodfillImage, holds_the_light_of_the_atlas_under_the_sky) {
   expectTheAtlas("PUBLISHED", "PUBLISHED", 1e-2, 3e-4);
 }
 
-TEST(image, holds_the_same_bits_where_the_rule_conserves) {
+TEST(FloodfillImage, holds_the_same_bits_where_the_rule_conserves) {
   expectTheAtlas("CONSERVING", "PUBLISHED", 0, 0);
 }
 
 // Changes of the power below a 1024th and of light below 1e-4 are left out.
-TEST(image, falls_off_as_theory_predicts) {
+TEST(FloodfillImage, falls_off_as_theory_predicts) {
   Lab image = labOf({.blocks = kLampBlock}, "IMAGE_3D");
   image.step(70);
   LinearField field(kLabSize);
@@ -99,7 +99,7 @@ CellField lightAfter(const char* value, const OptionValues& options) {
   return lab.light();
 }
 
-TEST(image, bad_value_is_gone_after_a_step) {
+TEST(FloodfillImage, bad_value_is_gone_after_a_step) {
   const OptionValues conserving = {{"FLOODFILL_RULE", "CONSERVING"}};
   const CellField clean = lightAfter(nullptr, conserving);
   for (const char* value :
@@ -108,7 +108,7 @@ TEST(image, bad_value_is_gone_after_a_step) {
 }
 
 // Codes have no bad values. Summing light itself doubles it in open air with every step.
-TEST(image, growth_ends_at_the_largest_light) {
+TEST(FloodfillImage, growth_ends_at_the_largest_light) {
   Lab lab = labOf({.blocks = kLampBlock,
                    .options = {{"FLOODFILL_GAMMA", "1.0"}},
                    .constants = {{"EMISSION_STRENGTH", "4000.0"}}},
@@ -122,7 +122,7 @@ TEST(image, growth_ends_at_the_largest_light) {
 /// Bricks that the last frame's step reckoned.
 int activeBricks(Lab& lab) { return static_cast<int>(*lab.pack().dump("flood_list").at(0, 2)); }
 
-TEST(image, rests_when_settled_and_wakes_for_edits) {
+TEST(FloodfillImage, rests_when_settled_and_wakes_for_edits) {
   const LabSetup setup = {
       .blocks = R"({"block": "glowstone", "at": [12, 13, 12]})",
       .events = R"({"frame": 150, "set": {"at": [18, 12, 18], "block": "sea_lantern"}})"};
@@ -160,7 +160,7 @@ void expectTheAtlasAfterEvents(const LabSetup& setup) {
 }
 
 // Cells keep their place, so that beyond each end of the volume lies what is at the other.
-TEST(image, light_ends_where_the_volume_ends) {
+TEST(FloodfillImage, light_ends_where_the_volume_ends) {
   const LabSetup setup = {.blocks = R"({"block": "glowstone", "at": [[0, 0, 0], [31, 31, 31]]})"};
   Lab atlas = labOf(setup, "ATLAS_2D"), image = labOf(setup, "IMAGE_3D");
   for (Lab* one : {&atlas, &image}) one->step(12);
@@ -168,7 +168,7 @@ TEST(image, light_ends_where_the_volume_ends) {
 }
 
 // The cell above the slab is in another brick of 8^3, in which no block changed.
-TEST(image, slab_closes_the_cell_of_the_brick_above) {
+TEST(FloodfillImage, slab_closes_the_cell_of_the_brick_above) {
   expectTheAtlasAfterEvents(
       {.blocks = shaft("air"),
        .events = R"({"frame": 30, "set": {"at": [16, 7, 16], "block": "stone_slab[type=top]"}},
@@ -176,7 +176,7 @@ TEST(image, slab_closes_the_cell_of_the_brick_above) {
 }
 
 // Water is known by its surface: no face tells that it is gone from a brick in the middle of a lake.
-TEST(image, change_in_a_lake_is_one_of_all_bricks_of_its_column) {
+TEST(FloodfillImage, change_in_a_lake_is_one_of_all_bricks_of_its_column) {
   Lab lab({.blocks = R"({"box": "stone", "min": [12, 0, 12], "max": [20, 20, 20]},
                     {"box": "water", "min": [16, 3, 16], "max": [16, 20, 16]})",
            .events = R"({"frame": 5, "set": {"at": [16, 20, 16], "block": "stone"}},
@@ -190,7 +190,7 @@ TEST(image, change_in_a_lake_is_one_of_all_bricks_of_its_column) {
   EXPECT_FALSE(changed(3, 1, 3));
 }
 
-TEST(image, light_at_rest_is_the_same_bits_in_every_frame) {
+TEST(FloodfillImage, light_at_rest_is_the_same_bits_in_every_frame) {
   Lab image = labOf({.blocks = kLampBlock}, "IMAGE_3D");
   image.step(90);
   const CellField before = image.light();
@@ -200,7 +200,7 @@ TEST(image, light_at_rest_is_the_same_bits_in_every_frame) {
   }
 }
 
-TEST(image, moving_leaves_the_middle_at_rest) {
+TEST(FloodfillImage, moving_leaves_the_middle_at_rest) {
   Lab image = labOf({.blocks = kLampBlock}, "IMAGE_3D");
   image.step(150);
   Camera eye = image.pack().session().camera();

@@ -23,7 +23,8 @@ int stepsUntil(Lab& lab, int most, const std::function<bool(const CellField&)>& 
   return 0;
 }
 
-TEST(A3, uniform_light_without_a_source_fades_in_the_predicted_steps) {
+// Row A3 of docs/failure-modes.md.
+TEST(FloodfillDelay, uniform_light_without_a_source_fades_in_the_predicted_steps) {
   Lab lab({.initial = "vec3(1.0)", .periodic = true});
   const auto below = [](double share) {
     return [share](const CellField& light) { return light.red(kLamp) < share; };
@@ -33,7 +34,7 @@ TEST(A3, uniform_light_without_a_source_fades_in_the_predicted_steps) {
   EXPECT_NEAR(onePercent + stepsUntil(lab, 60, below(0.001)), 81, 1);
 }
 
-TEST(A3, corridor_fades_in_the_predicted_steps) {
+TEST(FloodfillDelay, corridor_fades_in_the_predicted_steps) {
   Lab lab({.blocks = R"({"box": "stone", "min": [0, 15, 15], "max": [31, 17, 17]},
                         {"box": "air", "min": [0, 16, 16], "max": [31, 16, 16]})",
            .initial = "vec3(1.0)"});
@@ -46,7 +47,7 @@ TEST(A3, corridor_fades_in_the_predicted_steps) {
 }
 
 // The brightest cell falls fastest; what a distant cell had of its own takes longer to go.
-TEST(A3, light_of_a_removed_lamp_fades_in_the_predicted_steps) {
+TEST(FloodfillDelay, light_of_a_removed_lamp_fades_in_the_predicted_steps) {
   Lab lab({.blocks = fmt::format(R"({}, {{"block": "stone", "at": [0, 0, 0]}})", kLampBlock),
            .events = R"({"frame": 120, "set": {"at": [16, 16, 16], "block": "air"}})"});
   lab.step(120);
@@ -70,7 +71,8 @@ TEST(A3, light_of_a_removed_lamp_fades_in_the_predicted_steps) {
   EXPECT_NEAR(own[8], 75, 1);
 }
 
-TEST(A4, front_advances_one_cell_a_step) {
+// Row A4 of docs/failure-modes.md.
+TEST(FloodfillDelay, front_advances_one_cell_a_step) {
   Lab lab({.blocks = kLampBlock});
   for (int step = 1; step <= 6; ++step) {
     lab.step();
@@ -85,7 +87,7 @@ TEST(A4, front_advances_one_cell_a_step) {
   }
 }
 
-TEST(A4, light_builds_up_in_the_predicted_steps) {
+TEST(FloodfillDelay, light_builds_up_in_the_predicted_steps) {
   LinearField theory(kLabSize);
   theory.setLamp(kLamp, 16);
   theory.step(300);
@@ -102,7 +104,8 @@ TEST(A4, light_builds_up_in_the_predicted_steps) {
   for (const auto& [distance, steps] : known) EXPECT_NEAR(reached[distance], steps, 1) << distance;
 }
 
-TEST(A5, steady_light_falls_off_as_the_lattice_predicts) {
+// Row A5 of docs/failure-modes.md.
+TEST(FloodfillFalloff, steady_light_falls_off_as_the_lattice_predicts) {
   Lab lab({.blocks = kLampBlock});
   lab.step(80);
   const CellField light = lab.light();
@@ -112,7 +115,7 @@ TEST(A5, steady_light_falls_off_as_the_lattice_predicts) {
     EXPECT_NEAR(light.red(east(distance)) / light.red(kLamp) / share, 1, .005) << distance;
 }
 
-TEST(A5, diagonal_is_darker_than_an_axis_at_equal_distance) {
+TEST(FloodfillFalloff, diagonal_is_darker_than_an_axis_at_equal_distance) {
   Lab lab({.blocks = kLampBlock});
   lab.step(80);
   const CellField light = lab.light();
@@ -122,7 +125,7 @@ TEST(A5, diagonal_is_darker_than_an_axis_at_equal_distance) {
   EXPECT_NEAR(light.red(kLamp + glm::ivec3(4)) / axis, 1 - .21, .01);
 }
 
-TEST(A5, corridor_falls_off_by_a_constant_factor) {
+TEST(FloodfillFalloff, corridor_falls_off_by_a_constant_factor) {
   Lab lab({.blocks = fmt::format(R"({{"box": "stone", "min": [0, 15, 15], "max": [31, 17, 17]}},
                                     {{"box": "air", "min": [0, 16, 16], "max": [31, 16, 16]}}, {})",
                                  kLampBlock)});
@@ -133,7 +136,7 @@ TEST(A5, corridor_falls_off_by_a_constant_factor) {
         << distance;
 }
 
-TEST(A5, sheet_falls_off_between_corridor_and_open_air) {
+TEST(FloodfillFalloff, sheet_falls_off_between_corridor_and_open_air) {
   Lab lab({.blocks = fmt::format(R"({{"box": "stone", "min": [0, 15, 0], "max": [31, 17, 31]}},
                                     {{"box": "air", "min": [0, 16, 0], "max": [31, 16, 31]}}, {})",
                                  kLampBlock)});
@@ -141,7 +144,8 @@ TEST(A5, sheet_falls_off_between_corridor_and_open_air) {
   EXPECT_NEAR(lab.light().red(east(1)) / lab.light().red(kLamp), .4272, .002);
 }
 
-TEST(A6, two_lamps_add_in_the_power_not_in_light) {
+// Row A6 of docs/failure-modes.md.
+TEST(FloodfillScale, two_lamps_add_in_the_power_not_in_light) {
   const char* const pair = R"({"block": "glowstone", "at": [[14, 16, 16], [18, 16, 16]]})";
   Lab one({.blocks = R"({"block": "glowstone", "at": [14, 16, 16]})"});
   Lab two({.blocks = pair});
@@ -150,8 +154,9 @@ TEST(A6, two_lamps_add_in_the_power_not_in_light) {
   EXPECT_NEAR(two.light().red(kLamp) / one.light().red(kLamp), 1.370, .005);
 }
 
+// Row A7 of docs/failure-modes.md.
 // The exact value in a room whose walls all shine alike is their radiance, whatever its size.
-TEST(A7, room_with_shining_walls_is_darker_the_larger_it_is) {
+TEST(FloodfillScale, room_with_shining_walls_is_darker_the_larger_it_is) {
   const std::pair<int, double> rooms[] = {{1, .918}, {2, .854}, {4, .609}, {8, .258}, {16, .039}};
   for (const auto& [n, share] : rooms) {
     Lab lab({.blocks = fmt::format(
@@ -165,7 +170,8 @@ TEST(A7, room_with_shining_walls_is_darker_the_larger_it_is) {
   }
 }
 
-TEST(A15, ten_times_the_emission_is_ten_times_the_light) {
+// Row A15 of docs/failure-modes.md.
+TEST(FloodfillScale, ten_times_the_emission_is_ten_times_the_light) {
   Lab dim({.blocks = kLampBlock, .constants = {{"EMISSION_STRENGTH", "400.0"}}});
   Lab bright({.blocks = kLampBlock, .constants = {{"EMISSION_STRENGTH", "4000.0"}}});
   dim.step(80);

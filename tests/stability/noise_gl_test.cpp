@@ -31,8 +31,9 @@ double relativeVariance(PackSession& pack) {
   return squares * count / (sum * sum) - 1;
 }
 
+// Row B4 of docs/failure-modes.md.
 // A mean over frames of weight a each keeps a / (2 - a) of their variance: 1/19 for a tenth.
-TEST(B4, weight_of_a_tenth_leaves_a_nineteenth_of_the_variance) {
+TEST(PixelRays, weight_of_a_tenth_leaves_a_nineteenth_of_the_variance) {
   PackSession pack(kHalfLitWorld, {{"GI_METHOD", "BOUNCE_1"}, {"TEMPORAL_FRAMES", "10"}}, 96, 96);
   pack.renderFrames(1);
   const double once = relativeVariance(pack);
@@ -45,7 +46,7 @@ TEST(B4, weight_of_a_tenth_leaves_a_nineteenth_of_the_variance) {
   EXPECT_NEAR(left / once / .0526, 1, .05);
 }
 
-TEST(B4, still_camera_averages_independent_frames) {
+TEST(PixelRays, still_camera_averages_independent_frames) {
   PackSession pack(kHalfLitWorld, {{"GI_METHOD", "BOUNCE_1"}, {"TEMPORAL_FRAMES", "64"}}, 96, 96);
   pack.renderFrames(1);
   const double once = relativeVariance(pack);
@@ -53,8 +54,9 @@ TEST(B4, still_camera_averages_independent_frames) {
   EXPECT_NEAR(relativeVariance(pack) * 64 / once, 1, .1);
 }
 
+// Row B5 of docs/failure-modes.md.
 // Radiance is constant along a ray: a block within walls of lamps receives theirs, however far.
-TEST(B5, furnace_of_any_size_gives_the_radiance_of_its_walls) {
+TEST(PixelRays, furnace_of_any_size_gives_the_radiance_of_its_walls) {
   for (const int size : {5, 25}) {
     const std::string world = fmt::format(R"({{
       "size": [{0}, {0}, {0}],
@@ -107,8 +109,9 @@ Noise noiseOf(OptionValues options, const Drawn& drawn = {}) {
   return noise;
 }
 
+// Row B1 of docs/failure-modes.md.
 // It replaces light that further bounces would have found, without their noise.
-TEST(B1, floodfill_is_as_noisy_as_one_bounce) {
+TEST(PixelRays, floodfill_is_as_noisy_as_one_bounce) {
   const Noise one = noiseOf({{"GI_METHOD", "BOUNCE_1"}}),
               two = noiseOf({{"GI_METHOD", "BOUNCE_2"}}),
               flood = noiseOf({{"GI_METHOD", "FLOODFILL"}}, {.warmUp = 60});
@@ -117,9 +120,10 @@ TEST(B1, floodfill_is_as_noisy_as_one_bounce) {
   EXPECT_GT(flood.mean, 1.3 * one.mean);
 }
 
+// Row B2 of docs/failure-modes.md.
 // One frame of one bounce is nearer to what four bounces converge to than one frame of these; of means over many
 // frames it is the other way round. So frames of one sample rank nothing.
-TEST(B2, more_bounces_win_only_after_many_frames) {
+TEST(PixelRays, more_bounces_win_only_after_many_frames) {
   const Drawn room{.world = "b_room", .frames = 192};
   const Noise one = noiseOf({{"GI_METHOD", "BOUNCE_1"}}, room);
   const Noise four = noiseOf({{"GI_METHOD", "BOUNCE_4"}}, room);
@@ -130,9 +134,10 @@ TEST(B2, more_bounces_win_only_after_many_frames) {
   EXPECT_GT(bias + one.variance / room.frames, four.variance / room.frames);
 }
 
+// Row B3 of docs/failure-modes.md.
 // The lamp that rays find by chance, sampled: (3.16 / .35)^2 = 82 times less variance of one ray of each kind, 41 times less
 // than of two that find it by chance; a choice among 4 of the lamp's 16 blocks leaves half of that.
-TEST(B3, rays_to_the_lamp_take_away_nearly_all_noise) {
+TEST(PixelRays, rays_to_the_lamp_take_away_nearly_all_noise) {
   const Drawn room{.world = "b_room", .warmUp = 90, .frames = 64};
   const OptionValues cache = {{"GI_METHOD", "FACE_CACHE"}, {"GI_LAMPS", "HIT"}, {"GI_SAMPLES", "2"}};
   OptionValues sampled = cache;

@@ -15,7 +15,8 @@ namespace {
 const AtlasLayout kLayout{kLabSize, kLabSize};
 const glm::ivec3 kAway[6] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
 
-TEST(A13, one_step_lights_exactly_the_six_neighbours) {
+// Row A13 of docs/failure-modes.md.
+TEST(FloodfillSteps, one_step_lights_exactly_the_six_neighbours) {
   Lab lab({.blocks = R"({"block": "glowstone", "at": [12, 14, 18]})"});
   lab.step();
   const CellField light = lab.light();
@@ -26,7 +27,7 @@ TEST(A13, one_step_lights_exactly_the_six_neighbours) {
   for (const glm::ivec3 away : kAway) EXPECT_EQ(light.red(lamp + away), first);
 }
 
-TEST(A13, light_of_a_lamp_is_symmetric_to_the_last_bit) {
+TEST(FloodfillSteps, light_of_a_lamp_is_symmetric_to_the_last_bit) {
   Lab lab({.blocks = R"({"block": "glowstone", "at": [16, 16, 16]})"});
   lab.step(9);
   const CellField light = lab.light();
@@ -42,7 +43,8 @@ TEST(A13, light_of_a_lamp_is_symmetric_to_the_last_bit) {
   EXPECT_EQ(different, 0);
 }
 
-TEST(A14, frames_between_steps_are_bit_identical) {
+// Row A14 of docs/failure-modes.md.
+TEST(FloodfillSteps, frames_between_steps_are_bit_identical) {
   Lab lab({.blocks =
                R"({"block": "glowstone", "at": [12, 14, 18]}, {"block": "stone", "at": [0, 0, 0]})",
            .events = R"({"frame": 12, "set": {"at": [12, 14, 18], "block": "air"}})",
@@ -56,8 +58,9 @@ TEST(A14, frames_between_steps_are_bit_identical) {
   }
 }
 
+// Row A16 of docs/failure-modes.md.
 // The eye stands so that the lamp is in the last cell of an axis: 31 cells of 64 away.
-TEST(A16, lamp_at_an_edge_of_the_volume_lights_no_other_tile) {
+TEST(FloodfillVolume, lamp_at_an_edge_of_the_volume_lights_no_other_tile) {
   for (const int corner : {0, 2, 5, 7}) {
     const glm::bvec3 high(corner & 1, corner & 2, corner & 4);
     const glm::dvec3 eye = glm::mix(glm::dvec3(32.5), glm::dvec3(-30.5), high);
@@ -88,7 +91,7 @@ TEST(A16, lamp_at_an_edge_of_the_volume_lights_no_other_tile) {
 }
 
 // Nothing comes in over the edge, though the sky is as bright there.
-TEST(A16, sky_light_is_too_dark_near_the_edge_of_the_volume_by_the_predicted_shares) {
+TEST(FloodfillVolume, sky_light_is_too_dark_near_the_edge_of_the_volume_by_the_predicted_shares) {
   Lab lab({.initial = "vec3(11.17)",
            .options = {{"FLOODFILL_SKY", "PUBLISHED"}},
            .constants = {{"SKY_STRENGTH", kSkyOfOne}}});
@@ -101,7 +104,8 @@ TEST(A16, sky_light_is_too_dark_near_the_edge_of_the_volume_by_the_predicted_sha
         << depth;
 }
 
-TEST(A18, closed_wall_lets_nothing_through) {
+// Row A18 of docs/failure-modes.md.
+TEST(FloodfillWalls, closed_wall_lets_nothing_through) {
   Lab lab({.blocks = R"({"hollow": "stone", "min": [14, 14, 14], "max": [18, 18, 18]},
                         {"block": "glowstone", "at": [16, 16, 16]})"});
   lab.step(20);
@@ -109,7 +113,7 @@ TEST(A18, closed_wall_lets_nothing_through) {
 }
 
 // Blocks that touch along edges only: light would have to go diagonally.
-TEST(A18, wall_of_touching_edges_lets_nothing_through) {
+TEST(FloodfillWalls, wall_of_touching_edges_lets_nothing_through) {
   std::string blocks = R"({"block": "glowstone", "at": [12, 16, 12]})";
   for (int x = 0; x < kLabSize; ++x)
     blocks += fmt::format(R"(, {{"box": "stone", "min": [{0}, 0, {1}], "max": [{0}, 31, {1}]}})", x,
@@ -124,7 +128,7 @@ TEST(A18, wall_of_touching_edges_lets_nothing_through) {
 }
 
 // Half of its cell stays open: light comes to a slab and along it, not through.
-TEST(A18, slabs_let_light_in_beside_them_and_not_through) {
+TEST(FloodfillWalls, slabs_let_light_in_beside_them_and_not_through) {
   for (const char* storage : {"ATLAS_2D", "IMAGE_3D"})
     for (const char* half : {"bottom", "top"}) {
       const int lampSide = half == std::string("bottom") ? 1 : -1;
@@ -144,7 +148,7 @@ TEST(A18, slabs_let_light_in_beside_them_and_not_through) {
 }
 
 // Unlike true light, which a bend would dim far more.
-TEST(A18, bend_of_a_corridor_dims_like_its_straight) {
+TEST(FloodfillWalls, bend_of_a_corridor_dims_like_its_straight) {
   Lab lab({.blocks = R"({"box": "stone", "min": [8, 15, 8], "max": [24, 17, 24]},
                         {"box": "air", "min": [9, 16, 16], "max": [16, 16, 16]},
                         {"box": "air", "min": [16, 16, 16], "max": [16, 16, 23]},
@@ -181,7 +185,8 @@ PackSession scrollingLamp(glm::ivec3 origin = glm::ivec3(0)) {
                       .change = runOnlyTheVolume});
 }
 
-TEST(A17, light_keeps_its_place_while_the_eye_crosses_zero) {
+// Row A17 of docs/failure-modes.md.
+TEST(FloodfillVolume, light_keeps_its_place_while_the_eye_crosses_zero) {
   PackSession pack = scrollingLamp();
   pack.renderFrames(60);
   const CellField before = pack.light(kLayout);
@@ -204,7 +209,7 @@ TEST(A17, light_keeps_its_place_while_the_eye_crosses_zero) {
 }
 
 // Floats there are two blocks apart.
-TEST(A17, light_keeps_its_place_far_away) {
+TEST(FloodfillVolume, light_keeps_its_place_far_away) {
   const glm::ivec3 origin(29999000, 100, 29999000);
   PackSession pack = scrollingLamp(origin);
   pack.renderFrames(60);
@@ -220,7 +225,7 @@ TEST(A17, light_keeps_its_place_far_away) {
   }
 }
 
-TEST(A17, teleport_by_its_size_or_more_leaves_no_light_behind) {
+TEST(FloodfillVolume, teleport_by_its_size_or_more_leaves_no_light_behind) {
   for (const int distance : {32, 33, 64, -32}) {
     for (int axis = 0; axis < 3; ++axis) {
       PackSession pack = scrollingLamp();

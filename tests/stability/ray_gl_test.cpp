@@ -54,7 +54,7 @@ double different(PackSession& one, PackSession& other) {
 }
 
 // A ray within 1e-5 of an edge may be rounded to either side of it.
-TEST(rays, leaps_find_what_steps_find) {
+TEST(VoxelRays, leaps_find_what_steps_find) {
   PackSession steps = sessionOf("GRID"), leaps = sessionOf("DISTANCE");
   Camera eye = steps.session().camera();
   for (int frame = 0; frame < 7; ++frame) {

@@ -31,7 +31,8 @@ ShadowLab labOf(const char* reflection, const char* probe) {
                     .width = kAngles});
 }
 
-TEST(E2, white_reflects_no_more_than_it_receives) {
+// Row E2 of docs/failure-modes.md.
+TEST(Reflection, white_reflects_no_more_than_it_receives) {
   for (const char* const reflection : {"PHONG", "LAMBERT_GGX"}) {
     ShadowLab lab = labOf(reflection, "vec4(reflectance(vec3(1.0), angle(pixel.x)))");
     lab.draw();
@@ -43,7 +44,7 @@ TEST(E2, white_reflects_no_more_than_it_receives) {
 }
 
 // With the power that holds pi, 2 pi / 7 of the light at right angles.
-TEST(E2, published_lobe_reflects_more_than_it_receives_at_grazing_angles) {
+TEST(Reflection, published_lobe_reflects_more_than_it_receives_at_grazing_angles) {
   ShadowLab lab = labOf("PHONG_PUBLISHED",
                         "vec4(reflectance(vec3(0.0), angle(pixel.x)) * pi / published_specular)");
   lab.draw();
@@ -51,7 +52,8 @@ TEST(E2, published_lobe_reflects_more_than_it_receives_at_grazing_angles) {
   for (int i = 0; i < kAngles; ++i) EXPECT_NEAR(lab.at(i)[0] / shares[i], 1, .02) << i;
 }
 
-TEST(E3, no_highlight_on_faces_turned_away) {
+// Row E3 of docs/failure-modes.md.
+TEST(Reflection, no_highlight_on_faces_turned_away) {
   // The mirror direction of light that comes from below the horizon.
   const char* const probe =
       "vec4(reflect_direct(vec3(1.0), vec3(0.0, 1.0, 0.0),\n"
@@ -68,7 +70,7 @@ TEST(E3, no_highlight_on_faces_turned_away) {
 }
 
 // The published listing multiplies by the albedo twice: a grey of one half would be a quarter.
-TEST(E3, reflected_light_is_proportional_to_the_albedo) {
+TEST(Reflection, reflected_light_is_proportional_to_the_albedo) {
   for (const char* const reflection : {"PHONG", "LAMBERT_GGX", "PHONG_PUBLISHED"}) {
     ShadowLab lab = labOf(reflection, "vec4(reflectance(vec3(float(pixel.x) / 2.0), 45.0))");
     lab.draw();

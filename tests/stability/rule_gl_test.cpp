@@ -24,20 +24,21 @@ float underTheSky(OptionValues constants) {
   return lab.light().red({16, 16, 16});
 }
 
-TEST(A8, open_sky_is_counted_eleven_times) {
+// Row A8 of docs/failure-modes.md.
+TEST(FloodfillSky, open_sky_is_counted_eleven_times) {
   const double gain = Rule{}.gain(6);
   EXPECT_NEAR(gain / (1 - gain), 11.17, .01);
   EXPECT_NEAR(underTheSky({}) / 11.17, 1, .01);
 }
 
-TEST(A8, little_of_alpha_is_much_of_sky_light) {
+TEST(FloodfillSky, little_of_alpha_is_much_of_sky_light) {
   EXPECT_NEAR(underTheSky({{"FLOODFILL_ALPHA", "2.4634"}}) / 12.70, 1, .015);
   EXPECT_NEAR(underTheSky({{"FLOODFILL_ALPHA", "2.2"}}) / 4.81, 1, .01);
 }
 
 // Where the steps of a half float are largest, just above a power of two: light that grows stalls when
 // what a step adds is less than half of one, twice as early if half floats are cut off.
-TEST(A8, light_stalls_half_a_step_of_storage_early) {
+TEST(FloodfillSky, light_stalls_half_a_step_of_storage_early) {
   Lab lab({.initial = "vec3(0.5)",
            .periodic = true,
            .options = kPublishedSky,
@@ -48,7 +49,7 @@ TEST(A8, light_stalls_half_a_step_of_storage_early) {
   EXPECT_NEAR(lab.light().red({16, 16, 16}), steady - stall, stall / 4);
 }
 
-TEST(A8, too_bright_a_sky_saturates) {
+TEST(FloodfillSky, too_bright_a_sky_saturates) {
   Lab lab({.periodic = true,
            .options = kPublishedSky,
            .constants = {{"SKY_STRENGTH", "3000000.0"}},  // 6000 in red
@@ -57,7 +58,7 @@ TEST(A8, too_bright_a_sky_saturates) {
   EXPECT_EQ(lab.light().red({16, 16, 16}), 65504.0f);
 }
 
-TEST(A8, roof_keeps_the_sky_out) {
+TEST(FloodfillSky, roof_keeps_the_sky_out) {
   Lab lab({.blocks = R"({"box": "stone", "min": [0, 24, 0], "max": [31, 24, 31]})",
            .options = kPublishedSky,
            .constants = {{"SKY_STRENGTH", kSkyOfOne}}});
@@ -87,13 +88,14 @@ LabSetup conservingRoom(const std::string& wall, int n, const std::string& albed
           .change = reflecting(albedo)};
 }
 
-TEST(A19, open_air_loses_no_light) {
+// Row A19 of docs/failure-modes.md.
+TEST(FloodfillConserving, open_air_loses_no_light) {
   Lab lab({.initial = "vec3(1.0)", .periodic = true, .options = kConserving});
   lab.step(60);
   EXPECT_EQ(lab.light().red({16, 16, 16}), 1.0f);
 }
 
-TEST(A19, gain_of_a_room_that_absorbs) {
+TEST(FloodfillConserving, gain_of_a_room_that_absorbs) {
   for (const int n : {4, 8, 16}) {
     LabSetup setup = conservingRoom("stone", n, "0.0");
     std::string shape = "1.0";
@@ -112,7 +114,7 @@ TEST(A19, gain_of_a_room_that_absorbs) {
 }
 
 // The exact value in a room whose walls send out E and reflect rho is E / (1 - rho) everywhere.
-TEST(A19, furnace_reaches_emission_over_absorption_in_the_predicted_steps) {
+TEST(FloodfillConserving, furnace_reaches_emission_over_absorption_in_the_predicted_steps) {
   Lab lab(conservingRoom("glowstone", 16, "0.5"));
   lab.step(381 - 4);
   EXPECT_LT(lab.light().red(glm::ivec3(16)), .99f * 2);
@@ -120,7 +122,7 @@ TEST(A19, furnace_reaches_emission_over_absorption_in_the_predicted_steps) {
   EXPECT_GT(lab.light().red(glm::ivec3(16)), .99f * 2);
 }
 
-TEST(A19, furnace_stays_at_emission_over_absorption) {
+TEST(FloodfillConserving, furnace_stays_at_emission_over_absorption) {
   LabSetup setup = conservingRoom("glowstone", 6, "0.8");
   setup.initial = "vec3(5.0)";
   Lab lab(setup);
@@ -168,11 +170,12 @@ void main() {
   return sum / (values.width * values.height);
 }
 
-TEST(A18, published_lookup_reads_an_eighth_of_its_samples_from_the_floor) {
+// Row A18 of docs/failure-modes.md.
+TEST(FloodfillWalls, published_lookup_reads_an_eighth_of_its_samples_from_the_floor) {
   EXPECT_NEAR(meanLookup("PUBLISHED"), .875, .005);
 }
 
-TEST(A18, lookup_between_open_cells_reads_no_wall) {
+TEST(FloodfillWalls, lookup_between_open_cells_reads_no_wall) {
   EXPECT_NEAR(meanLookup("SOLID_AWARE"), 1, .005);
 }
 

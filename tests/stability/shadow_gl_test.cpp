@@ -51,10 +51,11 @@ double litStrip(ShadowLab& lab, int points) {
 const char* const kBehindTheWall =
     "vec4(lit(vec3(32.0 - (float(pixel.x) + 0.5) / 32.0, 2.0, 32.0), vec3(0.0, 1.0, 0.0)))";
 
-class AtAngles : public testing::TestWithParam<int> {};
+class ShadowBias : public testing::TestWithParam<int> {};
 
+// Row C1 of docs/failure-modes.md.
 // Column: where in a texel; row: the bias, as a share of the predicted one.
-TEST_P(AtAngles, C1_least_bias_of_a_plane_is_the_predicted_one) {
+TEST_P(ShadowBias, least_bias_of_a_plane_is_the_predicted_one) {
   constexpr int kRows = 80;
   ShadowLab lab(
       {.sun = double(GetParam()),
@@ -86,7 +87,8 @@ TEST_P(AtAngles, C1_least_bias_of_a_plane_is_the_predicted_one) {
   EXPECT_NEAR((first + 20) / 60.0, 1, .05);
 }
 
-TEST_P(AtAngles, C3_normal_offset_has_neither_acne_nor_detached_shadows) {
+// Row C3 of docs/failure-modes.md.
+TEST_P(ShadowBias, normal_offset_has_neither_acne_nor_detached_shadows) {
   ShadowLab floor({.sun = double(GetParam()),
                    .probe = "vec4(lit(vec3(20.0, 2.0, 20.0) + 0.0731 * vec3(pixel.x, 0.0, pixel.y),"
                             " vec3(0.0, 1.0, 0.0)))",
@@ -101,9 +103,10 @@ TEST_P(AtAngles, C3_normal_offset_has_neither_acne_nor_detached_shadows) {
   EXPECT_LE(litStrip(wall, 64), kTexel);
 }
 
-INSTANTIATE_TEST_SUITE_P(, AtAngles, testing::Values(5, 45, 60, 75, 85));
+INSTANTIATE_TEST_SUITE_P(, ShadowBias, testing::Values(5, 45, 60, 75, 85));
 
-TEST(C2, published_bias_shows_acne_only_when_the_sun_is_low) {
+// Row C2 of docs/failure-modes.md.
+TEST(PublishedShadowBias, shows_acne_only_when_the_sun_is_low) {
   // Texels of half a block; theory says 86.5 degrees then.
   const double limit = publishedLimit(0.5);
   const auto shadowed = [](double theta) {
@@ -125,7 +128,7 @@ TEST(C2, published_bias_shows_acne_only_when_the_sun_is_low) {
   EXPECT_GT(shadowed(limit + 1), 0);
 }
 
-TEST(C3, published_bias_detaches_shadows_by_the_predicted_width) {
+TEST(PublishedShadowBias, detaches_shadows_by_the_predicted_width) {
   for (const double theta : {45.0, 60.0}) {
     ShadowLab lab({.blocks = kWall,
                    .sun = theta,
@@ -155,7 +158,8 @@ std::vector<float> pixelsOf(const ShadowLab& lab, int width, int height) {
   return pixels;
 }
 
-TEST(C4, shadows_do_not_change_as_the_camera_turns) {
+// Row C4 of docs/failure-modes.md.
+TEST(ShadowMapStability, shadows_do_not_change_as_the_camera_turns) {
   ShadowLab lab({.blocks = kWall,
                  .sun = 60,
                  .probe = kShadowOfWall,
@@ -172,7 +176,8 @@ TEST(C4, shadows_do_not_change_as_the_camera_turns) {
   EXPECT_EQ(differences(masks[0], masks[2]), 0);
 }
 
-TEST(C5, what_the_map_does_not_hold_is_lit) {
+// Row C5 of docs/failure-modes.md.
+TEST(ShadowMapRange, what_the_map_does_not_hold_is_lit) {
   // The wall's shadow crosses the border of the map, 16 blocks from the eye.
   ShadowLab lab({.blocks = kWall,
                  .sun = 60,
@@ -188,7 +193,7 @@ TEST(C5, what_the_map_does_not_hold_is_lit) {
   }
 }
 
-TEST(C5, casters_before_the_near_plane_stay) {
+TEST(ShadowMapRange, casters_before_the_near_plane_stay) {
   // The map looks from 100 blocks away, so the plane is 5 blocks over the eye.
   ShadowLab lab({.blocks = R"({"box": "stone", "min": [20, 24, 20], "max": [44, 24, 44]})",
                  .sun = 5,
@@ -214,7 +219,8 @@ std::vector<float> edgeOf(const char* method, const char* compare) {
   return pixelsOf(lab, 256, 1);
 }
 
-TEST(C6, nine_texels_give_four_levels_over_two_texels_at_an_even_edge) {
+// Row C6 of docs/failure-modes.md.
+TEST(ShadowFilter, nine_texels_give_four_levels_over_two_texels_at_an_even_edge) {
   const std::vector<float> edge = edgeOf("MAP_PCF", "TEXEL");
   EXPECT_EQ(std::set<int>({0, 3, 6, 9}), [&] {
     std::set<int> ninths;
@@ -230,7 +236,7 @@ TEST(C6, nine_texels_give_four_levels_over_two_texels_at_an_even_edge) {
   EXPECT_NEAR(partly / 64.0, 2 * kTexel / std::cos(radians(60)), kTexel);
 }
 
-TEST(C6, one_texel_is_lit_or_not_and_the_hardware_makes_a_ramp_of_it) {
+TEST(ShadowFilter, one_texel_is_lit_or_not_and_the_hardware_makes_a_ramp_of_it) {
   for (const float share : edgeOf("MAP", "TEXEL")) EXPECT_TRUE(share == 0 || share == 1);
   const std::vector<float> ramp = edgeOf("MAP", "HARDWARE");
   EXPECT_TRUE(std::ranges::is_sorted(ramp, std::greater()));
@@ -238,7 +244,8 @@ TEST(C6, one_texel_is_lit_or_not_and_the_hardware_makes_a_ramp_of_it) {
   EXPECT_GT(levels.size(), 8u);
 }
 
-TEST(C7, texels_rest_in_the_world_as_the_eye_moves) {
+// Row C7 of docs/failure-modes.md.
+TEST(ShadowMapStability, texels_rest_in_the_world_as_the_eye_moves) {
   const auto changes = [](const char* snap) {
     ShadowLab lab({.blocks = kWall,
                    .sun = 50,
@@ -261,7 +268,7 @@ TEST(C7, texels_rest_in_the_world_as_the_eye_moves) {
   EXPECT_GT(changes("false").second, 40);
 }
 
-TEST(C7, a_distorted_map_is_finer_near_the_eye) {
+TEST(ShadowMapStability, a_distorted_map_is_finer_near_the_eye) {
   // Seen on both sides of the end of a shadow near the eye: the ramp of three texels.
   const auto width = [](const char* distortion) {
     ShadowLab lab({.blocks = R"({"box": "stone", "min": [34, 2, 8], "max": [34, 3, 55]})",

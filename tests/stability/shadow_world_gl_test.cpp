@@ -127,12 +127,13 @@ Wrong wrongPoints(double sun, const Patch& patch, double texels, OptionValues op
   return wrong;
 }
 
-class AngleOfSun : public testing::TestWithParam<int> {};
+class DefaultShadowBias : public testing::TestWithParam<int> {};
 
 // The offset along the normal moves a point by at most 2.12 texels, the filter reads 1 to either side.
 constexpr double kBand = 3.2;
 
-TEST_P(AngleOfSun, C3_default_is_right_all_over_pillars) {
+// Row C3 of docs/failure-modes.md.
+TEST_P(DefaultShadowBias, default_is_right_all_over_pillars) {
   for (const Patch* which : {&kFloor, &kQuartz, &kBricks, &kRoof}) {
     const Patch& patch = *which;
     const Wrong found = wrongPoints(GetParam(), patch, kBand);
@@ -154,13 +155,13 @@ double stripBehindThePost(double sun, OptionValues options) {
   return 3;
 }
 
-TEST_P(AngleOfSun, C3_shadows_begin_at_the_foot_of_a_post) {
+TEST_P(DefaultShadowBias, shadows_begin_at_the_foot_of_a_post) {
   EXPECT_LE(stripBehindThePost(GetParam(), {}), kTexel);
 }
 
-INSTANTIATE_TEST_SUITE_P(, AngleOfSun, testing::Values(5, 25, 45, 65, 85));
+INSTANTIATE_TEST_SUITE_P(, DefaultShadowBias, testing::Values(5, 25, 45, 65, 85));
 
-TEST(C3, published_bias_detaches_the_shadow_of_a_post_by_the_predicted_width) {
+TEST(PublishedShadowBias, detaches_the_shadow_of_a_post_by_the_predicted_width) {
   for (const double sun : {35., 45.}) {
     const double theta = glm::radians(sun);
     const double bias = std::max(0.05 * (1 - std::cos(theta)), 0.005) * kDepth;
@@ -172,7 +173,7 @@ TEST(C3, published_bias_detaches_the_shadow_of_a_post_by_the_predicted_width) {
   }
 }
 
-TEST(C3, published_bias_leaves_lit_what_lies_deep_in_shadow) {
+TEST(PublishedShadowBias, leaves_lit_what_lies_deep_in_shadow) {
   EXPECT_GT(wrongPoints(60, kFloor, kBand, {{"SHADOW_BIAS", "PUBLISHED"}}).detached, 20);
 }
 

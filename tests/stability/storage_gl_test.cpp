@@ -21,8 +21,9 @@ int countBad(const CellField& light) {
   return bad;
 }
 
+// Row A9 of docs/failure-modes.md.
 // Summing light itself under the published alpha doubles it in open air with every step.
-TEST(A9, without_the_power_only_narrow_places_stay_dark) {
+TEST(FloodfillCurve, without_the_power_only_narrow_places_stay_dark) {
   const OptionValues linear = {{"FLOODFILL_GAMMA", "1.0"}};
   const std::tuple<const char*, const char*, double> places[] = {
       {"single cell and 1-wide corridor", "[26, 10, 10]", .813},
@@ -42,7 +43,7 @@ TEST(A9, without_the_power_only_narrow_places_stay_dark) {
   }
 }
 
-TEST(A9, growth_reaches_the_largest_half_float_when_predicted_and_stays_there) {
+TEST(FloodfillCurve, growth_reaches_the_largest_half_float_when_predicted_and_stays_there) {
   for (const auto& [lamp, step] : {std::pair("400.0", 12), std::pair("4000.0", 9)}) {
     Lab lab({.blocks = kLampBlock,
              .options = {{"FLOODFILL_GAMMA", "1.0"}},
@@ -59,13 +60,15 @@ TEST(A9, growth_reaches_the_largest_half_float_when_predicted_and_stays_there) {
   }
 }
 
-TEST(A10, uniform_light_fades_to_a_thousandth_within_100_steps) {
+// Row A10 of docs/failure-modes.md.
+TEST(FloodfillCurve, uniform_light_fades_to_a_thousandth_within_100_steps) {
   Lab lab({.initial = "vec3(1.0)", .periodic = true});
   lab.step(100);
   EXPECT_LT(lab.light().red({16, 16, 16}), 1e-3);
 }
 
-TEST(A11, no_glow_is_left_after_400_steps) {
+// Row A11 of docs/failure-modes.md.
+TEST(FloodfillStorage, no_glow_is_left_after_400_steps) {
   Lab lab({.initial = "vec3(1.0)", .periodic = true});
   lab.step(400);
   EXPECT_LE(lab.light().brightest(), 1e-6);
@@ -85,7 +88,8 @@ LabSetup poked(const std::string& value) {
           .initialStep = 10};
 }
 
-TEST(A12, bad_value_is_taken_for_darkness_to_the_last_bit) {
+// Row A12 of docs/failure-modes.md.
+TEST(FloodfillStorage, bad_value_is_taken_for_darkness_to_the_last_bit) {
   for (const char* value : kBadValues) {
     Lab lab(poked(value)), dark(poked("0.0"));
     lab.step(10);
@@ -100,7 +104,7 @@ TEST(A12, bad_value_is_taken_for_darkness_to_the_last_bit) {
   }
 }
 
-TEST(A12, bad_value_is_forgotten_after_sixty_steps) {
+TEST(FloodfillStorage, bad_value_is_forgotten_after_sixty_steps) {
   Lab clean(poked("light.rgb"));
   clean.step(70);
   const CellField expected = clean.light();

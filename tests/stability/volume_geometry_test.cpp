@@ -123,7 +123,8 @@ class Points {
   std::uniform_real_distribution<double> at_{-4.0, 12.0};
 };
 
-TEST(D1, crossings_and_the_depth_of_the_eye_add_up_to_the_depth_of_a_point) {
+// Row D1 of docs/failure-modes.md.
+TEST(ShadowVolumeCounts, crossings_and_the_depth_of_the_eye_add_up_to_the_depth_of_a_point) {
   Points points;
   for (const Case& c : cases()) {
     const VolumeMesh closed = buildVolumes(c.set, c.light, {.closed = true});
@@ -138,7 +139,8 @@ TEST(D1, crossings_and_the_depth_of_the_eye_add_up_to_the_depth_of_a_point) {
   }
 }
 
-TEST(D2, caps_and_infinity_are_needed_beyond_the_point) {
+// Row D2 of docs/failure-modes.md.
+TEST(ShadowVolumeCounts, caps_and_infinity_are_needed_beyond_the_point) {
   Points points;
   int shadowed = 0, withoutCaps = 0, nearFar = 0;
   for (const Case& c : cases()) {
@@ -162,7 +164,8 @@ TEST(D2, caps_and_infinity_are_needed_beyond_the_point) {
   EXPECT_GT(nearFar, shadowed / 50);
 }
 
-TEST(D6, edges_of_four_faces_cancel) {
+// Row D6 of docs/failure-modes.md.
+TEST(ShadowVolumeShapes, edges_of_four_faces_cancel) {
   // Two cubes that touch in an edge.
   CasterSet both = cloud(1, 0);
   for (const glm::vec3 at : {glm::vec3(0), glm::vec3(1, 1, 0)})
@@ -183,7 +186,8 @@ TEST(D6, edges_of_four_faces_cancel) {
   EXPECT_EQ(mesh.vertices.size(), 1 + mesh.indices.size() / 3 * 2);
 }
 
-TEST(D7, sides_end_where_corners_lie) {
+// Row D7 of docs/failure-modes.md.
+TEST(ShadowVolumeShapes, sides_end_where_corners_lie) {
   const CasterSet set = cloud(1, 1.1);  // one cube of 8
   const VolumeLight light(glm::normalize(glm::vec3(0.3f, 0.5f, 0.7f)), 0);
   EXPECT_EQ(buildVolumes(set, light, {}).indices.size() / 3, 6u * 8) << "the outline";
@@ -192,8 +196,9 @@ TEST(D7, sides_end_where_corners_lie) {
   EXPECT_EQ((closed.indices.size() - closed.sideIndices) / 3, 3u * 64 * 2);
 }
 
+// Row D5 of docs/failure-modes.md.
 // A leaf is two faces, one to each side: whichever the light sees makes the volume.
-TEST(D5, a_lone_quad_shades_what_lies_behind_it_from_either_side) {
+TEST(ShadowVolumeShapes, a_lone_quad_shades_what_lies_behind_it_from_either_side) {
   CasterFace up;
   up.corners = {glm::vec3(0, 0, 0), {0, 0, 1}, {1, 0, 1}, {1, 0, 0}};
   up.normal = {0, 1, 0};
@@ -217,7 +222,8 @@ TEST(D5, a_lone_quad_shades_what_lies_behind_it_from_either_side) {
   }
 }
 
-TEST(D9, a_face_that_the_test_leaves_out_does_not_hold_the_eye) {
+// Row D9 of docs/failure-modes.md.
+TEST(ShadowVolumeChoice, a_face_that_the_test_leaves_out_does_not_hold_the_eye) {
   Points points;
   int reached = 0, safe = 0;
   for (const Case& c : cases()) {

@@ -37,7 +37,8 @@ TEST(ShadowVolumes, are_drawn_only_where_a_program_reads_them) {
   EXPECT_EQ(stepsOf("NONE", {}), std::pair(0, 0));
 }
 
-TEST(D1, volumes_of_each_method_are_those_of_rays_seen_from_the_light) {
+// Row D1 of docs/failure-modes.md.
+TEST(ShadowVolumeCounts, volumes_of_each_method_are_those_of_rays_seen_from_the_light) {
   for (const char* method : {"VOLUME_ZPASS", "VOLUME_ZFAIL", "VOLUME_AUTO"}) {
     VolumeLab lab({.blocks = kScene, .time = 3000, .method = method});
     lab.look({4, 16, 30}, {17, 3, 14});
@@ -45,7 +46,7 @@ TEST(D1, volumes_of_each_method_are_those_of_rays_seen_from_the_light) {
   }
 }
 
-TEST(D1, only_z_pass_is_wrong_with_the_eye_in_a_volume) {
+TEST(ShadowVolumeCounts, only_z_pass_is_wrong_with_the_eye_in_a_volume) {
   // Under the roof.
   const auto differenceOf = [](const std::string& method) {
     VolumeLab lab({.blocks = kScene, .method = method, .sunPathRotation = "0.0"});
@@ -70,7 +71,8 @@ TEST(ShadowMask, doubts_few_pixels) {
   EXPECT_GT(sure, 10 * doubted) << "of the dark ones";
 }
 
-TEST(D2, a_path_in_and_out_of_shadow_has_no_wrong_pixel_inside) {
+// Row D2 of docs/failure-modes.md.
+TEST(ShadowVolumeCounts, a_path_in_and_out_of_shadow_has_no_wrong_pixel_inside) {
   VolumeLab lab({.blocks = kScene, .time = 4000, .size = 64});
   int inside = 0;
   for (int frame = 0; frame < 24; ++frame) {
@@ -87,7 +89,7 @@ TEST(D2, a_path_in_and_out_of_shadow_has_no_wrong_pixel_inside) {
 
 // The roof's shadow begins at x = 18, which is now before the near plane, now on it, now behind it.
 // z-pass counts from the eye itself: with the near rectangle alone in a volume it is right.
-TEST(D2, volumes_at_the_near_plane_are_whole) {
+TEST(ShadowVolumeCounts, volumes_at_the_near_plane_are_whole) {
   for (const std::string method : {"VOLUME_ZPASS", "VOLUME_ZFAIL", "VOLUME_AUTO"}) {
     VolumeLab lab({.blocks = kScene, .method = method, .sunPathRotation = "0.0", .size = 48});
     for (const double x : {17.9, 17.96, 17.98, 17.999, 18.001, 18.02, 18.1}) {
@@ -100,7 +102,8 @@ TEST(D2, volumes_at_the_near_plane_are_whole) {
   }
 }
 
-TEST(D3, caps_of_leaves_lie_behind_what_is_seen) {
+// Row D3 of docs/failure-modes.md.
+TEST(ShadowVolumeShapes, caps_of_leaves_lie_behind_what_is_seen) {
   for (const char* method : {"VOLUME_ZFAIL", "VOLUME_AUTO"})
     for (const glm::dvec3 eye : {glm::dvec3(3, 12, 3), {16, 5, 16}, {6.5, 3, 12}}) {
       VolumeLab lab({.blocks = R"({"box": "oak_leaves", "min": [5, 5, 5], "max": [8, 7, 8]})",
@@ -113,8 +116,9 @@ TEST(D3, caps_of_leaves_lie_behind_what_is_seen) {
     }
 }
 
+// Row D4 of docs/failure-modes.md.
 // Leaves have a face between each two of them, so that a column of n makes n volumes.
-TEST(D4, counts_are_exact_modulo_256) {
+TEST(ShadowVolumeCounts, counts_are_exact_modulo_256) {
   for (const int volumes : {1, 255, 256, 257}) {
     VolumeLab lab(
         {.blocks = fmt::format(R"({{"box": "oak_leaves", "min": [8, 20, 8], "max": [8, {}, 8]}})",
@@ -131,7 +135,7 @@ TEST(D4, counts_are_exact_modulo_256) {
 
 // 300 volumes that begin and end before what is seen, or behind it, and one that holds it. Counts that stop at 0 and
 // 255 instead of wrapping around are 0 or 255 there.
-TEST(D4, volumes_in_front_cancel_beyond_255) {
+TEST(ShadowVolumeCounts, volumes_in_front_cancel_beyond_255) {
   for (const char* method : {"VOLUME_ZPASS", "VOLUME_ZFAIL", "VOLUME_AUTO"}) {
     VolumeLab lab({.blocks = R"({"box": "oak_leaves", "min": [8, 20, 8], "max": [8, 319, 8]},
                                {"box": "stone", "min": [2, 20, 7], "max": [4, 20, 9]})",
@@ -148,7 +152,7 @@ TEST(D4, volumes_in_front_cancel_beyond_255) {
   }
 }
 
-TEST(D1, z_pass_lacks_the_volumes_that_hold_the_eye) {
+TEST(ShadowVolumeCounts, z_pass_lacks_the_volumes_that_hold_the_eye) {
   const auto countsOf = [](const std::string& method, int volumes) {
     VolumeLab lab(
         {.blocks = fmt::format(R"({{"box": "oak_leaves", "min": [8, 16, 8], "max": [8, {}, 8]}})",
@@ -167,9 +171,10 @@ TEST(D1, z_pass_lacks_the_volumes_that_hold_the_eye) {
   }
 }
 
+// Row D7 of docs/failure-modes.md.
 // A lit wall fills the picture, and behind it lie volumes with long straight edges, which z-fail counts:
 // all cancel. Of merged runs the rasteriser leaves cracks between their ends and the corners of caps.
-TEST(D7, straight_edges_leave_no_cracks) {
+TEST(ShadowVolumeShapes, straight_edges_leave_no_cracks) {
   std::string blocks = R"({"box": "stone", "min": [40, 2, 0], "max": [40, 23, 63]})";
   for (int i = 0; i < 8; ++i)
     blocks += fmt::format(R"(, {{"box": "stone", "min": [{}, {}, 2], "max": [{}, {}, 61]}})",
@@ -185,9 +190,10 @@ TEST(D7, straight_edges_leave_no_cracks) {
   EXPECT_EQ(dark, 0);
 }
 
+// Row D8 of docs/failure-modes.md.
 // The sun stands over the plane of x = 32, in which each second roof ends and the next begins: the
 // ground below lies in one shadow.
-TEST(D8, volumes_that_meet_in_a_plane_leave_no_gap) {
+TEST(ShadowVolumeShapes, volumes_that_meet_in_a_plane_leave_no_gap) {
   std::string roofs;
   for (int i = 0; i < 12; ++i)
     roofs += fmt::format(R"({}{{"box": "stone", "min": [{}, {}, {}], "max": [{}, {}, {}]}})",
@@ -201,7 +207,8 @@ TEST(D8, volumes_that_meet_in_a_plane_leave_no_gap) {
   EXPECT_EQ(interior, 0);
 }
 
-TEST(D5, a_lone_pane_casts_its_outline_and_nothing_else) {
+// Row D5 of docs/failure-modes.md.
+TEST(ShadowVolumeShapes, a_lone_pane_casts_its_outline_and_nothing_else) {
   for (const char* method : {"VOLUME_ZPASS", "VOLUME_ZFAIL", "VOLUME_AUTO"}) {
     VolumeLab lab({.blocks = R"({"block": "white_carpet", "at": [[16, 8, 16]]})",
                    .method = method,
@@ -217,7 +224,7 @@ TEST(D5, a_lone_pane_casts_its_outline_and_nothing_else) {
   }
 }
 
-TEST(D8, light_along_faces_and_edges) {
+TEST(ShadowVolumeShapes, light_along_faces_and_edges) {
   const std::string diagonal = R"({"box": "stone", "min": [10, 2, 10], "max": [13, 6, 13]},
     {"box": "stone", "min": [14, 2, 14], "max": [17, 6, 17]},
     {"box": "stone", "min": [10, 7, 14], "max": [13, 9, 17]})";
@@ -232,7 +239,8 @@ TEST(D8, light_along_faces_and_edges) {
   }
 }
 
-TEST(D9, the_automatic_choice_is_z_fail_pixel_for_pixel) {
+// Row D9 of docs/failure-modes.md.
+TEST(ShadowVolumeChoice, the_automatic_choice_is_z_fail_pixel_for_pixel) {
   VolumeLab automatic({.blocks = kScene, .time = 2500, .size = 64});
   VolumeLab zFail({.blocks = kScene, .time = 2500, .method = "VOLUME_ZFAIL", .size = 64});
   int differing = 0, atEye = 0;

@@ -9,15 +9,16 @@ PROGRAM = "program/shadow/shadowvolume.glsl"
 PROPERTIES = "shaders.properties"
 
 MUTANTS = [
-    ("D1 z-fail listing equal to z-pass", "D1.only*",
+    ("D1 z-fail listing equal to z-pass", "ShadowVolumeCounts.only*",
      [(PROPERTIES, "shadowvolume.method = zfail", "shadowvolume.method = zpass")]),
-    ("D1 automatic choice never taken", "D1.only*:D2.a_path*",
+    ("D1 automatic choice never taken", "ShadowVolumeCounts.only*:ShadowVolumeCounts.a_path*",
      [(PROPERTIES, "shadowvolume.method = auto", "shadowvolume.method = zpass")]),
-    ("D1 shadow and light exchanged", "D1.*",
+    ("D1 shadow and light exchanged",
+     "ShadowVolumeCounts.crossings*:ShadowVolumeCounts.volumes_of*:ShadowVolumeCounts.only*:ShadowVolumeCounts.z*",
      [(SUN, "== 0u", "!= 0u")]),
-    ("D1 one volume is not enough", "D1.volumes*",
+    ("D1 one volume is not enough", "ShadowVolumeCounts.volumes_of*",
      [(SUN, ".r == 0u", ".r <= 1u")]),
-    ("D2 vertices at infinity made finite", "D1.volumes*",
+    ("D2 vertices at infinity made finite", "ShadowVolumeCounts.volumes_of*",
      [(PROGRAM, "gl_ModelViewProjectionMatrix * gl_Vertex", "gl_ModelViewProjectionMatrix * vec4(gl_Vertex.xyz, 1.0)")]),
     ("lamps: the bit of another lamp", "LampVolumes.darken*",
      [(LAMPS, "(lamps_hidden >> i & 1u) != 0u && max", "(lamps_hidden >> (1 - i) & 1u) != 0u && max")]),
