@@ -244,7 +244,7 @@ def helpers(client):
     return found
 
 
-def a_check_that_is_killed_costs_its_findings_alone(orris, root):
+def processes_that_are_killed_cost_the_findings_of_one_check(orris, root):
     client, file = Client(orris), root / "shaders" / "final.fsh"
     client.open(file)
     client.settle()
@@ -261,6 +261,34 @@ def a_check_that_is_killed_costs_its_findings_alone(orris, root):
     client.change(file, FILES["final.fsh"])
     client.settle()
     assert client.findings(root) == before
+    client.end()
+
+
+def a_check_that_is_killed_is_reported_lost(orris, root):
+    client, shaders = Client(orris), root / "shaders"
+    # Enough programs for a check that is met at work.
+    for i in range(60):
+        for stage in ("vsh", "fsh"):
+            (shaders / f"composite{i + 1}.{stage}").write_text(FILES[f"composite.{stage}"])
+    file = shaders / "lib" / "math.glsl"
+    client.open(file)
+    client.settle()
+    before = client.findings(root)
+    (resting,) = helpers(client)
+    for attempt in range(20):
+        client.change(file, FILES["lib/math.glsl"].replace("0.5", f"0.{attempt}1 + undeclared"))
+        at_work, until = [], time.monotonic() + TIMEOUT
+        while not at_work and time.monotonic() < until:
+            at_work = [one for one in helpers(client) if one != resting]
+        os.kill(at_work[0], signal.SIGKILL)
+        client.settle()
+        if client.parts[-1] == "lost":
+            break
+        (resting,) = helpers(client)  # that check had ended, and rested
+    assert client.lost == 1, client.parts
+    client.change(file, FILES["lib/math.glsl"])
+    client.settle()
+    assert client.parts[-1] == "whole" and client.findings(root) == before
     client.end()
 
 
@@ -294,7 +322,7 @@ def names_are_explained(orris, root):
 
     client.open(shaders / "composite.fsh")
     fog = hover("composite.fsh", 8, column("composite.fsh", 8, "FOG"))
-    assert "option `FOG` = `2`, default `1` (set in" in fog and "/lib/settings.glsl:1" in fog, fog
+    assert f"option `FOG` = `2`, default `1` (set in {root}.txt)" in fog and "/lib/settings.glsl:1" in fog, fog
     assert "How thick it is" in fog and "`0` `1` `2`" in fog, fog
     assert "uniform float frameTimeCounter;" in hover("composite.fsh", 5, 18)
     assert "*Uniforms*" in hover("composite.fsh", 5, 18)
@@ -328,9 +356,13 @@ def definitions_are_found_across_files(orris, root):
     client.open(shaders / "lib" / "math.glsl", "\n\nfloat halved(float x) { return x; }\n#define PI 3\n")
     assert places("composite.fsh", 8, column("composite.fsh", 8, "halved")) == [("lib/math.glsl", 2, 6)]
     symbols = client.ask("textDocument/documentSymbol", {"textDocument": {"uri": uri_of(shaders / "lib/math.glsl")}})
-    assert sorted((one["name"], one["kind"]) for one in symbols) == [("PI", 14), ("halved", 12)], symbols
+    found = [(one["name"], one["kind"], one["range"]["start"], one["range"]["end"]) for one in symbols]
+    assert sorted(found, key=lambda one: one[0]) == [
+        ("PI", 14, {"line": 3, "character": 8}, {"line": 3, "character": 10}),
+        ("halved", 12, {"line": 2, "character": 6}, {"line": 2, "character": 12})], symbols
     symbols = client.ask("textDocument/documentSymbol", {"textDocument": {"uri": uri_of(shaders / "shaders.properties")}})
-    assert [one["name"] for one in symbols] == ["screen", "sliders", "profile.LOW", "blend.composite"], symbols
+    assert [(one["name"], one["range"]["start"]["line"]) for one in symbols] == [
+        ("screen", 0), ("sliders", 1), ("profile.LOW", 2), ("blend.composite", 3)], symbols
     client.end()
 
 
@@ -517,7 +549,8 @@ def a_thousand_edits_and_undos_end_with_the_findings_of_validate(orris, root):
 
 HEAVY = [a_thousand_edits_and_undos_end_with_the_findings_of_validate]
 CASES = [findings_come_while_typing, errors_of_some_programs_come_first,
-         a_check_that_is_killed_costs_its_findings_alone, no_process_is_left, names_are_explained, definitions_are_found_across_files, names_are_completed,
+         processes_that_are_killed_cost_the_findings_of_one_check, a_check_that_is_killed_is_reported_lost, no_process_is_left,
+         names_are_explained, definitions_are_found_across_files, names_are_completed,
          hints_are_edits, columns_are_counted_as_the_editor_does, nonsense_ends_nothing,
          random_edits_end_with_the_findings_of_validate]
 

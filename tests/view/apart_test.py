@@ -15,7 +15,7 @@ import time
 import zipfile
 
 import cases
-from view_test import HEIGHT, TIMEOUT, Test, View, mean, read_png, share_within_one
+from view_test import HEIGHT, TIMEOUT, Test, View, mean, read_png, read_screen, share_within_one
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "app"))
 from hostile_programs import DEADLY, ENDLESS, VERSION  # noqa: E402
@@ -183,6 +183,27 @@ def edit_that_the_driver_dies_of_leaves_the_last_good_pack(test):
     view.end(status=1)
 
 
+def time_of_day_and_panels_outlive_the_driver(test):
+    test.edit("#define TINT 0", "uniform int worldTime;\n#define TINT 0")
+    test.edit("return color;", "return color * (worldTime > 12000 ? 0.3 : 1.0);")
+    view = View(test, "--memory-limit", "2G", "--frame-limit", "8s")
+    view.wait_for("ready")
+    noon = night = view.screenshot()
+    test.tell_display("key", "t")
+    end = time.monotonic() + TIMEOUT
+    while share_within_one(night, noon) > 0.5 and time.monotonic() < end:
+        test.tell_display("mousemove", "100", "40", "click", "1")  # near the end of the slider of time
+        time.sleep(0.2)
+        night = view.screenshot()
+    (test.pack / "shaders" / "composite.fsh").write_text(DEADLY)
+    wait_until_taken_back(view, "composite.fsh")
+    assert share_within_one(view.screenshot(), night) == 1
+    # The title of the panel lies over the first lines of the picture.
+    title = read_screen(test.display.pixels)[:14]
+    assert share_within_one(title, night[:14]) < 0.5
+    view.end(status=1)
+
+
 def option_that_the_driver_dies_of_is_taken_back(test):
     """The option file stays as it was written; what is drawn are the values before."""
     program = test.pack / "shaders" / "composite.fsh"
@@ -278,7 +299,7 @@ def options_are_chosen_in_a_panel_and_saved(test):
 CASES = [process_that_draws_has_no_secret_and_no_way_out, what_lies_beside_hidden_folders_is_not_read,
          folder_that_is_made_anew_is_read, files_that_are_put_in_the_place_of_others_are_read,
          driver_that_dies_or_does_not_end_is_reported, edit_that_the_driver_dies_of_leaves_the_last_good_pack,
-         option_that_the_driver_dies_of_is_taken_back, edit_while_the_driver_stalls_is_read,
+         time_of_day_and_panels_outlive_the_driver, option_that_the_driver_dies_of_is_taken_back, edit_while_the_driver_stalls_is_read,
          window_ends_when_the_last_good_pack_dies_too, pause_is_no_frame_that_takes_long, editor_is_the_users_own,
          options_are_chosen_in_a_panel_and_saved]
 

@@ -19,8 +19,6 @@ MUTANTS = {
         ("going on: with files that are new", "apart:edit_that", ": files_(state.files), texts_", ": files_(below->files()), texts_"),
         ("going on: with texts as they are now", "apart:edit_that",
          "if (found != texts_.end()) return found->second;", "if (found == texts_.end()) return std::nullopt;"),
-        ("going on: where the camera was at the start", "apart:edit_that",
-         "shared_->hasCamera = camera.has_value();", "shared_->hasCamera = false;"),
         ("going on: with the pack that died", "apart:window_ends", "shared_ && shared_->risk && ", "shared_ && "),
     ],
     "loader/app/view/pack/live_pack.cpp": [
@@ -29,6 +27,9 @@ MUTANTS = {
         ("options: not saved", "apart:options_are", "  if (*succeeded && attempt.saves) save();\n", ""),
     ],
     "loader/app/view/viewer.cpp": [
+        ("going on: where the camera was at the start", "apart:edit_that", "  session.setCamera(scene.camera);\n", ""),
+        ("going on: at the time of the start", "apart:time_of", "  session.environment().time = scene.time;\n", ""),
+        ("going on: without its panels", "apart:time_of", "((scene.panels >> i) & 1) != 0;", "false;"),
         ("going on: edits meanwhile are lost", "apart:edit_while", "  if (changed) pack_->reload(", "  if (!changed) pack_->reload("),
     ],
     "loader/app/view/apart/remote_surface.cpp": [
@@ -61,7 +62,21 @@ MUTANTS = {
         ("lsp: notes are findings", "lsp:findings_come lsp:random_edits",
          "finding.silence == Silence::None && finding.diagnostic.severity != Severity::Note", "finding.silence == Silence::None"),
     ],
+    "loader/app/lsp/check_service.cpp": [
+        ("lsp: a lost check is not reported", "lsp:a_check_that",
+         'toSay_ += lineOf({{"part", "lost"}, {"job", job}});', "static_cast<void>(job);"),
+    ],
+    "loader/app/lsp/hover.cpp": [
+        ("lsp: where a value was set is left out", "lsp:names_are_explained", "known.valuesFrom)", '"")'),
+    ],
+    "loader/app/lsp/definitions.cpp": [
+        ("lsp: what is declared lies a line late", "lsp:definitions", "const int line = name.origin.line - 1;",
+         "const int line = name.origin.line;"),
+        ("lsp: keys lie a line late", "lsp:definitions", "symbolJson(key, kKey, int(i),", "symbolJson(key, kKey, int(i) + 1,"),
+    ],
     "loader/app/lsp/background_check.cpp": [
+        ("lsp: killed processes stay away", "lsp:processes_that",
+         '{{"part", "lost"}});\n  stop();', '{{"part", "lost"}});'),
         ("lsp: processes hold each other", "lsp:no_process", "    closeAllBut(jobs[0], out[1]);\n", ""),
     ],
     "loader/app/lsp/edited_pack.cpp": [

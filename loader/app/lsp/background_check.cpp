@@ -62,11 +62,9 @@ bool BackgroundCheck::open() {
 
 void BackgroundCheck::start(CheckJob job) {
   job.number = ++number_;
-  running_ = open() && writeCheckJob(jobs_, job);
-  if (running_) return;
-  // They were killed: by whoever wanted the memory, for one.
-  stop();
-  running_ = open() && writeCheckJob(jobs_, job);
+  running_ = open();
+  // Where they were killed meanwhile, as for their memory, take() finds out.
+  if (running_) writeCheckJob(jobs_, job);
 }
 
 void BackgroundCheck::stop() {

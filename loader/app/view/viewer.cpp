@@ -27,6 +27,10 @@ constexpr auto kShortestFrame = std::chrono::milliseconds(4);
 constexpr double kLongestStep = 0.1;
 constexpr double kFixedStep = 1.0 / 60;
 
+// The others show what the process that died had read.
+constexpr bool PanelState::* kKeptPanels[] = {&PanelState::help, &PanelState::options, &PanelState::scene,
+                                              &PanelState::passes};
+
 volatile std::sig_atomic_t viewInterrupted = 0;
 void onInterrupt(int) { viewInterrupted = 1; }
 
@@ -99,12 +103,10 @@ bool Viewer::openPack() {
   watch_.emplace(std::vector<fs::path>{watchedPart(options_.pack.path), pack_->optionFile()}, watchEvents_);
   lastFrame_ = titleSince_ = Clock::now();
   const auto kept = death_ ? kept_->state() : std::nullopt;
-  firstWorld_ = world_->name;
-  if (!pack_->open(options_.scene, options_.image, std::move(*world_),
-                   kept && kept->camera ? *kept->camera : *camera_, kept))
-    return false;
+  if (!pack_->open(options_.scene, options_.image, std::move(*world_), *camera_, kept)) return false;
   if (death_) pack_->noteDeath(*death_);
   world_.reset();
+  if (kept) goOn(kept->scene);
   // A script is no person, who may want a world again.
   if (!player_) noteRecentWorld(options_.scene.path);
   return true;
@@ -141,10 +143,26 @@ void Viewer::catchUp() {
 // What has come as far as the window is a picture that the driver has finished.
 void Viewer::noteDrawn(int framesBefore) {
   if (!kept_ || plain_ || framesDrawn_ == framesBefore) return;
-  const RenderSession& session = pack_->session();
-  const bool stays = session.scene().world.name == firstWorld_;
-  kept_->drew(session.sharedAsked(), stays ? std::optional(session.camera()) : std::nullopt);
+  RenderSession& session = pack_->session();
+  const Environment& seen = session.environment();
+  KeptScene scene{.world = chosenWorld_,
+                  .camera = session.camera(),
+                  .time = seen.time,
+                  .rain = seen.rain,
+                  .thunder = seen.thunder};
+  for (std::size_t i = 0; i < std::size(kKeptPanels); ++i) scene.panels |= unsigned(panels_.*kKeptPanels[i]) << i;
+  kept_->drew(session.sharedAsked(), scene);
   kept_->setAtRisk(!pack_->doing().empty());
+}
+
+void Viewer::goOn(const KeptScene& scene) {
+  if (!scene.world.empty()) setWorld(scene.world);
+  RenderSession& session = pack_->session();
+  session.setCamera(scene.camera);
+  session.environment().time = scene.time;
+  session.environment().rain = scene.rain;
+  session.environment().thunder = scene.thunder;
+  for (std::size_t i = 0; i < std::size(kKeptPanels); ++i) panels_.*kKeptPanels[i] = ((scene.panels >> i) & 1) != 0;
 }
 
 void Viewer::drawFrame() {

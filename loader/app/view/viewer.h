@@ -71,6 +71,8 @@ class Viewer final : public ScriptTarget {
   /// After a process that died: what it could not read.
   void catchUp();
   void noteDrawn(int framesBefore);
+  /// From what was last seen before the process died that drew it.
+  void goOn(const KeptScene& scene);
   AllowedFiles filesApart() const;
   void drawFrame();
   void drawPicture(double seconds);
@@ -146,7 +148,7 @@ class Viewer final : public ScriptTarget {
   std::unique_ptr<LivePack> pack_;
   KeptPack* kept_ = nullptr;  ///< only where the window is another process's
   std::optional<Diagnostic> death_;  ///< of the process that drew before this one
-  std::string firstWorld_;
+  std::string chosenWorld_;  ///< in the window, "" for the one it began with
   std::unique_ptr<RenderSession> plain_;  ///< only while the pack is off
   std::optional<ScriptPlayer> player_;
   std::optional<BackgroundWatch> watch_;

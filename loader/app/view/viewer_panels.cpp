@@ -116,6 +116,7 @@ bool Viewer::setWorld(const std::string& name) {
   }
   report_.add(diagnostics);
   if (done) {
+    chosenWorld_ = name;
     // A process that is shut in can list no folder: what was there before stays.
     if (auto beside = worldsBeside(path); !beside.empty()) worldsBeside_ = std::move(beside);
     if (!player_) noteRecentWorld(path);

@@ -32,12 +32,13 @@ std::string linesAsText(const FileLines& lines) {
 }
 
 /// Of the files as they were read: an edit since then is no part of the pack.
-std::vector<std::uint8_t> keptBytesOf(const ShaderPack& pack) {
+std::vector<std::uint8_t> keptBytesOf(const ShaderPack& pack, const std::string& world) {
   const PackFiles& files = pack.builds.front()->files();
   json texts = json::object();
   for (const auto& [path, lines] : files.graph.files) texts[path] = linesAsText(lines);
   if (files.properties) texts[kPropertiesFile] = *files.properties;
-  return json::to_cbor({{"files", pack.source->files()}, {"texts", std::move(texts)}, {"values", pack.values}});
+  return json::to_cbor(
+      {{"files", pack.source->files()}, {"texts", std::move(texts)}, {"values", pack.values}, {"world", world}});
 }
 
 class KeptSource final : public FileSource {
@@ -71,8 +72,8 @@ struct KeptPack::Shared {
   std::atomic<int> half{-1};  ///< that holds a pack, -1: none
   std::atomic<bool> risk{false};
   std::atomic<FileTime::rep> since{0};  ///< of the risk
-  std::atomic<bool> hasCamera{false};
-  std::array<std::atomic<double>, 6> camera{};
+  std::array<std::atomic<double>, 9> numbers{};  ///< camera, time and weather of the last frame
+  std::atomic<unsigned> panels{0};
   std::array<Half, 2> halves;
 };
 
@@ -86,17 +87,17 @@ KeptPack::~KeptPack() {
   if (shared_) munmap(shared_, sizeof(Shared));
 }
 
-void KeptPack::drew(const std::shared_ptr<const ShaderPack>& pack, const std::optional<Camera>& camera) {
+void KeptPack::drew(const std::shared_ptr<const ShaderPack>& pack, const KeptScene& scene) {
   if (!shared_) return;
-  shared_->hasCamera = camera.has_value();
-  if (camera) {
-    const glm::dvec3& eye = camera->position;
-    const std::array<double, 6> numbers{eye.x, eye.y, eye.z, camera->yaw, camera->pitch, camera->fov};
-    for (std::size_t i = 0; i < numbers.size(); ++i) shared_->camera[i] = numbers[i];
-  }
-  if (pack == last_) return;
+  const glm::dvec3& eye = scene.camera.position;
+  const std::array<double, 9> numbers{eye.x,      eye.y,      eye.z,        scene.camera.yaw, scene.camera.pitch,
+                                      scene.camera.fov, double(scene.time), scene.rain,   scene.thunder};
+  for (std::size_t i = 0; i < numbers.size(); ++i) shared_->numbers[i] = numbers[i];
+  shared_->panels = scene.panels;
+  if (pack == last_ && scene.world == lastWorld_) return;
   last_ = pack;
-  const std::vector<std::uint8_t> bytes = keptBytesOf(*pack);
+  lastWorld_ = scene.world;
+  const std::vector<std::uint8_t> bytes = keptBytesOf(*pack, scene.world);
   const int free = shared_->half == 0 ? 1 : 0;
   const bool fits = bytes.size() <= kMostKeptBytes;
   if (fits) {
@@ -124,18 +125,22 @@ std::optional<KeptState> KeptPack::state() const {
     value.at("files").get_to(state.files);
     value.at("texts").get_to(state.texts);
     value.at("values").get_to(state.values);
+    value.at("world").get_to(state.scene.world);
   } catch (const json::exception&) {
     return std::nullopt;
   }
-  if (!shared_->hasCamera) return state;
-  std::array<double, 6> numbers{};
-  for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = shared_->camera[i];
-  if (!std::ranges::all_of(numbers, [](double number) { return std::isfinite(number); })) return state;
-  state.camera = Camera{.name = "",
-                        .position = {numbers[0], numbers[1], numbers[2]},
-                        .yaw = float(numbers[3]),
-                        .pitch = float(numbers[4]),
-                        .fov = float(numbers[5])};
+  std::array<double, 9> numbers{};
+  for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = shared_->numbers[i];
+  if (!std::ranges::all_of(numbers, [](double number) { return std::isfinite(number); })) return std::nullopt;
+  state.scene.camera = Camera{.name = "",
+                              .position = {numbers[0], numbers[1], numbers[2]},
+                              .yaw = float(numbers[3]),
+                              .pitch = float(numbers[4]),
+                              .fov = float(numbers[5])};
+  state.scene.time = int(std::clamp(numbers[6], 0.0, 23999.0));
+  state.scene.rain = float(numbers[7]);
+  state.scene.thunder = float(numbers[8]);
+  state.scene.panels = shared_->panels;
   return state;
 }
 

@@ -15,12 +15,21 @@
 
 namespace orris {
 
-/// A pack and where its viewer stood.
+/// What a frame showed beside the pack.
+struct KeptScene {
+  std::string world;  ///< that was chosen in the window, "" for the one it began with
+  Camera camera;
+  int time = 0;  ///< ticks 0..23999
+  float rain = 0, thunder = 0;
+  unsigned panels = 0;  ///< that were open, a bit each
+};
+
+/// A pack and what was seen with it.
 struct KeptState {
   std::vector<std::string> files;            ///< all there were, sorted
   std::map<std::string, std::string> texts;  ///< pack path -> text, of programs and properties
   OptionValues values;                       ///< that are not the default
-  std::optional<Camera> camera;              ///< absent in another world than the first
+  KeptScene scene;
 };
 
 /// Made before the process that draws is forked. That one writes, the next one reads; who watches them asks
@@ -32,8 +41,8 @@ class KeptPack {
   KeptPack(const KeptPack&) = delete;
   KeptPack& operator=(const KeptPack&) = delete;
 
-  /// The pack has drawn a frame; `camera` as in KeptState.
-  void drew(const std::shared_ptr<const ShaderPack>& pack, const std::optional<Camera>& camera);
+  /// The pack has drawn a frame.
+  void drew(const std::shared_ptr<const ShaderPack>& pack, const KeptScene& scene);
   /// Something else than the pack that is kept is being read, built or drawn for the first time.
   void setAtRisk(bool risk);
 
@@ -48,6 +57,7 @@ class KeptPack {
   struct Shared;
   Shared* shared_ = nullptr;  ///< nullptr: there is no memory, and nothing is kept
   std::shared_ptr<const ShaderPack> last_;
+  std::string lastWorld_;
 };
 
 /// The files of `state`; those that are no texts of it are read from `below`.
