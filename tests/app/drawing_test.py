@@ -94,7 +94,7 @@ class Frames(Drawing):
     def test_that_do_not_end_are_given_up_by_chart_and_tune(self):
         self.write({"pack/shaders/composite1.csh": ENDLESS})
         few = ["--size", "32x32", "--frames", "2", "--warm-up", "1", "--rounds", "1", "--reference-frames", "2",
-               "--frame-limit", "3s"]
+               "--frame-limit", "2s"]
         for words in (["chart", "pack", CORNELL, "-o", "chart"],
                       ["tune", "pack", CORNELL, "-o", "options.txt", "--error", "1"]):
             with self.subTest(command=words[0]):

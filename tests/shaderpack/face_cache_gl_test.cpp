@@ -200,10 +200,10 @@ TEST(FaceCache, closed_wall_lets_nothing_through) {
 TEST(FaceCache, picture_of_a_dark_room_behind_a_wall_is_black) {
   const OptionValues plain = cacheOptions({{"AMBIENT_MINIMUM", "0.0"}, {"VOXEL_SIZE", "64"}});
   PackSession pack = PackSession::ofWorld("h5_two_rooms", plain, 32, 18);
-  pack.renderFrames(40);
+  pack.renderFrames(20);
   EXPECT_GT(pack.meanRadiance().r, .05) << "the lit room";
   pack.look({25.5, 5, 11.5}, {16, 5, 3});
-  pack.renderFrames(40);
+  pack.renderFrames(20);
   EXPECT_EQ(pack.meanRadiance(), glm::dvec3(0));
 }
 

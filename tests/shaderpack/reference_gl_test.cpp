@@ -134,11 +134,10 @@ class ReferenceGlass : public testing::TestWithParam<Pane> {};
 
 TEST_P(ReferenceGlass, sun_passes_as_in_the_path_tracer) {
   const Pane& pane = GetParam();
-  for (const char* shadows : {"MAP_PCF", "VOLUME_AUTO"}) {
-    const glm::dvec3 open = sunOnFloor("", pane.time, shadows);
-    ASSERT_GT(open.r, 0);
+  const glm::dvec3 open = sunOnFloor("", pane.time, "NONE");
+  ASSERT_GT(open.r, 0);
+  for (const char* shadows : {"MAP_PCF", "VOLUME_AUTO"})
     EXPECT_NEAR((sunOnFloor(pane.blocks, pane.time, shadows) / open)[pane.channel], pane.share, .02) << shadows;
-  }
 }
 
 INSTANTIATE_TEST_SUITE_P(
