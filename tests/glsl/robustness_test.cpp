@@ -5,6 +5,7 @@
 
 #include <orris/core/limits.h>
 #include "glsl/glsl_test.h"
+#include <orris/glsl/syntax/stage_size.h>
 #include <orris/glsl/syntax/struct_size.h>
 
 namespace orris {
@@ -129,6 +130,69 @@ TEST(robustness, structs_that_double_are_reported_at_the_first_that_is_too_large
   EXPECT_EQ(diagnostics[0].id, "struct-too-large");
   EXPECT_EQ(diagnostics[0].at.line, 17);
   EXPECT_EQ(diagnostics[0].at.column, 18);
+}
+
+Diagnostics stageSizesOf(const std::string& text) {
+  Diagnostics diagnostics;
+  checkStageSize(preprocess(test::source(text), {}, diagnostics), diagnostics);
+  return diagnostics;
+}
+
+TEST(robustness, functions_that_double_are_reported_where_main_reaches_them) {
+  const auto text = [](int levels, const std::string& called) {
+    std::string functions = "float f0(float x) { return sin(x); }\nfloat f0(vec2 v) { return f0(v.x) + f0(v.y); }\n";
+    for (int i = 1; i <= levels; ++i) {
+      const std::string inner = "f" + std::to_string(i - 1);
+      functions += "float f" + std::to_string(i) + "(float x) { return " + inner + "(x) /* and */ + " + inner + "(x + 1.0); }\n";
+    }
+    return "float " + called + "(float);\nvoid main() { gl_FragColor = vec4(" + called + "(1.0)); }\n" + functions;
+  };
+  EXPECT_TRUE(stageSizesOf(text(16, "f13")).empty());
+  EXPECT_TRUE(stageSizesOf(text(30, "f13")).empty());  // the others are of no use
+  const Diagnostics diagnostics = stageSizesOf(text(30, "f30"));
+  ASSERT_EQ(diagnostics.size(), 1u);
+  EXPECT_EQ(diagnostics[0].id, "stage-too-large");
+  EXPECT_EQ(diagnostics[0].at.line, 19);
+  EXPECT_EQ(diagnostics[0].at.column, 7);
+}
+
+TEST(robustness, functions_that_call_each_other_in_long_chains_or_circles_are_counted_once) {
+  std::string chain = "float f0() { return f1(); }\n";
+  for (int i = 1; i < 20'000; ++i)
+    chain += "float f" + std::to_string(i) + "() { return f" + std::to_string(i - 1) + "(); }\n";
+  EXPECT_TRUE(stageSizesOf(chain + "void main() { f19999(); }\n").empty());
+}
+
+TEST(robustness, arrays_of_too_many_elements_are_reported) {
+  const auto reported = [](const std::string& text) {
+    const Diagnostics diagnostics = stageSizesOf(text);
+    for (const Diagnostic& d : diagnostics) EXPECT_EQ(d.id, "stage-too-large");
+    return diagnostics.size();
+  };
+  const std::string inMain = "void main() {\n";
+  EXPECT_EQ(reported(inMain + "float a[65536]; a[100000] = 1.0; }"), 0u);
+  EXPECT_EQ(reported(inMain + "float a[65537]; }"), 1u);
+  EXPECT_EQ(reported(inMain + "float a = f(b, c[100000]), d[65537]; }"), 1u);
+  EXPECT_EQ(reported(inMain + "return values[100000]; }"), 0u);
+  EXPECT_EQ(reported(inMain + "float[1000][1000] a; }"), 1u);
+  EXPECT_EQ(reported("const int N = 1 << 9;\nconst int M = 2 * N;\nuniform vec4 u[N][M];\n"), 1u);
+  EXPECT_EQ(reported("const int N = 1 << 9;\nuniform vec4 u[N][unknown];\n"), 0u);
+  EXPECT_EQ(reported("float f(float x, const float a[100000]) { return a[0]; }\n"), 1u);
+  EXPECT_EQ(reported("layout(std430) buffer B { uint n[100000]; } b;\nshared uint s[100000];\n"), 0u);
+  EXPECT_EQ(reported("struct S { float a[100000]; };\nuniform U { float a[100000]; };\n"), 1u);
+  EXPECT_EQ(reported("struct S { float a[100000]; };\nout S s;\n"), 0u);
+}
+
+TEST(robustness, switches_of_too_many_cases_are_reported) {
+  const auto text = [](std::size_t count) {
+    std::string cases;
+    for (std::size_t i = 0; i < count; ++i) cases += "case " + std::to_string(i) + ": x = 1.0; break;\n";
+    return "void main() {\nswitch (int(y)) {\n" + cases + "}\n}\n";
+  };
+  EXPECT_TRUE(stageSizesOf(text(limits::kSwitchCases)).empty());
+  const Diagnostics diagnostics = stageSizesOf(text(limits::kSwitchCases + 1));
+  ASSERT_EQ(diagnostics.size(), 1u);
+  EXPECT_EQ(diagnostics[0].at.line, 2);
 }
 
 TEST(robustness, a_source_of_too_many_bytes_is_cut_unless_a_branch_is_inactive) {

@@ -32,6 +32,7 @@ std::span<const Rule> textRules() {
       {"macro-never", Severity::Warning, "a condition asks for a macro that Iris never defines"},
       {"macro-unterminated", Severity::Error, "the call of a macro is not closed"},
       {"source-too-large", Severity::Error, "a stage has too much text with its includes in place"},
+      {"stage-too-large", Severity::Error, "a stage has a function, array or switch that a driver cannot hold"},
       {"struct-too-large", Severity::Error, "a struct has too many members"},
       {"text-too-large", Severity::Error, "a text file is larger than any pack needs"},
       {"text-utf16", Severity::Error, "a text file is UTF-16"},

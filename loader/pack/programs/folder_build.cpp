@@ -14,7 +14,7 @@ namespace {
 bool isCutOff(const Diagnostics& diagnostics) {
   return std::any_of(diagnostics.begin(), diagnostics.end(), [](const Diagnostic& d) {
     return d.id == "source-too-large" || d.id == "struct-too-large" ||
-           d.id == "macro-expansion-limit";
+           d.id == "stage-too-large" || d.id == "macro-expansion-limit";
   });
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <orris/glsl/syntax/stage_size.h>
 #include <orris/glsl/syntax/struct_size.h>
 #include <orris/pack/files/reserved_names.h>
 #include <orris/pack/files/text.h>
@@ -100,6 +101,7 @@ class ProgramBuild {
     if (group != ProgramGroup::Colorwheel && group != ProgramGroup::Voxy)
       checkReservedNames(part.stream, all);
     checkStructSizes(part.stream, all);
+    checkStageSize(part.stream, all);
     return part.stream;
   }
 
