@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <orris/core/add_diagnostic.h>
+#include <orris/core/work_record.h>
 #include <orris/gl/functions.h>
 #include <orris/image/image.h>
 
@@ -165,9 +166,15 @@ void PackResources::addBuffer(const ShaderPack& pack, const BufferObject& plan, 
              "at most 1 GiB, and not less than its file");
     return;
   }
-  contents.resize(static_cast<size_t>(bytes), '\0');
-  buffers_[plan.index] = gl::createBuffer(contents.size(), contents.data(),
-                                          fmt::format("bufferObject.{}", plan.index));
+  const std::string name = fmt::format("bufferObject.{}", plan.index);
+  noteWork("making", name, plan.at.file);
+  gl::Buffer& buffer = buffers_[plan.index] = gl::createBuffer(static_cast<size_t>(bytes), nullptr, name);
+  if (gl::GetError() == GL_OUT_OF_MEMORY) {
+    addError(diagnostics, "buffer-size", plan.at,
+             fmt::format("the driver has no memory for {} of {} bytes", name, bytes), "make it smaller");
+    return;
+  }
+  if (!contents.empty()) gl::upload(buffer, 0, contents.size(), contents.data());
 }
 
 const BoundTexture* PackResources::find(const std::string& stage, const std::string& sampler,

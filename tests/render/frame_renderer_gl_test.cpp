@@ -509,5 +509,15 @@ TEST_F(FrameRendererGL, the_last_of_32_buffers_is_drawn_and_read) {
   EXPECT_TRUE(pixel("colortex15", 16, 16).empty());
 }
 
+// What GL refuses fails the test at its end.
+TEST_F(FrameRendererGL, scales_beyond_all_pictures_are_no_mistakes_of_gl) {
+  addProgram("composite", "/* RENDERTARGETS: 0 */\nvoid main() { gl_FragColor = vec4(1.0); }\n");
+  for (const std::string scale : {"1e30", "-2", "1 -1e30 1e30"}) {
+    files_["/shaders.properties"] = "scale.composite=" + scale + "\n";
+    ASSERT_TRUE(start(floorWorld())) << messages();
+    draw();
+  }
+}
+
 }  // namespace
 }  // namespace orris

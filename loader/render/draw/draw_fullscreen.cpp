@@ -5,6 +5,7 @@
 #include <orris/render/scene/vertex_layout.h>
 #include <orris/render/session/loaded_pack.h>
 
+#include <algorithm>
 #include <string>
 
 namespace orris {
@@ -18,6 +19,12 @@ void drawQuad(const GpuScene& scene, const GpuProgram& program) {
   SamplerBinder::unbind(program);
 }
 
+/// Of a viewport: a pack may scale by any number.
+int viewportPixels(float length) {
+  constexpr float kMost = 32'767;  // all that GL promises
+  return static_cast<int>(std::clamp(length, -kMost, kMost));
+}
+
 }  // namespace
 
 void FrameRenderer::drawFullscreen(const Step& step, const FrameState& state) {
@@ -28,8 +35,7 @@ void FrameRenderer::drawFullscreen(const Step& step, const FrameState& state) {
   gl::BindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
   const auto [scale, x, y] = source.scale;
   const auto w = static_cast<float>(framebuffer.width), h = static_cast<float>(framebuffer.height);
-  gl::Viewport(static_cast<int>(w * x), static_cast<int>(h * y), static_cast<int>(w * scale),
-               static_cast<int>(h * scale));
+  gl::Viewport(viewportPixels(w * x), viewportPixels(h * y), std::max(viewportPixels(w * scale), 0), std::max(viewportPixels(h * scale), 0));
   DrawState draw;
   setFullscreenState(&source, draw);
   const GpuProgram& program = programOf(step);
