@@ -65,12 +65,13 @@ BOMBS = {
     "loop-endless": lambda: (drawn("for (;;) x = sin(x);"), None),
     "loops-nested": lambda: (drawn(NESTED), None),
     "loops-nested-compute": lambda: (computed(NESTED, "64, 64, 1", 64), None),
-    "local-array-2-31": lambda: (array_of(2147483647), None),
-    "local-array-10-6": lambda: (array_of(1_000_000), None),
-    "local-array-of-vectors": lambda: (array_of(100_000, "vec4"), None),
-    "uniform-array-10-8": lambda: (drawn("x = u[frameCounter];", "uniform float u[100000000];\n"), None),
+    "local-array-2-31": lambda: (array_of(2147483647), "stage-too-large"),
+    "local-array-10-6": lambda: (array_of(1_000_000), "stage-too-large"),
+    "local-array-of-vectors": lambda: (array_of(100_000, "vec4"), "stage-too-large"),
+    "uniform-array-10-8": lambda: (drawn("x = u[frameCounter];", "uniform float u[100000000];\n"),
+                                   "stage-too-large"),
     "const-array-10-4": lambda: (constants(10_000), None),
-    "varying-array-10-5": lambda: (varying_array(100_000), None),
+    "varying-array-10-5": lambda: (varying_array(100_000), "stage-too-large"),
     "varyings-5000": lambda: (varyings(5000), None),
     "terms-20-000": lambda: (drawn("x = x" + ("\n" + " + x" * 20) * 1000 + ";"), None),
     "statements-20-000": lambda: (drawn("".join(f"x = sin(x + {i}.0);\n" for i in range(20_000))), None),
@@ -80,8 +81,8 @@ BOMBS = {
     "shared-memory-huge": lambda: (computed("s[gl_LocalInvocationIndex] = 1u; x = float(s[frameCounter]);",
                                             declarations="shared uint s[100000000];\n"), None),
     "inlined-functions": lambda: (drawn("x = f19(x);", "float f0(float x) { return sin(x); }\n" + "".join(
-        f"float f{i}(float x) {{ return f{i - 1}(x) + f{i - 1}(x + 1.0); }}\n" for i in range(1, 20))), None),
+        f"float f{i}(float x) {{ return f{i - 1}(x) + f{i - 1}(x + 1.0); }}\n" for i in range(1, 20))), "stage-too-large"),
 }
 
-HEAVY = {"dispatch-65535-3", "loops-nested", "loops-nested-compute", "inlined-functions", "const-array-10-4",
+HEAVY = {"dispatch-65535-3", "loops-nested", "loops-nested-compute", "const-array-10-4",
          "statements-20-000"}

@@ -130,7 +130,7 @@ BOMBS = {
     "terms-many": lambda: (main_of("float a = 1.0" + " + 1.0" * 20_000 + "; gl_FragColor = vec4(a);"), None),
     "terms-10-5": lambda: (main_of("float a = 1.0" + " + 1.0" * N + "; gl_FragColor = vec4(a);"), None),
     "cases-many": lambda: (main_of("switch (int(gl_FragCoord.x)) {\n" + "".join(
-        f"case {i}: gl_FragColor = vec4({i}.0); break;\n" for i in range(5_000)) + "}"), None),
+        f"case {i}: gl_FragColor = vec4({i}.0); break;\n" for i in range(5_000)) + "}"), "stage-too-large"),
     "else-if-chain": lambda: (main_of("".join(
         f"if (gl_FragCoord.x < {i}.0) gl_FragColor = vec4({i}.0); else\n" for i in range(2_000)) + ";"),
                       None),
