@@ -34,7 +34,8 @@ std::optional<std::size_t> parseMemory(const std::string& text);
 class Attendant {
  public:
   virtual ~Attendant() = default;
-  /// When there is something to be read, and every few milliseconds. A status: the other process is ended, and runSupervised() returns it.
+  /// When there is something to be read, and every few milliseconds. A status: the other process is ended, and
+  /// runSupervised() returns it.
   virtual std::optional<int> attend() = 0;
   /// Has something to be read when there is more to do.
   virtual int descriptor() const = 0;
