@@ -168,23 +168,20 @@ TEST(ProgramDirectives, work_groups_are_read_as_iris_reads_them) {
 }
 
 TEST(ProgramDirectives, more_work_groups_than_gl_promises_are_a_warning) {
-  Diagnostics diagnostics;
-  readProgramDirectives(streamOf("const ivec3 workGroups = ivec3(65535, 1, 1);", diagnostics),
-                        kColorTargets, diagnostics);
-  EXPECT_TRUE(diagnostics.empty());
-  readProgramDirectives(streamOf("const ivec3 workGroups = ivec3(1, 65536, 1);", diagnostics),
-                        kColorTargets, diagnostics);
-  ASSERT_EQ(diagnostics.size(), 1u);
-  EXPECT_EQ(diagnostics[0].severity, Severity::Warning);
-  EXPECT_EQ(diagnostics[0].message, "workGroups is ivec3(1, 65536, 1)");
-  diagnostics.clear();
-  readProgramDirectives(streamOf("const ivec3 workGroups = ivec3(65535, 65535, 1);", diagnostics),
-                        kColorTargets, diagnostics);
-  EXPECT_TRUE(diagnostics.empty());
-  readProgramDirectives(streamOf("const ivec3 workGroups = ivec3(65535, 65535, 2);", diagnostics),
-                        kColorTargets, diagnostics);
-  ASSERT_EQ(diagnostics.size(), 1u);
-  EXPECT_EQ(diagnostics[0].severity, Severity::Warning);
+  for (const char* groups : {"ivec3(65535, 1, 1)", "ivec3(65535, 65535, 1)"}) {
+    Diagnostics diagnostics;
+    readProgramDirectives(streamOf("const ivec3 workGroups = " + std::string(groups) + ";", diagnostics), kColorTargets,
+                          diagnostics);
+    EXPECT_TRUE(diagnostics.empty()) << groups;
+  }
+  for (const char* groups : {"ivec3(1, 65536, 1)", "ivec3(65535, 65535, 2)"}) {
+    Diagnostics diagnostics;
+    readProgramDirectives(streamOf("const ivec3 workGroups = " + std::string(groups) + ";", diagnostics), kColorTargets,
+                          diagnostics);
+    ASSERT_EQ(diagnostics.size(), 1u);
+    EXPECT_EQ(diagnostics[0].severity, Severity::Warning);
+    EXPECT_EQ(diagnostics[0].message, "workGroups is " + std::string(groups));
+  }
 }
 
 TEST(PackDirectives, booleans_are_words) {

@@ -113,13 +113,7 @@ def main():
     if code != 0:
         print(output, "the tests fail without a mutant", sep="\n")
         return 1
-    survivors = 0
-    for mutant in chosen:
-        killed, what = try_mutant(args, mutant)
-        survivors += not killed
-        print(f"{'killed  ' if killed else 'SURVIVED'} {mutant[0]}: {what}", flush=True)
-    print(f"{len(chosen) - survivors} of {len(chosen)} mutants killed")
-    return 1 if survivors else 0
+    return kill_list.print_results((mutant[0], try_mutant(args, mutant)) for mutant in chosen)
 
 
 if __name__ == "__main__":

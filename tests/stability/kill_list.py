@@ -64,6 +64,17 @@ def try_mutant(program, source, mutant):
     return code == 1, ", ".join(failed) if failed else "no test failed"
 
 
+def print_results(results):
+    """Of (name, (killed, what happened)); the exit status."""
+    count = survivors = 0
+    for name, (killed, what) in results:
+        count += 1
+        survivors += not killed
+        print(f"{'killed  ' if killed else 'SURVIVED'} {name}: {what}", flush=True)
+    print(f"{count - survivors} of {count} mutants killed")
+    return 1 if survivors else 0
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("program", help="the tests, test_stability_gl for the default table")
@@ -80,14 +91,9 @@ def main():
     if code != 0:
         print(output, "the pack itself fails", sep="\n")
         return 1
-    survivors = 0
     with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
         results = pool.map(lambda mutant: try_mutant(program, args.pack, mutant), chosen)
-        for (name, _, _), (killed, what) in zip(chosen, results):
-            survivors += not killed
-            print(f"{'killed  ' if killed else 'SURVIVED'} {name}: {what}", flush=True)
-    print(f"{len(chosen) - survivors} of {len(chosen)} mutants killed")
-    return 1 if survivors else 0
+        return print_results(zip((name for name, _, _ in chosen), results))
 
 
 if __name__ == "__main__":

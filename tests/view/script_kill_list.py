@@ -14,6 +14,7 @@ import tempfile
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "stability"))
 import host_kill_list  # noqa: E402
+import kill_list  # noqa: E402
 from command_mutants import MUTANTS  # noqa: E402
 
 SKIPPED = 77
@@ -89,15 +90,9 @@ def main():
     parser.add_argument("--only", default="", help="mistakes whose name contains this")
     args = parser.parse_args()
     args.source = args.source.resolve()
-    known, passed, survivors = scripts(), {}, 0
-    for mutant in host_kill_list.rows_of(MUTANTS):
-        if args.only not in mutant[0]:
-            continue
-        killed, what = try_mutant(args, mutant, known, passed)
-        survivors += not killed
-        print(f"{'killed  ' if killed else 'SURVIVED'} {mutant[0]}: {what}", flush=True)
-    print(f"{survivors} survived")
-    return 1 if survivors else 0
+    known, passed = scripts(), {}
+    return kill_list.print_results((mutant[0], try_mutant(args, mutant, known, passed))
+                                   for mutant in host_kill_list.rows_of(MUTANTS) if args.only in mutant[0])
 
 
 if __name__ == "__main__":
