@@ -5,6 +5,9 @@
 namespace orris::test {
 namespace {
 
+/// face_unit of include/face_cache/face_cache.glsl with the default EMISSION_STRENGTH.
+constexpr float kFaceUnit = 16.0f / 2048;
+
 int wrap(int a, int size) { return (a % size + size) % size; }
 
 }  // namespace
@@ -32,7 +35,12 @@ float FaceField::brightest() const {
   return largest;
 }
 
-FaceField faceField(PackSession& pack, int volume) { return {pack.dump("face_light"), volume}; }
+FaceField faceField(PackSession& pack, int volume) {
+  ImageF light = pack.dump("face_light");
+  for (size_t i = 0; i < light.pixels.size(); ++i)
+    if (i % 4 != 3) light.pixels[i] *= kFaceUnit;
+  return {std::move(light), volume};
+}
 
 // Texel 0 of row 1, counted from the bottom.
 int lastEdit(PackSession& pack) { return static_cast<int>(pack.dump("face_memory").at(0, 0)[0]); }

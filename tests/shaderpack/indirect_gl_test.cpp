@@ -192,6 +192,48 @@ TEST(IndirectLight, corners_beside_a_lamp_are_as_dark_as_with_more_bounces) {
   EXPECT_NEAR(foot({}) / reference, 1, .1);
 }
 
+// Behind two layers of yellow glass blue is so dark that half floats have few steps for it; a lamp 32 times as strong is as
+// much brighter there.
+TEST(IndirectLight, light_too_dark_for_half_floats_is_in_proportion_to_its_lamp) {
+  const auto blue = [](const char* strength) {
+    PackSession pack(R"({"size": [11, 9, 11],
+        "blocks": [{"hollow": "stone", "min": [1, 1, 1], "max": [9, 7, 9]},
+                   {"box": "yellow_stained_glass", "min": [2, 2, 4], "max": [8, 6, 5]},
+                   {"block": "glowstone", "at": [5, 7, 3]}],
+        "cameras": [{"name": "eye", "position": [5.5, 4, 6.5], "target": [5.5, 2, 7.6], "fov": 60}],
+        "environment": {"time": 18000}})",
+                     indirectOptions({{"EMISSION_STRENGTH", strength},
+                                      {"FACE_SHARE", "1"},
+                                      {"TEMPORAL_FRAMES", "1024"},
+                                      {"GI_SAMPLES", "4"}}),
+                     16, 9);
+    pack.renderFrames(160);
+    const ImageF image = pack.dump("colortex3");
+    double sum = 0;
+    for (std::size_t p = 2; p < image.pixels.size(); p += std::size_t(image.channels))
+      sum += image.pixels[p];
+    return sum;
+  };
+  EXPECT_NEAR(blue("64.0") / blue("2.0"), 32, 1);
+}
+
+// Means over 128 frames are kept in half floats, those over 1024 are not.
+TEST(IndirectLight, means_over_frames_lose_nothing_in_half_floats) {
+  const auto mean = [](const char* frames) {
+    PackSession pack(
+        R"({"size": [32, 1, 32],
+        "blocks": [{"box": "white_concrete", "min": [0, 0, 0], "max": [31, 0, 31]}],
+        "cameras": [{"name": "eye", "position": [16.5, 6.5, 16.5], "target": [15.5, 1, 16]}],
+        "environment": {"time": 3000}})",
+        indirectOptions(
+            {{"GI_METHOD", "BOUNCE_1"}, {"DIRECT_LIGHT", "NONE"}, {"TEMPORAL_FRAMES", frames}}),
+        64, 36);
+    pack.renderFrames(300);
+    return pack.meanRadiance().g;
+  };
+  EXPECT_NEAR(mean("128") / mean("1024"), 1, .006);
+}
+
 // Under the sky alone both gather the same light, and keep the same means over frames.
 TEST(IndirectLight, rays_of_a_pixel_are_spread_over_frames) {
   const auto noise = [](const char* method) {

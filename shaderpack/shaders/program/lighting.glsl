@@ -16,6 +16,7 @@ void main() { gl_Position = ftransform(); }
 #endif
 #include "/include/gbuffer.glsl"
 #include "/include/gi/ambient.glsl"
+#include "/include/math/half.glsl"
 #include "/include/brdf/direct.glsl"
 #if HAS_GLOSSY
 #include "/include/brdf/glossy.glsl"
@@ -124,7 +125,7 @@ void main() {
 #endif
     // What the sky programs drew: stars, sun, moon.
     vec3 behind = texelFetch(colortex0, pixel, 0).rgb + sky_radiance(normalize(s.player));
-    out_color = vec4(s.sky ? behind : light_surface(s, pixel), 1.0);
+    out_color = vec4(round_to_half(s.sky ? behind : light_surface(s, pixel)), 1.0);
 #if HAS_LIGHT_DEBUG
     out_color = vec4(light_debug(s), 1.0);
 #endif

@@ -1,7 +1,7 @@
 // Radiance cached for each exposed face of a block: B, the mean incoming radiance over the face from
 // everything but the direct sun, so that a ray that ends there sees albedo * (sun + B).
 //
-//   face_light   rgba16f, 9 places a cell at (9 x + place, y, z): rgb B, a number of updates. Places 0..5
+//   face_light   rgba16f, 9 places a cell at (9 x + place, y, z): rgb B / face_unit, a number of updates. Places 0..5
 //                are the faces on the sides of the cell, 6..8 those in the middle of it, by axis: treads of
 //                stairs, tops of slabs. A shape with octants looks one way along an axis there. Of full blocks they are
 //                the upper halves of faces beside a stained pane, which parts their light.
@@ -84,11 +84,16 @@ ivec2 face_slot(uint index) {
 
 ivec2 lamp_slot(uint index) { return face_slot(index) + ivec2(0, face_rows); }
 
-/// Brightness of garbage is none: B and number of updates as stored, or 0.
+// Below 2^-14 half floats have steps of 2^-24, and an update that changes a mean by less than half of one is lost: what
+// came through stained glass of another colour only grew. Small lamps, the brightest there is, have 5 EMISSION_STRENGTH.
+const float face_unit = EMISSION_STRENGTH / 2048.0;
+const float face_light_max = 65504.0 * face_unit;
+
+/// Brightness of garbage is none: B and number of updates, or 0.
 vec4 trusted(vec4 stored) {
     bvec4 above = greaterThanEqual(stored, vec4(0.0));
     bvec4 below = lessThanEqual(stored, vec4(65504.0));
-    return all(above) && all(below) ? stored : vec4(0.0);
+    return all(above) && all(below) ? vec4(stored.rgb * face_unit, stored.a) : vec4(0.0);
 }
 
 #endif

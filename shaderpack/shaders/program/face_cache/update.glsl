@@ -92,8 +92,8 @@ vec4 updated(uint entry, vec3 light) {
 
     float updates = trusted_updates(old.a);
     float gain = max(1.0 / float(FACE_WINDOW), FACE_GAIN / (updates + FACE_GAIN));
-    vec3 mean = mix(old.rgb, min(sampled, vec3(65504.0)), gain);
-    return vec4(round_to_half(mean), min(updates + 1.0, 2047.0));
+    vec3 mean = mix(old.rgb, min(sampled, vec3(face_light_max)), gain);
+    return vec4(round_to_half(mean / face_unit), min(updates + 1.0, 2047.0));
 }
 
 void main() {
