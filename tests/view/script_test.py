@@ -217,6 +217,21 @@ void main() {
                    "iris.features.required=SSBO CUSTOM_IMAGES\n")
 
 
+def first_value_that_is_not_finite_is_named(test):
+    write_odd_values(test)
+    test.view([{"frames": 3}, {"state": "before.json"}, {"key": "F3"}, {"frames": 2}, {"click": "find NaN and Inf"}, {"frames": 2},
+               {"state": "found.json"}, {"screenshot": "panel.png"}, {"frames": 1},
+               {"replace": "pack/shaders/composite.fsh", "old": "sqrt(-uv.x)", "new": "1.0"}, {"until": {"/loads": 2}},
+               {"frames": 2}, {"state": "mended.json"}, {"checkFinite": False}, {"frames": 2},
+               {"expect": {"/checksFinite": False, "/notFinite": [], "/panels/passes": True, "/glErrors": 0}}])
+    before, found, mended = [json.loads((test.folder / f"{name}.json").read_text()) for name in ("before", "found", "mended")]
+    assert not before["checksFinite"] and before["notFinite"] == []
+    (nan,), (infinite,) = found["notFinite"], mended["notFinite"]
+    assert nan["message"].startswith("composite writes NaN to colortex4 (alt) at pixel 10,0 of frame "), nan
+    assert nan["message"].endswith("; 2 pixels are not finite") and nan["file"] == "/composite.fsh", nan
+    assert infinite["message"].startswith("composite writes Inf to colortex4 (alt) at pixel 11,0 of frame "), infinite
+
+
 def buffers_are_shown_after_any_pass(test):
     write_odd_values(test)
     test.view([{"frames": 2}, {"show": "colortex4@composite:0..2"}, {"frames": 2}, {"state": "odd.json"},
@@ -533,7 +548,7 @@ def a_mistake_in_a_shared_file_is_one_problem(test):
 
 CASES = [a_mistake_in_a_shared_file_is_one_problem, the_last_program_may_change_while_paused, worlds_of_the_folder_and_shown_before_are_offered, programs_are_read_with_the_authors_lines, two_sets_are_compared, b_keeps_the_files_as_they_were, frames_go_on_while_an_edit_is_loaded, what_a_step_asks_for_waits_for_an_edit_in_progress,
          live_options_build_nothing_and_give_the_same_bytes, a_live_slider_is_followed_while_it_is_dragged,
-         what_cannot_be_live_is_said, buffers_are_shown_after_any_pass, buffers_cost_nothing_while_none_is_shown, buffers_are_chosen_by_hand,
+         what_cannot_be_live_is_said, first_value_that_is_not_finite_is_named, buffers_are_shown_after_any_pass, buffers_cost_nothing_while_none_is_shown, buffers_are_chosen_by_hand,
          what_cannot_be_shown_is_said, passes_say_what_they_read_and_write, options_are_walked_changed_and_reset, problems_are_on_screen_over_the_last_good_picture,
          passes_are_timed_and_pixels_probed_only_while_shown, scene_is_chosen_in_its_panel,
          panels_survive_any_size, error_is_opened_in_the_editor,

@@ -293,6 +293,22 @@ def missing_include_is_located_and_changes_nothing(test):
     assert errors.count(": error:") == 1 and "/composite.fsh:2:" in errors, errors
 
 
+def single_frame_lasts_a_sixtieth_of_a_second(test):
+    test.edit("#define TINT 0", "uniform float frameTime;\n#define TINT 0")
+    test.edit("return color;", "return abs(frameTime * 60.0 - 1.0) < 1e-4 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0);")
+    view = View(test)
+    view.wait_for("ready")
+    test.tell_display("key", "comma")
+    time.sleep(1)
+    assert mean(view.screenshot()) == [255, 0, 0]  # of a frame that lasted as long as it took
+    test.tell_display("key", "period")
+    end = time.monotonic() + TIMEOUT
+    while (shown := mean(view.screenshot())) != [0, 255, 0] and time.monotonic() < end:
+        time.sleep(0.1)
+    assert shown == [0, 255, 0], shown
+    view.end()
+
+
 def option_file_takes_effect(test):
     before = test.picture()
     path = test.folder / "after.png"
@@ -429,7 +445,7 @@ def worlds_are_remembered(test):
 CASES = [worlds_are_remembered, shows_what_render_draws, window_shows_the_screenshot,
          edited_shader_changes_the_picture,
          broken_edit_changes_nothing_and_is_reported_once, repaired_edit_is_taken_over,
-         missing_include_is_located_and_changes_nothing, option_file_takes_effect,
+         missing_include_is_located_and_changes_nothing, option_file_takes_effect, single_frame_lasts_a_sixtieth_of_a_second,
          fifty_edits_leave_no_error_and_no_growth, events_of_the_world_happen,
          keys_reload_step_profiles_and_take_screenshots, keys_and_mouse_fly,
          ends_by_the_window_needing_a_display]

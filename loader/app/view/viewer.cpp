@@ -14,6 +14,7 @@
 #include <orris/core/work_record.h>
 #include <orris/gl/functions.h>
 #include <orris/render/inspect/counters.h>
+#include <orris/render/inspect/finite_check.h>
 
 namespace orris {
 namespace {
@@ -194,16 +195,20 @@ void Viewer::drawFrame() {
 void Viewer::drawPicture(double seconds) {
   if (paused_ && singleFrames_ == 0 && session().frame() > 0) return;
   singleFrames_ = std::max(singleFrames_ - 1, 0);
-  session().setFrameTime(float(seconds));
+  // Single frames are there to be compared.
+  session().setFrameTime(float(paused_ ? kFixedStep : seconds));
   FrameRenderer& renderer = session().renderer();
   renderer.setTimings(panels_.passes);
   std::optional<PixelProbe> probe;
   if (panels_.passes && pixel_) {
     probe.emplace(renderer, pixel_->first, pixel_->second);
   }
-  if (probe || inspector_)
+  std::optional<FiniteCheck> finite;
+  if (checksFinite_ && notFinite_.empty()) finite.emplace(renderer);
+  if (probe || finite || inspector_)
     renderer.watchSteps([&](const Step& step) {
       if (probe) probe->after(step);
+      if (finite) finite->after(step, session().frame());
       if (inspector_) inspector_->after(renderer, step);
     });
   Diagnostics diagnostics;
@@ -212,8 +217,9 @@ void Viewer::drawPicture(double seconds) {
   if (comparison_) comparison_->endFrame(renderer);
   report_.add(diagnostics);
   if (panels_.passes) times_.add(renderer.schedule(), renderer.stepTimes());
-  if (probe || inspector_) renderer.watchSteps({});
+  if (probe || finite || inspector_) renderer.watchSteps({});
   if (probe) probe_ = probe->values();
+  if (finite) notFinite_ = finite->findings();
   if (inspector_) inspector_->endFrame(renderer);
   if (++framesDrawn_ != 1) return;
   if (death_) return catchUp();

@@ -93,6 +93,7 @@ class Viewer final : public ScriptTarget {
   /// Opens the buffers.
   void show(ShownBuffer shown);
   void toggleBuffers();
+  void checkFinite(bool on);
   /// B is the set in force, unless there is a B already.
   bool compare(CompareMode mode);
   void endComparison();
@@ -133,6 +134,7 @@ class Viewer final : public ScriptTarget {
   std::string pictureStep(const JsonNode& value);
   std::string compareStep(const JsonNode& value);
   std::string programStep(const JsonNode& value);
+  std::string checkFiniteStep(const JsonNode& value);
   std::string showStep(const JsonNode& value);
   std::string shownStep(const JsonNode& value);
   std::string stateStep(const JsonNode& value);
@@ -161,6 +163,8 @@ class Viewer final : public ScriptTarget {
   StepHistory times_;
   std::optional<std::pair<int, int>> pixel_;  ///< that is probed, from the top left
   std::vector<ProbeValue> probe_;
+  bool checksFinite_ = false;
+  Diagnostics notFinite_;  ///< of the first frame that wrote NaN or Inf since that began, or since the last load
   std::optional<BufferInspector> inspector_;  ///< only while the buffers are open
   std::optional<ProgramText> program_;  ///< only while a program is shown, of this pack
   std::shared_ptr<const ShaderPack> programOf_;

@@ -125,6 +125,7 @@ void Viewer::sayOutcome() {
   const LoadOutcome& last = pack_->outcome();
   status_ = last.succeeded ? kClean : kProblems;
   panels_.problems = true;
+  notFinite_.clear();
   if (!last.succeeded) return say("not reloaded: the last good pack keeps running");
   say(fmt::format("reloaded ({}): {} programs built{}{}, {} kept, {:.2f} s", last.cause,
                   last.report.programsBuilt, last.report.built.empty() ? "" : ": ",
@@ -191,6 +192,7 @@ std::string Viewer::perform(const ScriptStep& step) {
       {"resize", &Viewer::resizeStep},       {"screenshot", &Viewer::screenshotStep},
       {"picture", &Viewer::pictureStep},     {"state", &Viewer::stateStep},
       {"compare", &Viewer::compareStep},      {"program", &Viewer::programStep},
+      {"checkFinite", &Viewer::checkFiniteStep},
       {"show", &Viewer::showStep},           {"shown", &Viewer::shownStep}};
   const auto row = std::ranges::find_if(kRows, [&](const Row& one) { return one.name == step.action; });
   return row == std::end(kRows) ? "cannot be done here" : (this->*row->action)(step.value);
@@ -302,6 +304,12 @@ std::string Viewer::programStep(const JsonNode& value) {
   if (value.text.empty() || showProgram(value.text)) return "";
   return fmt::format("there is no program {}: the pack has {}", value.text,
                      fmt::join(programTextNames(session().renderer().pack()), ", "));
+}
+
+std::string Viewer::checkFiniteStep(const JsonNode& value) {
+  panels_.passes = true;
+  checkFinite(value.boolean);
+  return "";
 }
 
 std::string Viewer::showStep(const JsonNode& value) {

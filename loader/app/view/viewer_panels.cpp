@@ -53,7 +53,7 @@ void Viewer::endPanels() {
   if (!building_) return;
   building_ = false;
   const PanelFacts facts{*pack_,  session(), plain_ == nullptr, paused_, hasFixedTime(),
-                         worldsBeside_, times_, pixel_,    probe_,
+                         worldsBeside_, times_, pixel_,    probe_, checksFinite_, notFinite_,
                          inspector_ ? &*inspector_ : nullptr, shownProgram(),
                          comparison_.get()};
   if (panels_.options) drawOptions(*interface_, panels_, facts, requests_);
@@ -71,6 +71,7 @@ void Viewer::endPanels() {
     times_ = {};
     pixel_.reset();
     probe_.clear();
+    checkFinite(false);
   }
 }
 
@@ -96,6 +97,7 @@ void Viewer::apply(const PanelRequests& requests) {
     pixel_.reset();
     probe_.clear();
   }
+  if (requests.checkFinite) checkFinite(*requests.checkFinite);
   if (requests.show) show(*requests.show);
   if (!requests.program.empty()) showProgram(requests.program);
   if (requests.edit) openEditor(*requests.edit);
@@ -123,6 +125,12 @@ bool Viewer::setWorld(const std::string& name) {
   }
   say(done ? "world " + name : fmt::format("the world {} cannot be drawn", name));
   return done;
+}
+
+void Viewer::checkFinite(bool on) {
+  checksFinite_ = on;
+  notFinite_.clear();
+  if (on) singleFrames_ = std::max(singleFrames_, 1);  // a pause has looked at nothing
 }
 
 void Viewer::show(ShownBuffer shown) {

@@ -110,6 +110,8 @@ nlohmann::json Viewer::state() {
           {"passes", passesState(renderer)},
           {"timedSteps", renderer.stepTimes().size()},
           {"probe", probeState(probe_)},
+          {"checksFinite", checksFinite_},
+          {"notFinite", toJson(notFinite_)},
           {"shown", inspector_ ? inspector_->state() : nlohmann::json()},
           {"program", panels_.program && program_ ? programState(*program_, panels_.programLine) : nlohmann::json()},
           {"compare", comparison_ ? comparison_->state(pack) : nlohmann::json()},

@@ -57,6 +57,8 @@ struct PanelFacts {
   const StepHistory& times;
   const std::optional<std::pair<int, int>>& pixel;  ///< that is probed
   const std::vector<ProbeValue>& probe;
+  bool checksFinite = false;
+  const Diagnostics& notFinite;  ///< of the first frame that wrote NaN or Inf since that began
   const BufferInspector* inspector = nullptr;  ///< nullptr: no buffer is shown
   const ProgramText* program = nullptr;        ///< nullptr: none is shown
   SetComparison* comparison = nullptr;         ///< nullptr: nothing is compared; how it is shown is its own
@@ -75,6 +77,7 @@ struct PanelRequests {
   std::optional<bool> pause, packOn;
   bool singleFrame = false;
   bool dropPixel = false;
+  std::optional<bool> checkFinite;
   std::optional<ShownBuffer> show;  ///< opens the buffers
   std::string program;              ///< text to show, "composite.fsh"
   std::optional<SourceLocation> edit;  ///< place to open in the editor

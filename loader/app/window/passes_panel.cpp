@@ -52,7 +52,7 @@ void drawSteps(Interface& interface, const PanelFacts& facts, PanelRequests& req
   for (const std::string& name : names) total += facts.times.median(name).first;
   ImGui::TextUnformatted(fmt::format("median of the last {} frames; all passes {:.2f} ms",
                                      StepHistory::kFrames, total).c_str());
-  const ImVec2 size(0, ImGui::GetContentRegionAvail().y * (facts.pixel ? 0.5f : 0.9f));
+  const ImVec2 size(0, ImGui::GetContentRegionAvail().y * (facts.pixel || facts.checksFinite ? 0.5f : 0.8f));
   if (!ImGui::BeginTable("steps", 5, kTable | ImGuiTableFlags_ScrollX, size)) return;
   ImGui::TableSetupScrollFreeze(0, 1);
   for (const char* head : {"pass", "ms", "processor ms", "writes", "reads"}) ImGui::TableSetupColumn(head);
@@ -68,6 +68,17 @@ void drawSteps(Interface& interface, const PanelFacts& facts, PanelRequests& req
   }
   ImGui::EndTable();
   interface.name("steps");
+}
+
+void drawFiniteCheck(Interface& interface, const PanelFacts& facts, PanelRequests& requests) {
+  bool checks = facts.checksFinite;
+  if (ImGui::Checkbox("find NaN and Inf", &checks)) requests.checkFinite = checks;
+  interface.name("find NaN and Inf");
+  if (checks && facts.notFinite.empty()) ImGui::TextUnformatted("none so far");
+  for (const Diagnostic& found : facts.notFinite) {
+    ImGui::TextWrapped("%s", found.message.c_str());
+    for (const std::string& note : found.notes) ImGui::TextWrapped("%s", note.c_str());
+  }
 }
 
 void drawPixel(Interface& interface, const PanelFacts& facts, PanelRequests& requests) {
@@ -132,6 +143,7 @@ void drawPasses(Interface& interface, PanelState& state, const PanelFacts& facts
                 PanelRequests& requests) {
   if (beginPanel("Passes", &state.passes, ImVec2(0.45f, 0.05f), ImVec2(0.53f, 0.9f))) {
     drawSteps(interface, facts, requests);
+    drawFiniteCheck(interface, facts, requests);
     drawPixel(interface, facts, requests);
   }
   ImGui::End();

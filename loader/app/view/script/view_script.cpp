@@ -48,6 +48,7 @@ const std::vector<StepRow>& stepRows() {
       {"picture", {Kind::String}, ""},
       {"compare", {Kind::String}, ""},
       {"program", {Kind::String}, ""},
+      {"checkFinite", {Kind::Boolean}, ""},
       {"show", {Kind::String}, ""},
       {"shown", {Kind::String}, ""},
       {"state", {Kind::String}, ""},
