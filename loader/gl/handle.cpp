@@ -10,6 +10,7 @@ void deleteBuffer(unsigned id) { DeleteBuffers(1, &id); }
 void deleteVertexArray(unsigned id) { DeleteVertexArrays(1, &id); }
 void deleteProgram(unsigned id) { DeleteProgram(id); }
 void deleteShader(unsigned id) { DeleteShader(id); }
+void deleteQuery(unsigned id) { DeleteQueries(1, &id); }
 void deleteSampler(unsigned id) { DeleteSamplers(1, &id); }
 
 }  // namespace orris::gl

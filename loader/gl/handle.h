@@ -32,6 +32,7 @@ void deleteBuffer(unsigned id);
 void deleteVertexArray(unsigned id);
 void deleteProgram(unsigned id);
 void deleteShader(unsigned id);
+void deleteQuery(unsigned id);
 void deleteSampler(unsigned id);
 
 }  // namespace orris::gl

@@ -2,10 +2,8 @@
 
 #include <fmt/format.h>
 #include <malloc.h>
-#include <time.h>
 
 #include <algorithm>
-#include <chrono>
 #include <string>
 #include <utility>
 
@@ -18,18 +16,9 @@
 namespace orris {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 // The driver is waited for after each step of so many frames: what kills or stalls it mostly does so at
 // once, and then the step is known. Later frames are drawn as fast as can be.
 constexpr int kExactFrames = 2;
-
-/// Of all threads.
-double processorSeconds() {
-  timespec time{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
-}
 
 }  // namespace
 
@@ -142,8 +131,8 @@ void FrameRenderer::render(const FrameState& given, const DrawLists& lists) {
 }
 
 void FrameRenderer::runStep(const Step& step, const FrameState& state) {
-  const auto start = Clock::now();
-  const double startOfWork = options_.timings ? processorSeconds() : 0;
+  if (options_.timings && !clock_) clock_.emplace(!gl::isSoftwareRenderer(context_.driver().renderer));
+  if (options_.timings) clock_->start();
   const bool draws = step.kind == Step::Kind::Fullscreen || step.kind == Step::Kind::Draw ||
                      step.kind == Step::Kind::DrawShadow || step.kind == Step::Kind::ShadowVolumes;
   // A program beyond a limit of the driver was reported when it was built.
@@ -194,11 +183,7 @@ void FrameRenderer::runStep(const Step& step, const FrameState& state) {
       present(step, state);
       break;
   }
-  if (options_.timings) {
-    gl::Finish();
-    stepTimes_.push_back({step.name, std::chrono::duration<double>(Clock::now() - start).count(),
-                          processorSeconds() - startOfWork});
-  }
+  if (options_.timings) stepTimes_.push_back(clock_->stop(step.name));
   if (watcher_) watcher_(step);
 }
 

@@ -11,6 +11,7 @@
 #include <orris/gl/context.h>
 #include <orris/image/image.h>
 #include <orris/render/gpu_program.h>
+#include <orris/render/inspect/step_clock.h>
 #include <orris/render/scene/gpu_scene.h>
 #include <orris/render/pack_resources.h>
 #include <orris/render/render_targets.h>
@@ -28,7 +29,7 @@ using ProgramPool = std::map<std::string, std::shared_ptr<GpuProgram>>;
 struct RendererOptions {
   int width = 0, height = 0;
   bool floatScreen = false;  ///< keep values beyond 0..1 on the screen
-  bool timings = false;      ///< finish and time every step (the software rasteriser's queries lie)
+  bool timings = false;      ///< finish and time every step
   std::shared_ptr<ProgramPool> pool;  ///< none: programs are shared between loads of the renderer alone
 };
 
@@ -37,12 +38,6 @@ struct LoadReport {
   int programsBuilt = 0, programsReused = 0;
   std::vector<std::string> built;  ///< names, in frame order
   double compileSeconds = 0;
-};
-
-struct StepTime {
-  std::string name;
-  double seconds = 0;           ///< that passed
-  double processorSeconds = 0;  ///< of all threads; of a software rasteriser what the step costs
 };
 
 /// One of the two textures of a render target; of any other buffer there is only main.
@@ -198,6 +193,7 @@ class FrameRenderer {
   int framesOfPack_ = 0;  ///< drawn since setPack()
   float centerDepth_ = 1;
   const DrawLists* lists_ = nullptr;  ///< of the frame that is drawn
+  std::optional<StepClock> clock_;  ///< made when steps are first timed
   std::vector<StepTime> stepTimes_;
   StepWatcher watcher_;
 };

@@ -37,10 +37,11 @@ bool writeDump(const std::string& path, const ImageF& image, Report& report) {
 }
 
 bool writeTimings(const std::string& path, const std::vector<FrameStepTime>& times, Report& report) {
-  std::string text = "frame,step,milliseconds,processor_milliseconds\n";
+  std::string text = "frame,step,milliseconds,processor_milliseconds,card_milliseconds\n";
   for (const FrameStepTime& time : times)
-    text += fmt::format("{},{},{:.4f},{:.4f}\n", time.frame, time.step.name,
-                        time.step.seconds * 1e3, time.step.processorSeconds * 1e3);
+    text += fmt::format("{},{},{:.4f},{:.4f},{}\n", time.frame, time.step.name,
+                        time.step.seconds * 1e3, time.step.processorSeconds * 1e3,
+                        time.step.cardSeconds ? fmt::format("{:.4f}", *time.step.cardSeconds * 1e3) : "");
   return writeWholeFile(path, text, report);
 }
 

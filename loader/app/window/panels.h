@@ -43,8 +43,12 @@ struct StepHistory {
   static constexpr std::size_t kFrames = 32;
   std::map<std::string, std::deque<StepTime>> steps;
   void add(const Schedule& schedule, const std::vector<StepTime>& times);
-  /// Milliseconds that passed and that processors worked; 0 before the first frame.
-  std::pair<double, double> median(const std::string& step) const;
+  /// Milliseconds of each clock; 0 before the first frame.
+  struct Median {
+    double passed = 0, processors = 0;
+    std::optional<double> card;
+  };
+  Median median(const std::string& step) const;
 };
 
 /// What the panels show.

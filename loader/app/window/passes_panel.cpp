@@ -49,20 +49,21 @@ void drawSteps(Interface& interface, const PanelFacts& facts, PanelRequests& req
   const FrameRenderer& renderer = facts.session.renderer();
   const std::vector<std::string> names = stepLabels(renderer.schedule());
   double total = 0;
-  for (const std::string& name : names) total += facts.times.median(name).first;
+  for (const std::string& name : names) total += facts.times.median(name).passed;
   ImGui::TextUnformatted(fmt::format("median of the last {} frames; all passes {:.2f} ms",
                                      StepHistory::kFrames, total).c_str());
   const ImVec2 size(0, ImGui::GetContentRegionAvail().y * (facts.pixel || facts.checksFinite ? 0.5f : 0.8f));
-  if (!ImGui::BeginTable("steps", 5, kTable | ImGuiTableFlags_ScrollX, size)) return;
+  if (!ImGui::BeginTable("steps", 6, kTable | ImGuiTableFlags_ScrollX, size)) return;
   ImGui::TableSetupScrollFreeze(0, 1);
-  for (const char* head : {"pass", "ms", "processor ms", "writes", "reads"}) ImGui::TableSetupColumn(head);
+  for (const char* head : {"pass", "ms", "processor ms", "card ms", "writes", "reads"}) ImGui::TableSetupColumn(head);
   ImGui::TableHeadersRow();
   for (std::size_t i = 0; i < names.size(); ++i) {
     const Step& step = renderer.schedule().frame[i];
-    const auto [passed, worked] = facts.times.median(names[i]);
+    const StepHistory::Median times = facts.times.median(names[i]);
     textCell(names[i]);
-    textCell(fmt::format("{:.3f}", passed));
-    textCell(fmt::format("{:.3f}", worked));
+    textCell(fmt::format("{:.3f}", times.passed));
+    textCell(fmt::format("{:.3f}", times.processors));
+    textCell(times.card ? fmt::format("{:.3f}", *times.card) : "-");
     drawWrites(interface, renderer, step, names[i], requests);
     textCell(sidesText(renderer.readsOf(step)));
   }
@@ -126,17 +127,22 @@ void StepHistory::add(const Schedule& schedule, const std::vector<StepTime>& tim
   }
 }
 
-std::pair<double, double> StepHistory::median(const std::string& step) const {
+StepHistory::Median StepHistory::median(const std::string& step) const {
   const auto found = steps.find(step);
-  if (found == steps.end() || found->second.empty()) return {0, 0};
-  const auto middle = [&](double StepTime::*member) {
+  if (found == steps.end() || found->second.empty()) return {};
+  const auto middle = [&](const auto& secondsOf) {
     std::vector<double> values;
-    for (const StepTime& time : found->second) values.push_back(time.*member * 1e3);
+    for (const StepTime& time : found->second) values.push_back(secondsOf(time) * 1e3);
     const auto at = values.begin() + std::ptrdiff_t(values.size() / 2);
     std::nth_element(values.begin(), at, values.end());
     return *at;
   };
-  return {middle(&StepTime::seconds), middle(&StepTime::processorSeconds)};
+  Median all{.passed = middle([](const StepTime& time) { return time.seconds; }),
+             .processors = middle([](const StepTime& time) { return time.processorSeconds; }),
+             .card = {}};
+  if (found->second.front().cardSeconds)
+    all.card = middle([](const StepTime& time) { return time.cardSeconds.value_or(0); });
+  return all;
 }
 
 void drawPasses(Interface& interface, PanelState& state, const PanelFacts& facts,
