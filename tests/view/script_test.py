@@ -184,6 +184,14 @@ def passes_are_timed_and_pixels_probed_only_while_shown(test):
         [(one["step"], one["buffer"], one["value"]) for one in opened["probe"]]
 
 
+def times_of_the_last_frames_are_shown_under_the_mouse(test):
+    test.view([{"resize": [640, 480]}, {"key": "F3"}, {"frames": 5}, {"pause": True}, {"frames": 2},
+               {"screenshot": "panel.png"}, {"frames": 1}, {"move": "ms of clear_color"}, {"frames": 2},
+               {"screenshot": "history.png"}, {"frames": 1}])
+    share = share_within_one(test.picture("panel.png"), test.picture("history.png"))
+    assert 0.5 < share < 0.97, share
+
+
 def write_odd_values(test):
     """composite leaves a NaN, an Inf and negative values, and fills a buffer object."""
     shaders = test.folder / "pack" / "shaders"
@@ -548,7 +556,7 @@ def a_mistake_in_a_shared_file_is_one_problem(test):
 
 CASES = [a_mistake_in_a_shared_file_is_one_problem, the_last_program_may_change_while_paused, worlds_of_the_folder_and_shown_before_are_offered, programs_are_read_with_the_authors_lines, two_sets_are_compared, b_keeps_the_files_as_they_were, frames_go_on_while_an_edit_is_loaded, what_a_step_asks_for_waits_for_an_edit_in_progress,
          live_options_build_nothing_and_give_the_same_bytes, a_live_slider_is_followed_while_it_is_dragged,
-         what_cannot_be_live_is_said, first_value_that_is_not_finite_is_named, buffers_are_shown_after_any_pass, buffers_cost_nothing_while_none_is_shown, buffers_are_chosen_by_hand,
+         what_cannot_be_live_is_said, first_value_that_is_not_finite_is_named, times_of_the_last_frames_are_shown_under_the_mouse, buffers_are_shown_after_any_pass, buffers_cost_nothing_while_none_is_shown, buffers_are_chosen_by_hand,
          what_cannot_be_shown_is_said, passes_say_what_they_read_and_write, options_are_walked_changed_and_reset, problems_are_on_screen_over_the_last_good_picture,
          passes_are_timed_and_pixels_probed_only_while_shown, scene_is_chosen_in_its_panel,
          panels_survive_any_size, error_is_opened_in_the_editor,

@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include "app/window/panel_parts.h"
@@ -45,6 +46,20 @@ void drawWrites(Interface& interface, const FrameRenderer& renderer, const Step&
   }
 }
 
+/// Of the cell that was drawn last: while the mouse is over it, the times of the last frames.
+void drawHistory(const StepHistory& times, const std::string& step) {
+  const auto found = times.steps.find(step);
+  if (found == times.steps.end() || !ImGui::IsItemHovered()) return;
+  std::vector<float> milliseconds;
+  for (const StepTime& time : found->second) milliseconds.push_back(float(time.seconds * 1e3));
+  const float most = *std::ranges::max_element(milliseconds);
+  ImGui::BeginTooltip();
+  ImGui::TextUnformatted(fmt::format("{}, 0 to {:.3f} ms", step, most).c_str());
+  ImGui::PlotHistogram("##history", milliseconds.data(), int(milliseconds.size()), 0, nullptr, 0, most,
+                       ImVec2(ImGui::GetFontSize() * 16, ImGui::GetFontSize() * 4));
+  ImGui::EndTooltip();
+}
+
 void drawSteps(Interface& interface, const PanelFacts& facts, PanelRequests& requests) {
   const FrameRenderer& renderer = facts.session.renderer();
   const std::vector<std::string> names = stepLabels(renderer.schedule());
@@ -52,18 +67,23 @@ void drawSteps(Interface& interface, const PanelFacts& facts, PanelRequests& req
   for (const std::string& name : names) total += facts.times.median(name).passed;
   ImGui::TextUnformatted(fmt::format("median of the last {} frames; all passes {:.2f} ms",
                                      StepHistory::kFrames, total).c_str());
+  const bool hasCard = std::ranges::any_of(
+      names, [&](const std::string& name) { return facts.times.median(name).card.has_value(); });
   const ImVec2 size(0, ImGui::GetContentRegionAvail().y * (facts.pixel || facts.checksFinite ? 0.5f : 0.8f));
-  if (!ImGui::BeginTable("steps", 6, kTable | ImGuiTableFlags_ScrollX, size)) return;
+  if (!ImGui::BeginTable("steps", hasCard ? 6 : 5, kTable | ImGuiTableFlags_ScrollX, size)) return;
   ImGui::TableSetupScrollFreeze(0, 1);
-  for (const char* head : {"pass", "ms", "processor ms", "card ms", "writes", "reads"}) ImGui::TableSetupColumn(head);
+  for (const char* head : {"pass", "ms", "processor ms", "card ms", "writes", "reads"})
+    if (hasCard || std::string_view(head) != "card ms") ImGui::TableSetupColumn(head);
   ImGui::TableHeadersRow();
   for (std::size_t i = 0; i < names.size(); ++i) {
     const Step& step = renderer.schedule().frame[i];
     const StepHistory::Median times = facts.times.median(names[i]);
     textCell(names[i]);
     textCell(fmt::format("{:.3f}", times.passed));
+    interface.name("ms of " + names[i]);
+    drawHistory(facts.times, names[i]);
     textCell(fmt::format("{:.3f}", times.processors));
-    textCell(times.card ? fmt::format("{:.3f}", *times.card) : "-");
+    if (hasCard) textCell(fmt::format("{:.3f}", times.card.value_or(0)));
     drawWrites(interface, renderer, step, names[i], requests);
     textCell(sidesText(renderer.readsOf(step)));
   }
