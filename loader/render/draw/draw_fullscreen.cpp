@@ -35,7 +35,8 @@ void FrameRenderer::drawFullscreen(const Step& step, const FrameState& state) {
   gl::BindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
   const auto [scale, x, y] = source.scale;
   const auto w = static_cast<float>(framebuffer.width), h = static_cast<float>(framebuffer.height);
-  gl::Viewport(viewportPixels(w * x), viewportPixels(h * y), std::max(viewportPixels(w * scale), 0), std::max(viewportPixels(h * scale), 0));
+  gl::Viewport(viewportPixels(w * x), viewportPixels(h * y), std::max(viewportPixels(w * scale), 0),
+               std::max(viewportPixels(h * scale), 0));
   DrawState draw;
   setFullscreenState(&source, draw);
   const GpuProgram& program = programOf(step);
