@@ -516,6 +516,8 @@ TEST_F(FrameRendererGL, scales_beyond_all_pictures_are_no_mistakes_of_gl) {
     files_["/shaders.properties"] = "scale.composite=" + scale + "\n";
     ASSERT_TRUE(start(floorWorld())) << messages();
     draw();
+    const bool covers = scale == "1e30";
+    EXPECT_EQ(pixel("colortex0", 16, 16) == std::vector<float>(4, 1.0f), covers) << scale;
   }
 }
 
