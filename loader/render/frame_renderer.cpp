@@ -11,6 +11,7 @@
 #include <orris/gl/functions.h>
 #include <orris/pack/options/live_options.h>
 #include <orris/plan/schedule/builtin_program.h>
+#include <orris/render/draw/pass_state.h>
 #include <orris/render/session/loaded_pack.h>
 
 namespace orris {
