@@ -9,6 +9,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import zipfile
 from pathlib import Path
 
 from browser import Browser
@@ -155,6 +156,23 @@ def test_chart(program, folder):
     check_page(out, folder)
 
 
+def test_gnuplot_is_shut_in(program, folder):
+    """A driver that was taken over could have any script plotted: gnuplot's own place is one that no program is run from."""
+    kernel = json.loads(subprocess.run([program, "doctor", "--json"], text=True, capture_output=True, timeout=60).stdout)["kernel"]
+    if "Landlock: none" in kernel:
+        print("SKIPPED: this kernel has no Landlock")
+        return
+    shutil.copytree(folder / "out", folder / "shut/out")
+    for name in ("pack", "world"):
+        (folder / "shut" / name).symlink_to(folder / name)
+    fake = folder / "shut/gnuplot"
+    fake.write_text("#!/bin/sh\necho run > ran\n")
+    fake.chmod(0o755)
+    result = subprocess.run([program, *CHART.split()], cwd=folder / "shut", text=True, capture_output=True, timeout=200,
+                            env={**os.environ, "PATH": f"{fake.parent}:{os.environ['PATH']}"})
+    assert result.returncode == 0 and not (folder / "shut/ran").exists(), result.stderr
+
+
 def test_second_run_measures_nothing(program, folder):
     before = rows(folder / "out/settings.csv")
     times = {path: path.stat().st_mtime_ns for path in (folder / "out/settings").glob("*.json")}
@@ -234,6 +252,18 @@ def test_scenes_are_rows_of_one_table(program, folder):
     assert len(pictures) == 3, pictures
     orris(program, folder, command + " --no-costs --quiet")
     assert all(path.stat().st_mtime_ns == time for path, time in pictures.items()), "traced again"
+
+
+def test_scenes_are_read_one_after_another(program, folder):
+    """When the process is shut in: the pack from a zip, options from a file, which lie where nothing else may be read."""
+    with zipfile.ZipFile(folder / "pack.zip", "w") as archive:
+        for name, text in FILES.items():
+            archive.writestr(f"shaders/{name}", text)
+    (folder / "half.txt").write_text("SHARE=0.5\n")
+    orris(program, folder, "chart pack.zip --scenes world,random:1:1 -o zipped --size 16x9 --runs 3 --warm-up 1 --frames 2 "
+                           "--no-costs --trace-seconds 0.1 --settings half.txt --quiet")
+    with open(folder / "zipped/scenes.csv", newline="") as file:
+        assert len(list(csv.DictReader(file))) == 2
 
 
 def test_runs_of_scenes_share_no_random_numbers(program, folder):

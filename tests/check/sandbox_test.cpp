@@ -142,6 +142,51 @@ TEST(Sandbox, a_worker_starts_no_program) {
             "thread");
 }
 
+/// What a shell says that a process became.
+std::string fromShell(const std::string& script) {
+  int ends[2];
+  if (pipe(ends) != 0) return "no pipe";
+  const pid_t child = fork();
+  if (child == 0) {
+    dup2(ends[1], STDOUT_FILENO);
+    dup2(ends[1], STDERR_FILENO);
+    enterSandboxToRunProgram({});
+    execlp("sh", "sh", "-c", script.c_str(), nullptr);
+    _exit(1);
+  }
+  close(ends[1]);
+  std::string text;
+  char block[256];
+  for (ssize_t count = 0; (count = read(ends[0], block, sizeof block)) > 0;)
+    text.append(block, static_cast<std::size_t>(count));
+  close(ends[0]);
+  waitpid(child, nullptr, 0);
+  return text;
+}
+
+TEST(Sandbox, a_program_that_a_process_becomes_is_shut_in) {
+  const fs::path secret = fs::path(testing::TempDir()) / "orris-sandbox-program";
+  std::ofstream(secret) << "hunter2\n";
+  ASSERT_EQ(setenv("TOKEN", "hunter2", 1), 0);
+  EXPECT_EQ(fromShell("echo $TOKEN."), ".\n");
+  unsetenv("TOKEN");
+  if (sandboxSupport().seccomp) {
+    EXPECT_EQ(fromShell("(echo forked) 2>/dev/null").find("forked"), std::string::npos);
+  }
+  if (sandboxSupport().landlock > 0) {
+    EXPECT_EQ(fromShell("read line < " + secret.string() + "; echo $line").find("hunter2"), std::string::npos);
+    fromShell("echo new > " + secret.string());
+    EXPECT_EQ(readAll(secret), "hunter2\n");
+    // Nor one that is not installed.
+    const fs::path own = secret.string() + ".sh";
+    std::ofstream(own) << "#!/bin/sh\necho ran\n";
+    fs::permissions(own, fs::perms::owner_all);
+    EXPECT_EQ(fromShell("exec " + own.string()).find("ran"), std::string::npos);
+    fs::remove(own);
+  }
+  fs::remove(secret);
+}
+
 TEST(Sandbox, a_worker_reaches_no_other_process) {
   NEEDS_SECCOMP;
   static int value = 42;

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/commands.h"
-#include "app/study/gnuplot.h"
 #include "app/study/open_study.h"
+#include "app/study/plot_process.h"
 #include "app/study/scene_list.h"
 #include <orris/chart/page/chart_text.h>
 
@@ -66,12 +66,13 @@ int runChart(const StudyOptions& options, Report& report, nlohmann::json& result
   }
   if (!options.scenes.names.empty()) return runScenes(options, report, result);
   const StudyFiles files(options.folder);
-  const auto study = openStudy(options, files, report);
+  PlotProcess plots;
+  const auto study = openStudy(options, files, {plots.socket()}, report);
   if (!study) return report.status();
   study->measure(shardOf(study->settings().size(), options.shard));
   const ChartData chart = study->chart();
   noteUnfinished(*study, report);
-  if (!writeChart(chart, files, report)) return report.status();
+  if (!writeChart(chart, files, plots, report)) return report.status();
   result = describeChart(chart, *study);
   if (!options.output.json && !options.output.quiet) printText(summaryTable(chart));
   sayWritten(options.output, {options.folder});
@@ -121,8 +122,12 @@ void addChartCommand(CLI::App& app, int& status) {
   command->callback([options, &status] {
     Report report(options->output);
     nlohmann::json result = nlohmann::json::object();
-    status = runSupervised({.limits = options->limits, .backend = options->image.backend, .pack = options->pack.path}, report,
-                           [&] { return runChart(*options, report, result); });
+    const SupervisedWork supervised = {.limits = options->limits,
+                                       .backend = options->image.backend,
+                                       .pack = options->pack.path,
+                                       .files = filesOfStudy(options->folder),
+                                       .confined = true};
+    status = runSupervised(supervised, report, [&] { return runChart(*options, report, result); });
     result["status"] = status;
     printJson(std::move(result), report);
   });

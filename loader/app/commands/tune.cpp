@@ -10,8 +10,8 @@
 
 #include "app/commands/commands.h"
 #include "app/input/inputs.h"
-#include "app/study/gnuplot.h"
 #include "app/study/open_study.h"
+#include "app/study/plot_process.h"
 
 namespace orris {
 namespace {
@@ -21,6 +21,10 @@ struct TuneOptions {
   std::string settings;  ///< the option file to write
   std::optional<double> error, milliseconds;
 };
+
+std::string folderOf(const TuneOptions& options) {
+  return options.study.folder.empty() ? options.settings + ".tune" : options.study.folder;
+}
 
 TuneGoal goalOf(const TuneOptions& options) {
   return {options.error, options.milliseconds.value_or(0)};
@@ -97,13 +101,13 @@ void noteBudget(const Tuned& found, Report& report) {
 
 int runTune(const TuneOptions& options, Report& report, nlohmann::json& result) {
   if (!checkWritable(options.settings, report)) return report.status();
-  const StudyFiles files(options.study.folder.empty() ? options.settings + ".tune"
-                                                      : options.study.folder);
-  const auto study = openStudy(options.study, files, report);
+  const StudyFiles files(folderOf(options));
+  PlotProcess plots;
+  const auto study = openStudy(options.study, files, {plots.socket()}, report);
   if (!study) return report.status();
   const TuneGoal goal = goalOf(options);
   const Tuned found = tune(*study, goal);
-  if (!writeChart(found.chart, files, report)) return report.status();
+  if (!writeChart(found.chart, files, plots, report)) return report.status();
   noteBudget(found, report);
   const auto best = bestOf(found.tried, goal);
   if (!best) {
@@ -154,8 +158,14 @@ void addTuneCommand(CLI::App& app, int& status) {
     Report report(options->study.output);
     nlohmann::json result = nlohmann::json::object();
     const StudyOptions& study = options->study;
-    status = runSupervised({.limits = study.limits, .backend = study.image.backend, .pack = study.pack.path}, report,
-                           [&] { return runTune(*options, report, result); });
+    AllowedFiles files = filesOfStudy(folderOf(*options));
+    files.outputs = {options->settings};
+    const SupervisedWork supervised = {.limits = study.limits,
+                                       .backend = study.image.backend,
+                                       .pack = study.pack.path,
+                                       .files = std::move(files),
+                                       .confined = true};
+    status = runSupervised(supervised, report, [&] { return runTune(*options, report, result); });
     result["status"] = status;
     printJson(std::move(result), report);
   });

@@ -1,16 +1,13 @@
 #include "app/output/child_process.h"
 
-#include <fcntl.h>
 #include <signal.h>
-#include <spawn.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
 #include <memory>
 #include <thread>
-
-extern char** environ;
 
 namespace orris {
 namespace {
@@ -33,20 +30,23 @@ std::string take(std::FILE* file) {
   return text;
 }
 
+// 127, as of a shell: there is no such program.
+constexpr int kNotFound = 127;
+
 /// 0 when it cannot be started.
-pid_t start(std::vector<std::string> arguments, std::FILE* in, std::FILE* out, std::FILE* errors) {
+pid_t start(std::vector<std::string> arguments, std::FILE* in, std::FILE* out, std::FILE* errors,
+            const std::function<void()>& prepare) {
   std::vector<char*> pointers;
   for (std::string& argument : arguments) pointers.push_back(argument.data());
   pointers.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, fileno(in), 0);
-  posix_spawn_file_actions_adddup2(&actions, fileno(out), 1);
-  posix_spawn_file_actions_adddup2(&actions, fileno(errors), 2);
-  pid_t child = 0;
-  const int error = posix_spawnp(&child, pointers[0], &actions, nullptr, pointers.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  return error == 0 ? child : 0;
+  const pid_t child = fork();
+  if (child != 0) return child > 0 ? child : 0;
+  dup2(fileno(in), STDIN_FILENO);
+  dup2(fileno(out), STDOUT_FILENO);
+  dup2(fileno(errors), STDERR_FILENO);
+  if (prepare) prepare();
+  execvp(pointers[0], pointers.data());
+  _exit(kNotFound);
 }
 
 std::optional<int> waitFor(pid_t child, std::chrono::seconds longest) {
@@ -67,12 +67,11 @@ std::optional<int> waitFor(pid_t child, std::chrono::seconds longest) {
 }  // namespace
 
 std::optional<ChildResult> runChild(const std::vector<std::string>& arguments,
-                                    const std::string& input, std::chrono::seconds longest) {
-  // 127: a C library that notices the missing program in the child only.
-  constexpr int kNotFound = 127;
+                                    const std::string& input, std::chrono::seconds longest,
+                                    const std::function<void()>& prepare) {
   const TemporaryFile in(std::tmpfile()), out(std::tmpfile()), errors(std::tmpfile());
   if (!in || !out || !errors || !put(in.get(), input)) return std::nullopt;
-  const pid_t child = start(arguments, in.get(), out.get(), errors.get());
+  const pid_t child = start(arguments, in.get(), out.get(), errors.get(), prepare);
   ChildResult result;
   result.exitStatus = child == 0 ? kNotFound : waitFor(child, longest);
   result.missing = result.exitStatus == kNotFound;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,8 +17,9 @@ struct ChildResult {
 };
 
 /// Runs `arguments[0]`, looked for in PATH, with `input` on its standard input. nullopt when no
-/// temporary files can be made.
-std::optional<ChildResult> runChild(const std::vector<std::string>& arguments,
-                                    const std::string& input, std::chrono::seconds longest);
+/// temporary files can be made. `prepare` is called in the new process, before it becomes the program; for it
+/// this one must have no other thread.
+std::optional<ChildResult> runChild(const std::vector<std::string>& arguments, const std::string& input,
+                                    std::chrono::seconds longest, const std::function<void()>& prepare = {});
 
 }  // namespace orris

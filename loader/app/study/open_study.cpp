@@ -5,6 +5,7 @@
 
 #include "app/input/inputs.h"
 #include "app/output/progress.h"
+#include <orris/core/files/read_places.h>
 
 namespace orris {
 namespace {
@@ -29,10 +30,10 @@ std::vector<Camera> chooseCameras(const StudyOptions& options, const World& worl
 
 }  // namespace
 
-std::optional<StudyRequest> makeStudyRequest(const StudyOptions& options, Report& report) {
+std::optional<StudyRequest> makeStudyRequest(const StudyOptions& options, const std::shared_ptr<const FileSource>& files,
+                                             Report& report) {
   auto world = loadScene(options.scene, options.pack.dimension, report);
-  const auto files = world ? openPackFiles(options.pack.path, report) : nullptr;
-  if (!files) return std::nullopt;
+  if (!world) return std::nullopt;
   PackOptions pack = options.pack;
   if (pack.dimension.empty()) pack.dimension = world->environment.dimension;
   const MacroDefinitions environment = standardMacros({.versions = pack.versions});
@@ -60,20 +61,33 @@ std::optional<StudyRequest> makeStudyRequest(const StudyOptions& options, Report
                       .budget = parseBudget(options.budget)};
 }
 
-StudyHooks studyHooks(Report& report) {
-  return {[&report](Diagnostics& diagnostics) { report.add(diagnostics); },
-          [&report](const std::string& what, int total) {
-            return [line = std::make_shared<Progress>(what, total, report.output())](int done) {
-              line->advanceTo(done);
-            };
-          }};
+AllowedFiles filesOfStudy(const std::string& folder) {
+  AllowedFiles files;
+  files.folders = {folder};
+  return files;
 }
 
-std::unique_ptr<Study> openStudy(const StudyOptions& options, const StudyFiles& files,
+StudyHooks studyHooks(const StudyFiles& files, std::vector<int> keep, Report& report) {
+  return {.report = [&report](Diagnostics& diagnostics) { report.add(diagnostics); },
+          .beforeDriver =
+              [&files, keep = std::move(keep)] {
+                addReadPlace(files.folder());
+                confineDrawing(keep);
+              },
+          .begin =
+              [&report](const std::string& what, int total) {
+                return [line = std::make_shared<Progress>(what, total, report.output())](int done) {
+                  line->advanceTo(done);
+                };
+              }};
+}
+
+std::unique_ptr<Study> openStudy(const StudyOptions& options, const StudyFiles& files, std::vector<int> keep,
                                  Report& report) {
-  auto request = makeStudyRequest(options, report);
+  const auto pack = openPackFiles(options.pack.path, report);
+  auto request = pack ? makeStudyRequest(options, pack, report) : std::nullopt;
   if (!request) return nullptr;
-  return Study::open(std::move(*request), files, studyHooks(report));
+  return Study::open(std::move(*request), files, studyHooks(files, std::move(keep), report));
 }
 
 }  // namespace orris

@@ -5,9 +5,13 @@
 
 #include "app/commands/trace_loop.h"
 #include "app/commands/trace_scene_input.h"
+#include "app/input/inputs.h"
+#include "app/input/shipped_worlds.h"
 #include "app/study/open_study.h"
 #include <orris/chart/scenes/scene_study.h>
+#include <orris/core/files/read_places.h>
 #include <orris/trace/film/traced_picture.h>
+#include <orris/world/resources/resource_stack.h>
 
 namespace orris {
 namespace {
@@ -45,6 +49,17 @@ nlohmann::json describeRow(const SceneRow& row) {
           {"megabytes", row.megabytes}};
 }
 
+/// Scenes are opened one after another, when this process is shut in. false: reported.
+bool addPlacesOfScenes(const StudyOptions& options, const std::vector<SceneName>& scenes, Report& report) {
+  for (const SceneName& scene : scenes)
+    if (const std::string path = findWorld(scene.world); !path.empty()) addReadPlace(path);
+  if (!options.pack.settingsFile.empty()) addReadPlace(options.pack.settingsFile);
+  Diagnostics diagnostics;
+  const bool opened = openResources(options.scene.resources, diagnostics).has_value();
+  report.add(diagnostics);
+  return opened;
+}
+
 }  // namespace
 
 int runScenes(const StudyOptions& options, Report& report, nlohmann::json& result) {
@@ -55,16 +70,18 @@ int runScenes(const StudyOptions& options, Report& report, nlohmann::json& resul
     return report.status();
   }
   const StudyFiles files(options.folder);
+  const auto pack = openPackFiles(options.pack.path, report);
+  if (!pack || !addPlacesOfScenes(options, *scenes, report)) return report.status();
   const auto open = [&](const SceneName& scene) -> std::optional<StudyRequest> {
     StudyOptions one = options;
     one.scene.path = scene.world;
     one.scene.camera = scene.camera;
     one.references = {files.path(fileStem(scene), ".exr")};
     if (!traceReference(one, one.references.front(), report)) return std::nullopt;
-    return makeStudyRequest(one, report);
+    return makeStudyRequest(one, pack, report);
   };
   const auto rows = measureScenes(
-      {*scenes, open, planOf(options), options.image.backend, parseBudget(options.budget)}, files, studyHooks(report));
+      {*scenes, open, planOf(options), options.image.backend, parseBudget(options.budget)}, files, studyHooks(files, {}, report));
   if (!rows) return std::max(report.status(), kUsage);
   result["rows"] = nlohmann::json::array();
   for (const SceneRow& row : *rows) result["rows"].push_back(describeRow(row));

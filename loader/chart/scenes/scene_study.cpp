@@ -48,7 +48,9 @@ std::optional<std::vector<SceneRow>> measureScenes(const SceneStudyRequest& requ
     return good;
   };
   Diagnostics diagnostics;
-  const auto context = files.create(diagnostics) ? gl::createContext({.backend = request.backend}, diagnostics) : nullptr;
+  const bool made = files.create(diagnostics);
+  if (made && hooks.beforeDriver) hooks.beforeDriver();
+  const auto context = made ? gl::createContext({.backend = request.backend}, diagnostics) : nullptr;
   if (!finished(std::move(diagnostics), context != nullptr)) return std::nullopt;
   const std::size_t all = request.scenes.size();
   const auto advance = hooks.begin ? hooks.begin("measuring scenes", int(all)) : [](int) {};

@@ -32,6 +32,7 @@ bool Study::prepare(StudyRequest request) {
   if (input && files_.create(diagnostics)) {
     input_ = std::move(*input);
     if (input_.asked.budget) end_ = Measuring::Clock::now() + *input_.asked.budget;
+    if (hooks_.beforeDriver) hooks_.beforeDriver();
     context_ = gl::createContext({.backend = input_.asked.backend}, diagnostics);
   }
   hooks_.report(diagnostics);

@@ -14,9 +14,11 @@
 
 namespace orris {
 
-/// What the owner of a study sees while it goes on. Both may be called often.
+/// What the owner of a study sees and does while it goes on.
 struct StudyHooks {
   std::function<void(Diagnostics& diagnostics)> report;  ///< must be set
+  /// Called once, when the folder is made and no driver is loaded; may be empty.
+  std::function<void()> beforeDriver;
   /// Work of so many frames begins: what is called with the number done; may be empty.
   std::function<std::function<void(int done)>(const std::string& what, int total)> begin;
 };

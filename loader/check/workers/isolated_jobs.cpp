@@ -21,6 +21,7 @@
 #include <orris/check/workers/sandbox.h>
 #include <orris/core/files/read_places.h>
 #include <orris/core/process_limits.h>
+#include <orris/core/socket_bytes.h>
 
 namespace orris {
 namespace {
@@ -38,30 +39,6 @@ constexpr bool kLimitMemory = !__has_feature(address_sanitizer);
 #else
 constexpr bool kLimitMemory = true;
 #endif
-
-bool sendAll(int socket, const void* data, std::size_t size) {
-  const char* at = static_cast<const char*>(data);
-  while (size > 0) {
-    const ssize_t sent = send(socket, at, size, MSG_NOSIGNAL);
-    if (sent < 0 && errno == EINTR) continue;
-    if (sent <= 0) return false;
-    at += sent;
-    size -= static_cast<std::size_t>(sent);
-  }
-  return true;
-}
-
-bool receiveAll(int socket, void* data, std::size_t size) {
-  char* at = static_cast<char*>(data);
-  while (size > 0) {
-    const ssize_t got = recv(socket, at, size, 0);
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) return false;
-    at += got;
-    size -= static_cast<std::size_t>(got);
-  }
-  return true;
-}
 
 rlim_t secondsUsed() {
   rusage used{};

@@ -67,6 +67,14 @@ std::string environmentValue(const char* name) {
   return value ? value : "";
 }
 
+void shutIn(const std::vector<std::string>& readable, const std::string& cache, Programs programs) {
+  emptyEnvironment();
+  dropCapabilities();
+  ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
+  restrictFiles(readable, cache, programs);
+  refuseCalls(programs);
+}
+
 }  // namespace
 
 SandboxSupport sandboxSupport() {
@@ -105,11 +113,13 @@ void closeOpenFiles(std::vector<int> keep) {
 }
 
 void enterSandbox(const std::vector<std::string>& readable, const std::string& cache) {
-  emptyEnvironment();
-  dropCapabilities();
-  ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
-  restrictFiles(readable, cache);
-  refuseCalls();
+  shutIn(readable, cache, Programs::Refused);
+}
+
+void enterSandboxToRunProgram(const std::vector<std::string>& readable) {
+  const std::string path = environmentValue("PATH");
+  shutIn(readable, "", Programs::Installed);
+  ::setenv("PATH", path.c_str(), 1);
 }
 
 }  // namespace orris

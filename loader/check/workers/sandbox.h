@@ -31,4 +31,8 @@ void closeOpenFiles(std::vector<int> keep);
 /// What the kernel lacks is left out. Names and sizes of files stay visible.
 void enterSandbox(const std::vector<std::string>& readable, const std::string& cache = "");
 
+/// The same for a process that becomes the installed program that it was forked for. What that program
+/// becomes is shut in, too. PATH is kept, to find it by.
+void enterSandboxToRunProgram(const std::vector<std::string>& readable);
+
 }  // namespace orris

@@ -9,9 +9,11 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <vector>
 
 namespace orris {
@@ -89,8 +91,16 @@ void addOnlyFor(Filter& filter, int call, std::size_t argument, unsigned value) 
                                answer(kEperm)});
 }
 
-void addDecisions(Filter& filter) {
+// What becomes a program, and what careful ones begin with: giving up rights, which fails without need.
+constexpr int kOfPrograms[] = {SYS_execve, SYS_execveat, SYS_setuid, SYS_setgid};
+
+bool isRefused(int call, Programs programs) {
+  return programs == Programs::Refused || std::ranges::find(kOfPrograms, call) == std::end(kOfPrograms);
+}
+
+void addDecisions(Filter& filter, Programs programs) {
   for (const int call : kRefused) {
+    if (!isRefused(call, programs)) continue;
     filter.insert(filter.end(), {skipUnlessEqual(static_cast<unsigned>(call), 1), answer(kEperm)});
   }
   // Its flags lie in memory, which a filter cannot read: libraries then use clone().
@@ -108,7 +118,7 @@ void addDecisions(Filter& filter) {
   filter.push_back(answer(kAllow));
 }
 
-Filter makeFilter() {
+Filter makeFilter(Programs programs) {
   Filter filter = {loadWord(offsetof(seccomp_data, arch)), skipIfEqual(kProcessor, 1),
                    answer(SECCOMP_RET_KILL_PROCESS), loadWord(offsetof(seccomp_data, nr))};
 #if defined(__x86_64__)
@@ -117,7 +127,7 @@ Filter makeFilter() {
   filter.insert(filter.end(),
                 {BPF_JUMP(BPF_JMP | BPF_JGE | BPF_K, kX32, 0, 1), answer(kEperm)});
 #endif
-  addDecisions(filter);
+  addDecisions(filter, programs);
   return filter;
 }
 
@@ -129,9 +139,9 @@ bool canRefuseCalls() {
          errno == EFAULT;
 }
 
-void refuseCalls() {
+void refuseCalls(Programs programs) {
   if (!canRefuseCalls()) return;
-  Filter filter = makeFilter();
+  Filter filter = makeFilter(programs);
   const sock_fprog program{.len = static_cast<unsigned short>(filter.size()),
                            .filter = filter.data()};
   // Older kernels else slow the process down against side channels, which is for what runs in it to decide.

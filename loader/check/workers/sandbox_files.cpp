@@ -24,11 +24,11 @@ struct [[gnu::packed]] PathRule {
 constexpr long kCreateRuleset = 444, kAddRule = 445, kRestrictSelf = 446;
 constexpr unsigned kAskVersion = 1;
 constexpr int kBeneath = 1;
-constexpr std::uint64_t kWriteFile = 1 << 1, kReadFile = 1 << 2, kReadFolder = 1 << 3,
+constexpr std::uint64_t kExecute = 1 << 0, kWriteFile = 1 << 1, kReadFile = 1 << 2, kReadFolder = 1 << 3,
                         kRemoveFolder = 1 << 4, kRemoveFile = 1 << 5, kMakeFolder = 1 << 7,
                         kMakeFile = 1 << 8, kTruncate = 1 << 14;
 constexpr std::uint64_t kRead = kReadFile | kReadFolder;
-constexpr std::uint64_t kOfFiles = kReadFile | kWriteFile | kTruncate;
+constexpr std::uint64_t kOfFiles = kExecute | kReadFile | kWriteFile | kTruncate;
 
 /// All that a version of the interface can refuse.
 Ruleset everything(int version) {
@@ -83,13 +83,14 @@ int landlockVersion() {
   return version > 0 ? static_cast<int>(version) : 0;
 }
 
-void restrictFiles(const std::vector<std::string>& readable, const std::string& cache) {
+void restrictFiles(const std::vector<std::string>& readable, const std::string& cache, Programs programs) {
   const int version = landlockVersion();
   if (version == 0) return;
   const Ruleset rules = everything(version);
   const auto ruleset = static_cast<int>(::syscall(kCreateRuleset, &rules, sizeFor(version), 0U));
   if (ruleset < 0) return;
-  for (const char* place : kSystemPlaces) allow(ruleset, rules, place, kRead);
+  const std::uint64_t ofSystem = programs == Programs::Installed ? kRead | kExecute : kRead;
+  for (const char* place : kSystemPlaces) allow(ruleset, rules, place, ofSystem);
   for (const char* device : {"/dev/random", "/dev/urandom"}) allow(ruleset, rules, device, kRead);
   allow(ruleset, rules, "/dev/null", kReadFile | kWriteFile | kTruncate);
   allowProgram(ruleset, rules);
