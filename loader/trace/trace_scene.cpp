@@ -8,6 +8,7 @@
 
 #include <orris/trace/grid/scene_quads.h>
 #include <orris/trace/shown_area.h>
+#include <orris/world/mesh/block_faces.h>
 
 namespace orris {
 namespace {

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "app/commands/commands.h"
+#include "app/input/common.h"
 #include "app/lsp/server.h"
 #include <orris/check/compile/target_limits.h>
 
