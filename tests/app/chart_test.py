@@ -246,8 +246,9 @@ def test_scenes_are_rows_of_one_table(program, folder):
             assert float(row["noise_red"]) < 1e-4 and float(row["noise_of_mean_red"]) < 1e-4, row
             assert float(row["drift_red"]) == 0 and row["lag"] == "-1", row
             assert float(row["rms_low_red"]) <= float(row["rms_red"]) <= float(row["rms_high_red"]), row
-            assert float(row["ratio"]) > 0 and float(row["editing_ratio"]) > 0 and float(row["megabytes"]) > 0, row
-        assert whole["ratio"] == "1.0000" == whole["editing_ratio"]
+            for number in ("ratio", "editing_ratio", "moving_ratio", "megabytes"):
+                assert float(row[number]) > 0, (number, row)
+        assert whole["ratio"] == whole["editing_ratio"] == whole["moving_ratio"] == "1.0000"
     pictures = {path: path.stat().st_mtime_ns for path in (folder / "scenes/settings").glob("*.exr")}
     assert len(pictures) == 3, pictures
     orris(program, folder, command + " --no-costs --quiet")

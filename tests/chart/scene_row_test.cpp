@@ -57,7 +57,7 @@ TEST(SceneRow, table_shows_squares_below_zero_and_what_is_unknown) {
   const std::string text = sceneRowsCsv({row});
   EXPECT_NE(text.find("\"random:3\",\"\",0,\"GI_METHOD=A,B\""), std::string::npos) << text;
   EXPECT_NE(text.find(",-0.01000,-0.01000,0.02000"), std::string::npos) << text;
-  EXPECT_NE(text.find(",1.5000,1.5000,1.5000,,,,-1,0.00\n"), std::string::npos) << text;
+  EXPECT_NE(text.find(",1.5000,1.5000,1.5000,,,,,,,-1,0.00\n"), std::string::npos) << text;
   const auto commas = [](std::string_view line) {
     bool quoted = false;
     int count = 0;

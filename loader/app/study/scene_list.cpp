@@ -45,7 +45,7 @@ nlohmann::json describeRow(const SceneRow& row) {
                         {"drift", bias.drift}});
   return {{"scene", row.scene},          {"camera", row.camera},     {"time", row.time},
           {"setting", row.setting},      {"bias", channels},         {"noise", row.noise.back()},
-          {"ratio", row.cost.ratio},     {"editing", row.editing.ratio}, {"lag", row.lag},
+          {"ratio", row.cost.ratio},     {"editing", row.editing.ratio}, {"moving", row.moving.ratio}, {"lag", row.lag},
           {"megabytes", row.megabytes}};
 }
 

@@ -6,6 +6,8 @@
 #include <set>
 #include <sstream>
 
+#include <orris/chart/scenes/scene_changes.h>
+
 namespace orris {
 namespace {
 
@@ -19,38 +21,6 @@ int firstFrameOf(unsigned seed, int run) {
   value = (value ^ value >> 27) * 0x94d049bb133111ebu;
   value ^= value >> 31;
   return 1 + int(value % (kFrameNumbers - 100000));  // so that no run passes the end
-}
-
-/// Before the eye's feet: out of its sight as a rule.
-glm::ivec3 footCell(const Camera& camera) { return glm::ivec3(glm::floor(camera.position)) - glm::ivec3(0, 1, 0); }
-
-BlockState stateNamed(const char* name) { return {std::string("minecraft:") + name, {}}; }
-
-/// The world with a lamp placed above the eye before `frame`.
-World withLamp(const World& world, const Camera& camera, int frame) {
-  World changed = world;
-  const glm::ivec3 cell = footCell(camera) + glm::ivec3(0, 2, 0);
-  changed.events = {{frame, SetBlock{cell, stateNamed("glowstone")}}};
-  changed.blocks.paletteIndex(stateNamed("glowstone"));
-  return changed;
-}
-
-/// The world with a block that comes and goes, in every frame.
-World withEdits(const World& world, const Camera& camera, int frames) {
-  World changed = world;
-  const glm::ivec3 cell = footCell(camera);
-  const BlockState usual = world.blocks.at(cell);
-  changed.blocks.paletteIndex(stateNamed("stone"));
-  changed.events.clear();
-  for (int frame = 1; frame < frames; ++frame)
-    changed.events.push_back({frame, SetBlock{cell, frame % 2 == 1 ? stateNamed("stone") : usual}});
-  return changed;
-}
-
-World withoutEvents(const World& world) {
-  World still = world;
-  still.events.clear();
-  return still;
 }
 
 double brightnessOf(const ImageF& picture) { return meanLuminance(picture); }
@@ -206,8 +176,10 @@ bool RowMeter::addCosts(const std::vector<SessionRequest>& requests, std::vector
   const World still = withoutEvents(world_);
   const int drawn = plan_.warmUp + 2 * plan_.rounds * (plan_.visit + 1);
   const World edited = withEdits(world_, requests.front().camera, drawn);
+  const World moving = withMotion(world_, requests.front().camera, drawn);
   return addCosts(requests, still, &SceneRow::cost, rows, diagnostics) &&
-         addCosts(requests, edited, &SceneRow::editing, rows, diagnostics);
+         addCosts(requests, edited, &SceneRow::editing, rows, diagnostics) &&
+         addCosts(requests, moving, &SceneRow::moving, rows, diagnostics);
 }
 
 bool RowMeter::addCosts(const std::vector<SessionRequest>& requests, const World& world,

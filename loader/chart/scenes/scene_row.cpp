@@ -53,14 +53,15 @@ std::string csvRow(const SceneRow& row) {
                                  row.time, inQuotes(row.setting), inQuotes(row.chosen), row.runs, row.warmUp,
                                  row.frames, row.referenceNoise);
   for (std::size_t channel = 0; channel < kBiasChannels; ++channel) text += channelCells(row, channel);
-  text += fmt::format(",{:.3f}", row.milliseconds) + costCells(row.cost) + costCells(row.editing);
+  text += fmt::format(",{:.3f}", row.milliseconds) + costCells(row.cost) + costCells(row.editing) +
+          costCells(row.moving);
   return text + fmt::format(",{},{:.2f}\n", row.lag, row.megabytes);
 }
 
 /// Those of one setting.
 struct Column {
   std::string setting;
-  std::vector<double> bias, upper, ratio, editing, noise, lag, megabytes;
+  std::vector<double> bias, upper, ratio, editing, moving, noise, lag, megabytes;
 };
 
 std::vector<Column> columnsOf(const std::vector<SceneRow>& rows) {
@@ -68,12 +69,13 @@ std::vector<Column> columnsOf(const std::vector<SceneRow>& rows) {
   for (const SceneRow& row : rows) {
     auto found = std::find_if(columns.begin(), columns.end(),
                               [&](const Column& column) { return column.setting == row.setting; });
-    if (found == columns.end()) found = columns.insert(columns.end(), {row.setting, {}, {}, {}, {}, {}, {}, {}});
+    if (found == columns.end()) found = columns.insert(columns.end(), {row.setting, {}, {}, {}, {}, {}, {}, {}, {}});
     const ChannelBias& worst = worstChannel(row);
     found->bias.push_back(signedRoot(worst.square));
     found->upper.push_back(upperRoot(worst));
     if (row.cost.pairs > 0) found->ratio.push_back(row.cost.ratio);
     if (row.editing.pairs > 0) found->editing.push_back(row.editing.ratio);
+    if (row.moving.pairs > 0) found->moving.push_back(row.moving.ratio);
     found->noise.push_back(row.noise[kBiasChannels - 1]);
     if (row.lag >= 0) found->lag.push_back(row.lag);
     found->megabytes.push_back(row.megabytes);
@@ -119,7 +121,7 @@ std::string sceneRowsCsv(const std::vector<SceneRow>& rows) {
     for (const char* value : {"rms", "rms_low", "rms_high", "signed", "signed_low", "signed_high", "drift",
                               "drift_low", "drift_high", "noise", "noise_of_mean"})
       text += fmt::format(",{}_{}", value, name);
-  text += ",ms,ratio,ratio_low,ratio_high,editing_ratio,editing_low,editing_high,lag,megabytes\n";
+  text += ",ms,ratio,ratio_low,ratio_high,editing_ratio,editing_low,editing_high,moving_ratio,moving_low,moving_high,lag,megabytes\n";
   for (const SceneRow& row : rows) text += csvRow(row);
   return text;
 }
@@ -130,15 +132,16 @@ std::string sceneSummary(const std::vector<SceneRow>& rows) {
   for (const Column& column : columns)
     points.push_back({quantile(column.ratio, 0.5), quantile(column.bias, 0.5)});
   const std::vector<bool> front = paretoFront(points);
-  std::string text = "  rms bias, worst channel         scenes within    noise  cost          editing       lag   MB\n"
-                     "  median  worst  worst upper end  .03     .05      frame  median  worst median  worst frames\n";
+  std::string text = "  rms bias, worst channel         scenes within    noise  cost          editing       moving        lag   MB\n"
+                     "  median  worst  worst upper end  .03     .05      frame  median  worst median  worst median  worst frames\n";
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const Column& c = columns[i];
-    text += fmt::format("{} {:<7} {:<6} {:<16} {:<7.2f} {:<8.2f} {:<6} {:<7} {:<5} {:<7} {:<5} {:<5} {:<5} {}\n",
+    text += fmt::format("{} {:<7} {:<6} {:<16} {:<7.2f} {:<8.2f} {:<6} {:<7} {:<5} {:<7} {:<5} {:<7} {:<5} {:<5} {:<5} {}\n",
                         front[i] ? '*' : ' ', numberOrDash(c.bias, 0.5, 3), numberOrDash(c.bias, 1, 3),
                         numberOrDash(c.upper, 1, 3), shareWithin(c.upper, 0.03), shareWithin(c.upper, 0.05),
                         numberOrDash(c.noise, 0.5, 2), numberOrDash(c.ratio, 0.5, 2), numberOrDash(c.ratio, 1, 2),
-                        numberOrDash(c.editing, 0.5, 2), numberOrDash(c.editing, 1, 2), numberOrDash(c.lag, 0.5, 0),
+                        numberOrDash(c.editing, 0.5, 2), numberOrDash(c.editing, 1, 2), numberOrDash(c.moving, 0.5, 2),
+                        numberOrDash(c.moving, 1, 2), numberOrDash(c.lag, 0.5, 0),
                         numberOrDash(c.megabytes, 0.5, 1), c.setting);
   }
   return text;

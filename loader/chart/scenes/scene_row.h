@@ -21,6 +21,7 @@ struct SceneRow {
   std::array<double, kBiasChannels> noiseMean{};  ///< of the mean of `frames` frames, from run to run
   PairedCost cost;     ///< beside the first setting on this scene
   PairedCost editing;  ///< the same while a block changes in every frame
+  PairedCost moving;   ///< the same while the camera walks in a circle of one block
   double milliseconds = 0;  ///< a frame
   /// Frames after a lamp was placed until eight frames on average are within a tenth of the change from where the
   /// picture's brightness ends; -1: a lamp there changes less than its noise, or it does not settle in kLagFrames.
