@@ -89,12 +89,19 @@ vec3 sky_beyond(Hit hit, vec3 direction, float sky) {
     return sky_radiance(direction) * (sky_comes_to(hit.position) ? 1.0 : smoothstep(0.0, 0.1, sky));
 }
 
+/// Does the face that a ray has hit look into stained glass? Of what reaches such a face through the glass a window may
+/// take all but thousandths, so that its mean says nothing about its parts.
+bool faces_stained_glass(Hit hit) {
+    Voxel before = voxel_at(hit.cell + ivec3(hit.normal));
+    return hit.found && before.code == voxel_translucent && min(before.color.r, min(before.color.g, before.color.b)) < 0.1;
+}
+
 /// Sun or moon light that a hit reflects, without its albedo. `sky`: level where the ray began.
 vec3 sun_at(Hit hit, vec3 light, float sky) {
     vec3 player = from_volume(hit.position);
     return light_irradiance() * (max(dot(hit.normal, light), 0.0) / pi) *
            light_visibility(player, hit.normal, light, 0, sky) *
-           sun_tint(player, hit.cell + ivec3(hit.normal));
+           sun_tint(player, hit.normal, light, 0, hit.cell + ivec3(hit.normal));
 }
 
 #endif

@@ -1,8 +1,11 @@
-// Unit vectors in two bytes. Octahedral map of Cigolle et al. 2014, "A Survey of Efficient
+// Numbers in bytes, and unit vectors in two of them. Octahedral map of Cigolle et al. 2014, "A Survey of Efficient
 // Representations for Independent Unit Vectors"; zero is byte 128, so that the six axes of a block
 // world come back exactly.
 #if !defined INCLUDED_MATH_ENCODING
 #define INCLUDED_MATH_ENCODING
+
+/// Numbers 0..1 as bytes hold them, up or down by `at` (0..1, at random): so the mean of many is what they were.
+vec3 in_bytes(vec3 x, float at) { return floor(x * 255.0 + at) / 255.0; }
 
 vec2 sign_not_zero(vec2 v) { return vec2(v.x >= 0.0 ? 1.0 : -1.0, v.y >= 0.0 ? 1.0 : -1.0); }
 

@@ -2,7 +2,7 @@
 #if !defined INCLUDED_SUN_SUN_TINT
 #define INCLUDED_SUN_SUN_TINT
 
-#include "/include/shadow/shadow_space.glsl"
+#include "/include/shadow/shadow.glsl"
 #include "/include/shadow/sheets.glsl"
 #include "/include/voxels/voxel.glsl"
 
@@ -12,21 +12,44 @@ uniform sampler2D shadowtex0;
 // Nearer than this, in blocks, the surface in the map is the one that is lit.
 const float sheet_distance = 0.2;
 
-/// What is left of the light at a point of the surface before which `cell` lies: the map that holds
-/// translucent blocks knows how far away their surface is.
-vec3 sun_tint(vec3 player, ivec3 cell) {
+ivec2 sheet_texel(ivec2 texel) {
+    return clamp(texel, ivec2(0), shadow_map_size - 1) + ivec2(0, shadow_map_bottom);
+}
+
+/// How far below the first surface in the map a depth (0..1) lies, translucent ones included, in blocks.
+float blocks_below(ivec2 texel, float depth) {
+    return (depth - texelFetch(shadowtex0, texel, 0).r) / (0.5 * abs(shadowProjection[2][2]));
+}
+
+/// What the first surface in the map leaves of the light at a depth; a: 0 where it is opaque.
+vec4 tint_at(ivec2 texel, float depth) {
+    vec4 sheet = texelFetch(shadowcolor0, texel, 0);
+    return blocks_below(texel, depth) > sheet_distance ? vec4(sheet_tint(sheet), float(is_sheet(sheet))) : vec4(1.0);
+}
+
+/// What is left of the light at a point of the surface before which `cell` lies. `radius`: that of light_visibility(),
+/// whose texels the colour comes from, too: one beside a stained window knows only the wall, and would leave all light.
+vec3 sun_tint(vec3 player, vec3 normal, vec3 light, int radius, ivec3 cell) {
     Voxel before = voxel_at(cell);
-    vec4 clip = shadow_clip(shadowProjection * (shadowModelView * vec4(player, 1.0)));
-    vec3 unit = clip.xyz * 0.5 + 0.5;
-    ivec2 texel = ivec2(floor(unit.xy * vec2(shadow_map_size)));
-    texel = clamp(texel, ivec2(0), shadow_map_size - 1) + ivec2(0, shadow_map_bottom);
-    float depth_per_block = 0.5 * abs(shadowProjection[2][2]);
-    float depth = max(0.0, unit.z - texelFetch(shadowtex0, texel, 0).r) / depth_per_block;
-    if (is_filter_voxel(before.code) && !is_tinted_pane(before.code)) return filtered(before.color, depth);
-    return depth > sheet_distance ? sheet_tint(texelFetch(shadowcolor0, texel, 0)) : vec3(1.0);
+    if (is_filter_voxel(before.code) && !is_tinted_pane(before.code)) {
+        vec3 unit = shadow_clip(shadowProjection * (shadowModelView * vec4(player, 1.0))).xyz * 0.5 + 0.5;
+        ivec2 texel = sheet_texel(ivec2(floor(unit.xy * vec2(shadow_map_size))));
+        return filtered(before.color, max(0.0, blocks_below(texel, unit.z)));
+    }
+    vec4 receiver = shadow_receiver(player, normal, light, radius);
+    ivec2 middle = ivec2(floor(receiver.xy));
+    vec4 tint = tint_at(sheet_texel(middle), receiver.z);
+    // In a penumbra the colour is that of the texels around which are lit.
+    vec4 lit = vec4(0.0);
+    int texels = radius > 0 && tint.a == 0.0 ? 9 : 0;
+    for (int i = 0; i < texels; ++i) {
+        vec4 next = tint_at(sheet_texel(middle + ivec2(i % 3, i / 3) - 1), receiver.z);
+        lit += vec4(next.rgb, 1.0) * next.a;
+    }
+    return lit.a > 0.0 ? lit.rgb / lit.a : tint.rgb;
 }
 #else
-vec3 sun_tint(vec3 player, ivec3 cell) { return vec3(1.0); }
+vec3 sun_tint(vec3 player, vec3 normal, vec3 light, int radius, ivec3 cell) { return vec3(1.0); }
 #endif
 
 #endif

@@ -270,7 +270,7 @@ Hit trace(vec3 origin, vec3 direction) {
             if (code == voxel_water_surface)
                 span = below_surface(span, walk.cell.y + water_height - origin.y, walk.direction.y);
             float depth = filter_depth(code, walk.cell + 0.5 - origin, walk.inverse, span);
-            hit.transmittance *= filtered(texel.rgb * texel.rgb, depth);
+            hit.transmittance *= filtered(decode_voxel(texel).color, depth);
             filter_cell = walk.cell;
             filter_code = code;
         }

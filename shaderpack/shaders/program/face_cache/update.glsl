@@ -30,19 +30,24 @@ vec4 light_of(ivec3 cell, int face) {
     return trusted(imageLoad(face_light, face_texel(cell, face)));
 }
 
-/// Radiance along a cosine ray.
+/// Radiance along a cosine ray, which goes on from a face in stained glass: a ray more.
 vec3 hemisphere_sample(Face f, vec2 u, vec3 light) {
     vec3 direction = cosine_direction(f.from.normal, u);
     Hit hit = trace_from_face(f.from.origin, direction);
-    vec3 radiance = vec3(0.0);
-    if (!hit.found) {
-        radiance = sky_beyond(hit, direction, f.sky);
-    } else {
-        if (is_lamp_voxel(hit.voxel.code)) radiance = met_lamp(hit, f.from, direction);
-        radiance += voxel_albedo(hit.voxel) * (sun_at(hit, light, f.sky) +
-                                               light_of(hit.cell, face_of_hit(hit)).rgb);
+    vec3 throughput = hit.transmittance;
+    vec3 radiance = hit.found && is_lamp_voxel(hit.voxel.code) ? throughput * met_lamp(hit, f.from, direction) : vec3(0.0);
+    vec3 onward = direction;
+    for (int i = 0; i < int(faces_stained_glass(hit)); ++i) {
+        throughput *= voxel_albedo(hit.voxel);
+        radiance += throughput * sun_at(hit, light, f.sky);
+        onward = cosine_direction(hit.normal, next_random().xy);
+        hit = trace_from_face(hit.position + hit.normal * face_offset, onward);
+        throughput *= hit.transmittance;
+        if (hit.found && is_lamp_voxel(hit.voxel.code)) radiance += throughput * lamp_light(hit.voxel);
     }
-    radiance *= hit.transmittance;
+    radiance += throughput * (hit.found ? voxel_albedo(hit.voxel) * (sun_at(hit, light, f.sky) +
+                                                                     light_of(hit.cell, face_of_hit(hit)).rgb)
+                                        : sky_beyond(hit, onward, f.sky));
     for (int i = 0; i < int(begins_in_leaves(f.from.origin)); ++i)
         radiance += light_of_leaves(f.from.origin, direction, light, f.sky);
     return radiance;

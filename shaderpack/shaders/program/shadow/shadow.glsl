@@ -5,6 +5,7 @@
 #include "/include/blocks.glsl"
 #include "/include/shadow/shadow_space.glsl"
 #include "/include/math/color.glsl"
+#include "/include/math/encoding.glsl"
 #include "/include/voxels/voxel.glsl"
 #if HAS_VOXELS
 #include "/include/voxels/volume.glsl"
@@ -141,10 +142,10 @@ void emit_lamp() {
 #endif
 
 #if HAS_VOXELS
+#include "/include/math/random.glsl"
 
 #if HAS_VOXEL_CHANGES
 #extension GL_ARB_shader_image_load_store : enable
-#include "/include/math/random.glsl"
 #include "/include/voxels/checksum.glsl"
 #include "/include/debug/count.glsl"
 #define HAS_OCTANT_WRITES
@@ -239,6 +240,9 @@ void emit_voxel() {
     if (!in_volume(cell)) return;
     voxel = block_voxel(block.id, block.emission, vertex_normal[0], cell);
     if (voxel.a == 0.0) return;
+    uvec3 place = uvec3(cell + volume_origin());
+    if (is_filter_voxel(int(voxel.a * 255.0 + 0.5)))
+        voxel.rgb = in_bytes(voxel.rgb, float(hash(place).y >> 8u) * (1.0 / 16777216.0));
 #if HAS_VOXEL_CHANGES
     count_voxel();
     int code = int(voxel.a * 255.0 + 0.5);
@@ -349,7 +353,7 @@ void main() {
     vec2 off = point_in_texel(gl_FragCoord.xy - lattice) - 0.5;
     vec2 place = in_tile(uv + dFdx(uv) * off.x + dFdy(uv) * off.y);
     if (!is_voxel && textureLod(gtexture, place, 0.0).a < cutout_alpha) discard;
-    out_voxel = is_voxel ? voxel : sheet;
+    out_voxel = is_voxel ? voxel : vec4(in_bytes(sheet.rgb, off.x + 0.5), sheet.a);
 }
 
 #endif

@@ -19,7 +19,7 @@ void fill_column(ivec2 column, int height) {
         ivec2 texel = atlas_texel(cell);
         vec4 voxel = imageLoad(shadowcolorimg0, texel);
         int code = int(voxel.a * 255.0 + 0.5);
-        if (code == voxel_water_surface) water = encode_voxel(voxel.rgb * voxel.rgb, voxel_translucent);
+        if (code == voxel_water_surface) water = encode_voxel(decode_voxel(voxel).color, voxel_translucent);
         // What stands in the water, as slabs do, is taken for the ground.
         if (code != voxel_water_surface && code != voxel_air && code != voxel_translucent)
             water = vec4(0.0);
