@@ -205,6 +205,36 @@ const NbtTag* NbtTag::find(std::string_view name) const {
   return nullptr;
 }
 
+std::int64_t NbtTag::integerAt(std::string_view name, std::int64_t fallback) const {
+  const NbtTag* tag = find(name);
+  return tag && tag->integer() ? *tag->integer() : fallback;
+}
+
+std::vector<double> NbtTag::numbersAt(std::string_view name) const {
+  std::vector<double> numbers;
+  const NbtTag* tag = find(name);
+  if (!tag) return numbers;
+  if (const auto* array = std::get_if<std::vector<std::int64_t>>(&tag->value))
+    numbers.assign(array->begin(), array->end());
+  if (const NbtList* list = tag->list()) {
+    for (const NbtTag& item : *list) {
+      if (const auto* real = std::get_if<double>(&item.value)) numbers.push_back(*real);
+    }
+  }
+  return numbers;
+}
+
+const NbtList* NbtTag::listAt(std::string_view name) const {
+  const NbtTag* tag = find(name);
+  return tag ? tag->list() : nullptr;
+}
+
+const std::string& NbtTag::stringAt(std::string_view name) const {
+  static const std::string kNone;
+  const NbtTag* tag = find(name);
+  return tag && tag->string() ? *tag->string() : kNone;
+}
+
 std::optional<NbtTag> parseNbt(std::string_view data, NbtError& error) {
   return NbtReader(data, error).root();
 }

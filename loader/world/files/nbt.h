@@ -33,7 +33,17 @@ struct NbtTag {
   const std::int64_t* integer() const { return std::get_if<std::int64_t>(&value); }
   const std::string* string() const { return std::get_if<std::string>(&value); }
   const NbtBytes* bytes() const { return std::get_if<NbtBytes>(&value); }
+  const NbtList* list() const { return std::get_if<NbtList>(&value); }
   const NbtCompound* compound() const { return std::get_if<NbtCompound>(&value); }
+
+  /// The whole number that is member `name`; `fallback` when there is none.
+  std::int64_t integerAt(std::string_view name, std::int64_t fallback = 0) const;
+  /// The string that is member `name`; "" when there is none.
+  const std::string& stringAt(std::string_view name) const;
+  /// The list that is member `name`; nullptr when there is none.
+  const NbtList* listAt(std::string_view name) const;
+  /// The numbers of an array of integers or a list of reals, member `name`; none when it is neither.
+  std::vector<double> numbersAt(std::string_view name) const;
 };
 
 /// Where and why reading stopped.

@@ -14,26 +14,6 @@ namespace {
 constexpr std::int64_t kDay = 24000;
 constexpr double kFarthest = 3.0e7;  // the game's border, blocks
 
-std::int64_t integerOf(const NbtTag& parent, std::string_view name, std::int64_t fallback) {
-  const NbtTag* tag = parent.find(name);
-  return tag && tag->integer() ? *tag->integer() : fallback;
-}
-
-/// A list of numbers, or an array of integers.
-std::vector<double> numbersIn(const NbtTag& parent, std::string_view name) {
-  std::vector<double> numbers;
-  const NbtTag* tag = parent.find(name);
-  if (!tag) return numbers;
-  if (const auto* array = std::get_if<std::vector<std::int64_t>>(&tag->value))
-    numbers.assign(array->begin(), array->end());
-  if (const auto* list = std::get_if<NbtList>(&tag->value)) {
-    for (const NbtTag& item : *list) {
-      if (const auto* real = std::get_if<double>(&item.value)) numbers.push_back(*real);
-    }
-  }
-  return numbers;
-}
-
 /// nullopt where the numbers are no place of a world.
 std::optional<SavedPlace> placeOf(const std::vector<double>& feet, float yaw, float pitch,
                                   std::string dimension) {
@@ -60,9 +40,9 @@ std::string dimensionIn(const NbtTag& parent, std::string_view name) {
 std::optional<SavedPlace> playerOf(const NbtTag& data) {
   const NbtTag* player = data.find("Player");
   if (!player) return std::nullopt;
-  const std::vector<double> angles = numbersIn(*player, "Rotation");
+  const std::vector<double> angles = player->numbersAt("Rotation");
   const bool known = angles.size() == 2;
-  return placeOf(numbersIn(*player, "Pos"), known ? float(angles[0]) : 0,
+  return placeOf(player->numbersAt("Pos"), known ? float(angles[0]) : 0,
                  known ? float(angles[1]) : 0, dimensionIn(*player, "Dimension"));
 }
 
@@ -71,11 +51,11 @@ std::optional<SavedPlace> spawnOf(const NbtTag& data) {
   std::vector<double> block;
   std::string dimension = "minecraft:overworld";
   if (const NbtTag* spawn = data.find("spawn")) {
-    block = numbersIn(*spawn, "pos");
+    block = spawn->numbersAt("pos");
     dimension = dimensionIn(*spawn, "dimension");
   } else if (data.find("SpawnX") && data.find("SpawnZ")) {
     for (const char* name : {"SpawnX", "SpawnY", "SpawnZ"})
-      block.push_back(double(integerOf(data, name, 64)));
+      block.push_back(double(data.integerAt(name, 64)));
   }
   if (block.size() != 3) return std::nullopt;
   return placeOf({block[0] + 0.5, block[1], block[2] + 0.5}, 0, 0, dimension);
@@ -99,11 +79,11 @@ std::optional<LevelData> parseLevelData(std::string_view bytes, std::string& pro
   LevelData level;
   if (const NbtTag* name = data->find("LevelName"); name && name->string())
     level.name = name->string()->substr(0, 200);
-  const std::int64_t ticks = std::max<std::int64_t>(0, integerOf(*data, "DayTime", level.time));
+  const std::int64_t ticks = std::max<std::int64_t>(0, data->integerAt("DayTime", level.time));
   level.time = int(ticks % kDay);
   level.day = int(std::min<std::int64_t>(ticks / kDay, INT32_MAX));
-  level.rain = integerOf(*data, "raining", 0) != 0;
-  level.thunder = level.rain && integerOf(*data, "thundering", 0) != 0;
+  level.rain = data->integerAt("raining", 0) != 0;
+  level.thunder = level.rain && data->integerAt("thundering", 0) != 0;
   level.player = playerOf(*data);
   level.spawn = spawnOf(*data);
   return level;
