@@ -218,6 +218,90 @@ TEST(DrawLists, what_is_hurt_is_red_and_what_is_carried_has_its_name) {
   EXPECT_EQ(lists.draws[2].entityColor, glm::vec4(0));
 }
 
+/// The lowest and highest corner of what is drawn.
+std::pair<glm::vec3, glm::vec3> boundsOf(const DrawLists& lists) {
+  glm::vec3 low(1e9f), high(-1e9f);
+  for (const GpuVertex& vertex : lists.vertices) {
+    const glm::vec3 at(vertex.position[0], vertex.position[1], vertex.position[2]);
+    low = glm::min(low, at);
+    high = glm::max(high, at);
+  }
+  return {low, high};
+}
+
+DrawLists listsOf(const Entity& entity) {
+  World world = worldOf("");
+  world.content.entities = {entity};
+  Diagnostics diagnostics;
+  const SceneData scene = buildScene(std::move(world), {}, diagnostics);
+  return buildDrawLists(scene, stateOf(scene));
+}
+
+Entity entityOf(const std::string& kind, const std::string& model) {
+  Entity entity;
+  entity.kind = kind;
+  entity.model = model;
+  entity.position = {4, 1, 4};
+  return entity;
+}
+
+TEST(DrawLists, an_entity_is_drawn_as_its_model_under_its_own_kind) {
+  const DrawLists pig = listsOf(entityOf("minecraft:pig", "cow"));
+  ASSERT_THAT(pig.draws, SizeIs(1));
+  EXPECT_EQ(pig.draws[0].entity, "minecraft:pig");
+  EXPECT_EQ(pig.vertices.size(), listsOf(entityOf("minecraft:cow", "cow")).vertices.size());
+}
+
+TEST(DrawLists, entities_have_sizes_and_lie_on_their_backs) {
+  Entity frame = entityOf("minecraft:item_frame", "item_frame");
+  const auto [wallLow, wallHigh] = boundsOf(listsOf(frame));
+  EXPECT_NEAR(wallHigh.y - wallLow.y, 0.75f, 1e-4f);
+  frame.pitch = -90;  // it looks up
+  const auto [low, high] = boundsOf(listsOf(frame));
+  EXPECT_NEAR(high.y - low.y, 1 / 16.0f, 1e-4f);
+  EXPECT_NEAR(high.y, 1 / 16.0f - 2, 1e-4f) << "its back on the floor, two blocks below the eye";
+  Entity slime = entityOf("minecraft:slime", "slime");
+  slime.scale = 2;
+  const auto [slimeLow, slimeHigh] = boundsOf(listsOf(slime));
+  EXPECT_NEAR(slimeHigh.y - slimeLow.y, 1.5f, 1e-4f);
+}
+
+TEST(DrawLists, a_framed_item_is_turned_clockwise) {
+  Entity frame = entityOf("minecraft:item_frame", "item_frame");
+  frame.item = "minecraft:iron_sword";
+  frame.hidden = true;
+  const DrawLists straight = listsOf(frame);
+  frame.itemTurn = 90;
+  const DrawLists turned = listsOf(frame);
+  ASSERT_EQ(straight.vertices.size(), 8u) << "the frame itself is not drawn";
+  ASSERT_EQ(turned.vertices.size(), 8u);
+  const auto corner = [](const DrawLists& lists) {
+    const GpuVertex& v = lists.vertices[0];  // top left, seen from the south
+    return glm::vec2(v.position[0], v.position[1]);
+  };
+  EXPECT_LT(corner(straight).x, 0);
+  EXPECT_GT(corner(straight).y, -2);
+  EXPECT_GT(corner(turned).x, 0) << "the top left corner is now right";
+  EXPECT_GT(corner(turned).y, -2);
+}
+
+TEST(DrawLists, what_is_hidden_still_wears_its_armour) {
+  Entity stand = entityOf("minecraft:armor_stand", "armor_stand");
+  const std::size_t all = listsOf(stand).vertices.size();
+  stand.armour = false;
+  const std::size_t bare = listsOf(stand).vertices.size();
+  stand.armour = true;
+  stand.hidden = true;
+  const std::size_t worn = listsOf(stand).vertices.size();
+  EXPECT_GT(bare, 0u);
+  EXPECT_EQ(worn, 4u * 6 * 4) << "four plates";
+  EXPECT_EQ(bare + worn, all);
+  stand.armour = false;
+  EXPECT_THAT(listsOf(stand).vertices, IsEmpty());
+  stand.glint = true;
+  EXPECT_THAT(listsOf(stand).vertices, IsEmpty()) << "no glint of armour that is not there";
+}
+
 TEST(DrawLists, entities_walk_and_particles_rise_with_time) {
   const SceneData scene = sceneOf(
       R"("entities": [{"kind": "player", "position": [4, 1, 4], "walking": true}],

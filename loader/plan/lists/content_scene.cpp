@@ -22,7 +22,7 @@ std::set<std::string> itemsOf(const World& world) {
 }
 
 GeometrySet kindsOf(const Entity& entity, const ContentScene& scene) {
-  const EntityModel* model = findEntityModel(entity.kind);
+  const EntityModel* model = findEntityModel(entity.model);
   GeometrySet kinds = entity.leash ? bitOf(G::Leash) : 0;
   if (entity.glint) kinds |= bitOf(G::Glint);
   if (!entity.tag.empty()) kinds |= bitOf(G::EntitiesTranslucent);
@@ -70,7 +70,7 @@ std::vector<std::string> texturesFor(const World& world, const ContentScene& sce
     names.insert(more.begin(), more.end());
   };
   for (const Entity& entity : world.content.entities) {
-    if (const EntityModel* model = findEntityModel(entity.kind)) add(texturesOf(*model));
+    if (const EntityModel* model = findEntityModel(entity.model)) add(texturesOf(*model));
     if (!entity.tag.empty()) names.insert("glyph");
   }
   if (world.environment.player.body) add(texturesOf(*findEntityModel("player")));
@@ -107,7 +107,7 @@ void wearResources(const World& world, const ResourceStack& resources,
         if (!file.empty() && worn.addStill(std::string(skin->name), {"minecraft", std::string(file)}))
           break;
   };
-  for (const Entity& entity : world.content.entities) addSkins(findEntityModel(entity.kind));
+  for (const Entity& entity : world.content.entities) addSkins(findEntityModel(entity.model));
   if (world.environment.player.body) addSkins(findEntityModel("player"));
   for (const std::string& name : textures) worn.addOwn(name);
   worn.finish(scene.atlas);

@@ -30,9 +30,11 @@ glm::mat4 turned(const glm::vec3& degrees) {
   return m;
 }
 
-glm::mat4 standing(const ListWriter& writer, const glm::dvec3& position, float yaw) {
+glm::mat4 standing(const ListWriter& writer, const glm::dvec3& position, float yaw,
+                   float pitch = 0) {
   const glm::mat4 moved = glm::translate(glm::mat4(1), writer.local(position));
-  return glm::rotate(moved, glm::radians(-yaw), glm::vec3(0, 1, 0));
+  const glm::mat4 turned = glm::rotate(moved, glm::radians(-yaw), glm::vec3(0, 1, 0));
+  return glm::rotate(turned, glm::radians(pitch), glm::vec3(1, 0, 0));
 }
 
 glm::mat4 boxMatrix(const ModelBox& box, float step) {
@@ -68,6 +70,11 @@ struct BoxLook {
   bool seen = true;
 };
 
+/// Does the entity show this box: its armour, or what is no armour?
+bool showsBox(const Entity& entity, const ModelBox& box) {
+  return box.armour ? entity.armour : !entity.hidden;
+}
+
 BoxLook lookOf(const ListWriter& writer, const EntityModel& model, std::size_t index) {
   const ModelBox& box = model.boxes[index];
   const bool own = hasOwnTextures(box);
@@ -92,13 +99,13 @@ std::array<glm::vec2, 4> skinUvOf(const ListWriter& writer, const ModelBox& box,
   return uv;
 }
 
-void addBoxes(ListWriter& writer, const EntityModel& model, ModelLayer layer,
+void addBoxes(ListWriter& writer, const Entity& entity, const EntityModel& model, ModelLayer layer,
               const glm::mat4& place, float step, glm::ivec2 light) {
   constexpr int kFront = static_cast<int>(FaceDirection::South);
   for (std::size_t i = 0; i < model.boxes.size(); ++i) {
     const ModelBox& box = model.boxes[i];
     const BoxLook look = lookOf(writer, model, i);
-    if (box.layer != layer || !look.seen) continue;
+    if (box.layer != layer || !look.seen || !showsBox(entity, box)) continue;
     const glm::mat4 m = place * boxMatrix(box, step);
     for (int side = 0; side < 6; ++side) {
       const glm::vec2 size = sideSize(box, side);
@@ -140,17 +147,20 @@ float stepOf(const Entity& entity, const FrameState& state) {
   return std::sin((state.frameTimeCounter * kStepsPerSecond + kFirst) * 6.2831853f);
 }
 
+bool isDropped(const Entity& entity) { return findEntityModel(entity.model)->kind == "item"; }
+
 /// Where a model's item is, as a cube 0..1.
 glm::mat4 itemMatrix(const ListWriter& writer, const Entity& entity) {
   const bool block = !writer.scene.content.isFlat(entity.item);
-  glm::mat4 m = standing(writer, entity.position, entity.yaw);
+  glm::mat4 m = standing(writer, entity.position, entity.yaw, entity.pitch);
   float size = block ? 0.25f : 0.5f;
-  if (entity.kind == "minecraft:item") {
+  if (isDropped(entity)) {
     const float t = writer.state.frameTimeCounter;
     m = glm::translate(m, {0, 0.3f + 0.1f * std::sin(t * 2), 0});
     m = glm::rotate(m, t, glm::vec3(0, 1, 0));
   } else {
     m = glm::translate(m, {0, 0, 0.14f});
+    m = glm::rotate(m, glm::radians(-entity.itemTurn), glm::vec3(0, 0, 1));
     size = 0.4f;
   }
   return glm::translate(glm::scale(m, glm::vec3(size)), glm::vec3(-0.5f));
@@ -200,18 +210,19 @@ void addTag(ListWriter& writer, const Entity& entity, float height, glm::ivec2 l
 }
 
 void addEntity(ListWriter& writer, const Entity& entity) {
-  const EntityModel* model = findEntityModel(entity.kind);
+  const EntityModel* model = findEntityModel(entity.model);
   if (model == nullptr) return;
   const glm::ivec2 light = writer.lightAt(entity.position + glm::dvec3(0, 0.5, 0));
   const float step = stepOf(entity, writer.state);
-  const glm::mat4 place = glm::scale(standing(writer, entity.position, entity.yaw),
-                                     glm::vec3(model->scale / kModelTexels));
+  const glm::mat4 place =
+      glm::scale(standing(writer, entity.position, entity.yaw, entity.pitch),
+                 glm::vec3(model->scale * entity.scale / kModelTexels));
   writer.begin(drawOf(writer, Geometry::Entities, entity));
-  addBoxes(writer, *model, ModelLayer::Body, place, step, light);
+  addBoxes(writer, entity, *model, ModelLayer::Body, place, step, light);
   writer.begin(drawOf(writer, Geometry::EntitiesTranslucent, entity));
-  addBoxes(writer, *model, ModelLayer::Translucent, place, step, light);
+  addBoxes(writer, entity, *model, ModelLayer::Translucent, place, step, light);
   writer.begin(drawOf(writer, Geometry::Eyes, entity));
-  addBoxes(writer, *model, ModelLayer::Eyes, place, step, {240, 240});
+  addBoxes(writer, entity, *model, ModelLayer::Eyes, place, step, {240, 240});
   if (model->carriesItem && !entity.item.empty()) {
     const bool translucent = isTranslucentItem(writer.scene, entity.item);
     ContentDraw draw =
@@ -220,10 +231,10 @@ void addEntity(ListWriter& writer, const Entity& entity) {
     writer.begin(draw);
     addItem(writer, entity.item, itemMatrix(writer, entity), light);
   }
-  if (!entity.tag.empty()) addTag(writer, entity, heightOf(*model), light);
+  if (!entity.tag.empty()) addTag(writer, entity, heightOf(*model) * entity.scale, light);
   if (!entity.glint) return;
   writer.begin(drawOf(writer, Geometry::Glint, entity));
-  addArmourGlint(writer, *model, place, step);
+  if (entity.armour) addArmourGlint(writer, *model, place, step);
   if (model->carriesItem && !entity.item.empty())
     addItem(writer, entity.item, itemMatrix(writer, entity), light);
 }
@@ -257,11 +268,12 @@ void addBody(ListWriter& writer) {
   const EntityModel* model = findEntityModel("player");
   Entity player;
   player.kind = "minecraft:player";
+  player.model = "player";
   player.position = writer.state.cameraPosition - glm::dvec3(0, kEyeHeight, 0);
   writer.begin(drawOf(writer, Geometry::PlayerBody, player));
   const glm::mat4 place = glm::scale(standing(writer, player.position, writer.state.camera.yaw),
                                      glm::vec3(model->scale / kModelTexels));
-  addBoxes(writer, *model, ModelLayer::Body, place, 0, writer.lightAt(player.position));
+  addBoxes(writer, player, *model, ModelLayer::Body, place, 0, writer.lightAt(player.position));
 }
 
 void addSprite(ListWriter& writer, const glm::mat4& place, glm::ivec2 light) {

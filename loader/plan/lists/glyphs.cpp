@@ -8,6 +8,7 @@ namespace orris {
 namespace {
 
 constexpr int kGlyphColumns = 3, kGlyphRows = 5;
+static_assert(kGlyphAdvance == float(kGlyphColumns + 1) / kGlyphRows);
 
 // 3 x 5 squares a glyph, rows from the top, three bits each: A to Z, then 0 to 9.
 constexpr std::uint16_t kGlyphs[] = {

@@ -14,14 +14,19 @@ namespace orris {
 /// Something that the game draws by a model of its own.
 struct Entity {
   std::string name;                 ///< by which events find it, "" for none
-  std::string kind;                 ///< with namespace; findEntityModel() knows it
+  std::string kind;                 ///< with namespace: what a pack knows it by
+  std::string model;                ///< what it is drawn as; findEntityModel() knows it
   glm::dvec3 position{0};           ///< of the feet, world blocks
-  float yaw = 0;                    ///< degrees, as a camera's
+  float yaw = 0, pitch = 0;         ///< degrees, as a camera's; all of it turns
+  float scale = 1;                  ///< of the model
+  bool hidden = false;              ///< all but its armour, item and tag
+  bool armour = true;               ///< where the model has any
   bool walking = false;             ///< legs and arms swing with time
   bool hurt = false;                ///< the game's red overlay
   bool glint = false;               ///< what it wears, or the item, is enchanted
   std::string tag;                  ///< text over its head, "" for none
   std::string item;                 ///< dropped or framed, with namespace; "" for none
+  float itemTurn = 0;               ///< degrees, of one that is framed: clockwise
   std::optional<glm::dvec3> leash;  ///< where the leash ends, world blocks
 };
 
@@ -46,6 +51,9 @@ struct DamagedBlock {
   glm::ivec3 at{0};
   int stage = 5;  ///< 0..9
 };
+
+/// From glyph to glyph of a text, in heights of a capital.
+constexpr float kGlyphAdvance = 0.8f;
 
 /// A line of glyphs on a block entity, as on a sign.
 struct BlockText {

@@ -65,6 +65,7 @@ Entity readEntity(JsonReader& reader, const JsonNode& node) {
   if (kind != nullptr && findEntityModel(entity.kind) == nullptr)
     reader.error(kind->offset, fmt::format("no entity \"{}\": expected one of {}", entity.kind,
                                            fmt::join(entityKinds(), ", ")));
+  entity.model = entity.kind;
   if (entity.kind.find(':') == std::string::npos) entity.kind = "minecraft:" + entity.kind;
   entity.position = readPlace(reader, node, "position", what);
   reader.optional(node, "name", entity.name);
