@@ -1,8 +1,11 @@
-// Any bytes as a region file, or (so that mutations reach the tags) as the tags of a chunk or a level.dat.
+// Any bytes as a region file, or (so that mutations reach the tags) as the tags of a chunk, a chunk of
+// entities or a level.dat.
 #include <cstdint>
 #include <cstdlib>
 #include <string_view>
+#include <utility>
 
+#include <orris/world/saved_things/saved_things.h>
 #include <orris/world/saves/anvil_chunk.h>
 #include <orris/world/saves/anvil_region.h>
 #include <orris/world/saves/level_data.h>
@@ -14,6 +17,13 @@ void parseTags(std::string_view tags) {
   std::string problem;
   const auto outcome = orris::parseAnvilChunk(tags, chunk, problem);
   if ((outcome == orris::ChunkOutcome::Unreadable) == problem.empty()) std::abort();
+  orris::SavedThings things;
+  orris::readEntityChunk(tags, things);
+  if ((things.unreadableChunks == 0) != things.problem.empty()) std::abort();
+  if (outcome == orris::ChunkOutcome::Read) orris::join(things, std::move(chunk.things));
+  orris::keepNearest(things, {8, 8});
+  for (const orris::SavedSign& sign : things.signs)
+    orris::textsOf(sign, {"minecraft:oak_sign", {{"rotation", "4"}}});
 }
 
 }  // namespace

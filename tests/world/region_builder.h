@@ -1,6 +1,7 @@
 // Writes chunks, regions and saves as the game does, for tests.
 #pragma once
 
+#include <bit>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -30,6 +31,19 @@ inline std::string nbtList(const std::string& name, char type,
   std::string payload = std::string(1, items.empty() ? '\0' : type) + bigEndian(items.size(), 4);
   for (const std::string& item : items) payload += item;
   return nbtTag(9, name, payload);
+}
+/// Where things stand, as the game writes it.
+inline std::string nbtDoubles(const std::string& name, const std::vector<double>& values) {
+  std::vector<std::string> items;
+  for (const double value : values)
+    items.push_back(bigEndian(std::bit_cast<std::uint64_t>(value), 8));
+  return nbtList(name, 6, items);
+}
+inline std::string nbtFloats(const std::string& name, const std::vector<float>& values) {
+  std::vector<std::string> items;
+  for (const float value : values)
+    items.push_back(bigEndian(std::bit_cast<std::uint32_t>(value), 4));
+  return nbtList(name, 5, items);
 }
 inline std::string closed(const std::string& members) { return members + std::string(1, '\0'); }
 
@@ -92,6 +106,7 @@ struct ChunkParts {
   std::string status = "minecraft:full";
   std::string biome = "minecraft:desert";
   std::vector<SectionParts> sections;
+  std::vector<std::string> entities = {}, blockEntities = {};  ///< payloads of compounds
 
   std::string section(const SectionParts& parts) const {
     std::vector<std::string> entries;
@@ -114,8 +129,11 @@ struct ChunkParts {
     std::vector<std::string> items;
     for (const SectionParts& parts : sections) items.push_back(section(parts));
     const bool flat = format == ChunkFormat::Flat;
-    const std::string body =
+    std::string body =
         nbtString("Status", status) + nbtList(flat ? "sections" : "Sections", 10, items);
+    if (!entities.empty()) body += nbtList("Entities", 10, entities);
+    if (!blockEntities.empty())
+      body += nbtList(flat ? "block_entities" : "TileEntities", 10, blockEntities);
     return nbtCompound(
         "", nbtInt("DataVersion", flat ? 3465 : 2230) + (flat ? body : nbtCompound("Level", body)));
   }

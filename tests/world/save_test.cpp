@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "region_builder.h"
 #include "support/folder_test.h"
 #include "world_helpers.h"
@@ -10,13 +12,6 @@ namespace orris {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string nbtDoubles(const std::string& name, const std::vector<double>& values) {
-  std::vector<std::string> items;
-  for (const double value : values)
-    items.push_back(bigEndian(std::bit_cast<std::uint64_t>(value), 8));
-  return nbtList(name, 6, items);
-}
 
 class Saves : public test::FolderTest {
  protected:
@@ -147,6 +142,142 @@ TEST_F(Saves, link_that_leaves_the_save_is_not_followed) {
   ASSERT_EQ(diagnostics_[0].notes.size(), 1u);
   EXPECT_NE(diagnostics_[0].notes[0].find("leads out"), std::string::npos)
       << diagnostics_[0].notes[0];
+}
+
+std::string cow(double x, double y, double z, const std::string& more = "") {
+  return closed(nbtString("id", "minecraft:cow") + nbtDoubles("Pos", {x, y, z}) + more);
+}
+std::string entityChunk(const std::vector<std::string>& entities) {
+  return nbtCompound("", nbtInt("DataVersion", 3465) + nbtList("Entities", 10, entities));
+}
+
+TEST_F(Saves, entities_of_games_before_1_17_come_from_the_chunk) {
+  ChunkParts parts;
+  parts.format = ChunkFormat::Level116;
+  parts.sections = {stoneFloor(0)};
+  parts.entities = {cow(8.5, 1, 8.5)};
+  RegionParts region;
+  region.add(0, 0, parts.tags());
+  write("region/r.0.0.mca", region.file());
+  const auto world = load({.at = glm::ivec2(8, 8), .radius = 0});
+  ASSERT_TRUE(world) << joined(diagnostics_);
+  EXPECT_EQ(joined(diagnostics_), "");
+  ASSERT_EQ(world->content.entities.size(), 1u);
+  EXPECT_EQ(world->content.entities[0].kind, "minecraft:cow");
+  EXPECT_EQ(world->content.entities[0].position, glm::dvec3(8.5, 1, 8.5));
+}
+
+TEST_F(Saves, entities_of_1_17_and_later_come_from_the_folder_beside_the_region) {
+  write("region/r.0.0.mca", plainRegion());
+  write("level.dat", "");
+  RegionParts entities;
+  entities.add(1, 1, entityChunk({cow(20, 1, 20)}));
+  entities.add(3, 3, entityChunk({cow(50, 1, 50)}));
+  fs::create_directories(folder_ / "entities");
+  write("entities/r.0.0.mca", entities.file());
+  const auto world = load({.at = glm::ivec2(20, 20), .radius = 1});
+  ASSERT_TRUE(world) << joined(diagnostics_);
+  ASSERT_EQ(world->content.entities.size(), 1u) << "the other stands outside of the part";
+  EXPECT_EQ(world->content.entities[0].position, glm::dvec3(20, 1, 20));
+  const auto region = load({.at = glm::ivec2(20, 20), .radius = 1}, "region");
+  ASSERT_TRUE(region) << joined(diagnostics_);
+  EXPECT_TRUE(region->content.entities.empty()) << "they are not below what was named";
+}
+
+TEST_F(Saves, entities_behind_a_link_that_leaves_the_save_are_not_read) {
+  RegionParts entities;
+  entities.add(0, 0, entityChunk({cow(8, 1, 8)}));
+  fs::create_directories(folder_ / "outside");
+  write("outside/r.0.0.mca", entities.file());
+  fs::create_directories(folder_ / "inner/region");
+  write("inner/region/r.0.0.mca", plainRegion());
+  fs::create_symlink(folder_ / "outside", folder_ / "inner/entities");
+  const auto world = load({.at = glm::ivec2(8, 8), .radius = 0}, "inner");
+  ASSERT_TRUE(world) << joined(diagnostics_);
+  EXPECT_TRUE(world->content.entities.empty());
+  ASSERT_EQ(diagnostics_.size(), 1u);
+  EXPECT_EQ(diagnostics_[0].id, "entities-left-out");
+  ASSERT_EQ(diagnostics_[0].notes.size(), 1u);
+  EXPECT_NE(diagnostics_[0].notes[0].find("leads out"), std::string::npos)
+      << diagnostics_[0].notes[0];
+}
+
+TEST_F(Saves, entities_left_out_are_counted_by_kind_in_one_warning) {
+  const auto named = [](const std::string& id, const std::string& more) {
+    return closed(nbtString("id", id) + more);
+  };
+  const std::string place = nbtDoubles("Pos", {8, 1, 8});
+  RegionParts region, entities;
+  ChunkParts parts;
+  parts.sections = {stoneFloor(0)};
+  for (int x = 0; x < 2; ++x) region.add(x, 0, parts.tags());
+  write("region/r.0.0.mca", region.file());
+  std::vector<std::string> list = {named("minecraft:bat", place),
+                                   named("minecraft:squid", place),
+                                   named("minecraft:bat", place),
+                                   named("minecraft:marker", place),
+                                   named("minecraft:cow", ""),
+                                   named("", place),
+                                   named("no name\x1b", place),
+                                   cow(std::nan(""), 1, 1),
+                                   cow(4.0e8, 1, 1),
+                                   cow(200, 1, 8)};
+  entities.add(0, 0, entityChunk(list));
+  entities.chunks[{1, 0}] = {2, "damaged"};
+  fs::create_directories(folder_ / "entities");
+  write("entities/r.0.0.mca", entities.file());
+  const auto world = load({.at = glm::ivec2(16, 8), .radius = 1});
+  ASSERT_TRUE(world) << joined(diagnostics_);
+  EXPECT_TRUE(world->content.entities.empty());
+  ASSERT_EQ(diagnostics_.size(), 2u);
+  EXPECT_EQ(diagnostics_[1].id, "entities-left-out");
+  EXPECT_EQ(diagnostics_[1].severity, Severity::Warning);
+  EXPECT_EQ(diagnostics_[1].message,
+            "entities and signs are left out: 3 that no figure shows, 6 without a sane kind or "
+            "place, those of 1 chunks, which cannot be read");
+  EXPECT_EQ(diagnostics_[1].notes,
+            (std::vector<std::string>{"2 minecraft:bat", "1 minecraft:squid",
+                                      "a chunk of entities: its compressed data is damaged"}));
+}
+
+TEST_F(Saves, of_more_entities_than_a_world_may_have_the_nearest_are_kept) {
+  std::vector<std::string> list;
+  for (int i = 0; i < 1500; ++i) list.push_back(cow(47.9 - i * 0.02, 1, 24));
+  RegionParts entities;
+  entities.add(1, 1, entityChunk(list));
+  entities.add(2, 1, entityChunk(list));
+  write("region/r.0.0.mca", plainRegion());
+  fs::create_directories(folder_ / "entities");
+  write("entities/r.0.0.mca", entities.file());
+  const auto world = load({.at = glm::ivec2(24, 24), .radius = 1});
+  ASSERT_TRUE(world) << joined(diagnostics_);
+  ASSERT_EQ(world->content.entities.size(), 1000u);
+  for (const Entity& entity : world->content.entities) EXPECT_LT(entity.position.x, 29);
+  ASSERT_EQ(diagnostics_.size(), 1u);
+  EXPECT_EQ(diagnostics_[0].message, "entities and signs are left out: 2000 behind the 1000 nearest");
+}
+
+TEST_F(Saves, lines_of_a_sign_are_texts_on_its_board) {
+  ChunkParts parts;
+  SectionParts section = stoneFloor(0);
+  section.palette.push_back("minecraft:oak_wall_sign[facing=east]");
+  section.indices[256 + 3 * 16 + 2] = 2;  // block (2, 1, 3)
+  parts.sections = {section};
+  const auto sign = [](int x, int y, int z) {
+    return closed(nbtString("id", "minecraft:sign") + nbtInt("x", x) + nbtInt("y", y) +
+                  nbtInt("z", z) + nbtString("Text2", "HELLO"));
+  };
+  parts.blockEntities = {sign(2, 1, 3), sign(5, 1, 5), sign(2, 400, 3)};
+  RegionParts region;
+  region.add(0, 0, parts.tags());
+  write("region/r.0.0.mca", region.file());
+  const auto world = load({.at = glm::ivec2(8, 8), .radius = 0});
+  ASSERT_TRUE(world) << joined(diagnostics_);
+  ASSERT_EQ(world->content.texts.size(), 1u) << "no sign stands at the other places";
+  const BlockText& text = world->content.texts[0];
+  EXPECT_EQ(text.text, "HELLO");
+  EXPECT_EQ(text.at, glm::ivec3(2, 1, 3));
+  EXPECT_EQ(text.yaw, 270);
 }
 
 TEST_F(Saves, parts_of_worlds_that_are_no_saves_are_refused) {

@@ -19,6 +19,7 @@ std::span<const Rule> hostRules() {
       {"driver-emulation", Severity::Note,
        "what this driver lacks for a program is done with other code"},
       {"dump-unknown", Severity::Error, "--dump names no buffer of the frame", kUsage},
+      {"entities-left-out", Severity::Warning, "entities or signs of a save are not drawn"},
       {"export-format", Severity::Error,
        "no format of `orris world --export` has this file ending", kUsage},
       {"export-size", Severity::Error, "a world has more faces than a glTF file can hold", kUsage},

@@ -23,11 +23,6 @@ constexpr int kLowestSection = -128, kHighestSection = 127;  // a byte
 constexpr std::array<std::string_view, 4> kFinished = {"full", "minecraft:full", "fullchunk",
                                                        "postprocessed"};
 
-const NbtList* listOf(const NbtTag& parent, std::string_view name) {
-  const NbtTag* tag = parent.find(name);
-  return tag ? std::get_if<NbtList>(&tag->value) : nullptr;
-}
-
 const std::vector<std::int64_t>* numbersOf(const NbtTag& parent, std::string_view name) {
   const NbtTag* tag = parent.find(name);
   return tag ? std::get_if<std::vector<std::int64_t>>(&tag->value) : nullptr;
@@ -123,7 +118,7 @@ struct ChunkReader {
 
   void readBiomes(const NbtTag& tag, AnvilSection& section) {
     const NbtTag* biomes = tag.find("biomes");
-    const NbtList* list = biomes ? listOf(*biomes, "palette") : nullptr;
+    const NbtList* list = biomes ? biomes->listAt("palette") : nullptr;
     if (!list || list->empty() || list->size() > kBiomeParts) return;
     std::vector<std::string> names;
     for (const NbtTag& name : *list) names.push_back(name.string() ? *name.string() : "");
@@ -146,7 +141,7 @@ struct ChunkReader {
     const NbtTag* states18 = tag.find("block_states");
     const NbtTag& holder = states18 ? *states18 : tag;
     const NbtTag* blocks = tag.find("Blocks");
-    if (const NbtList* palette = listOf(holder, states18 ? "palette" : "Palette")) {
+    if (const NbtList* palette = holder.listAt(states18 ? "palette" : "Palette")) {
       if (!readPaletted(*palette, numbersOf(holder, states18 ? "data" : "BlockStates"), section))
         return false;
     } else if (blocks && blocks->bytes()) {
@@ -188,14 +183,19 @@ ChunkOutcome parseAnvilChunk(std::string_view tags, AnvilChunk& chunk, std::stri
   if (status && status->string() &&
       std::find(kFinished.begin(), kFinished.end(), *status->string()) == kFinished.end())
     return ChunkOutcome::Unfinished;
-  const NbtList* sections = listOf(holder, "sections");
-  if (!sections) sections = listOf(holder, "Sections");
+  const NbtList* sections = holder.listAt("sections");
+  if (!sections) sections = holder.listAt("Sections");
   if (!sections) {
     problem = "it has no list of sections";
     return ChunkOutcome::Unreadable;
   }
   ChunkReader reader{chunk, problem, {}, {}};
-  return reader.readAll(*sections) ? ChunkOutcome::Read : ChunkOutcome::Unreadable;
+  if (!reader.readAll(*sections)) return ChunkOutcome::Unreadable;
+  const NbtList* blockEntities = holder.listAt(level ? "TileEntities" : "block_entities");
+  if (blockEntities) readSigns(*blockEntities, chunk.things);
+  // Of 1.17 and later they lie in files of their own.
+  if (const NbtList* entities = holder.listAt("Entities")) readEntities(*entities, chunk.things);
+  return ChunkOutcome::Read;
 }
 
 }  // namespace orris

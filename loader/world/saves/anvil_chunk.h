@@ -1,4 +1,4 @@
-// The blocks of one chunk of a save, as the game of 1.13 and later writes them.
+// One chunk of a save: its blocks, and what it holds besides them.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <orris/world/blocks/block_state.h>
+#include <orris/world/saved_things/saved_things.h>
 
 namespace orris {
 
@@ -24,6 +25,7 @@ struct AnvilChunk {
   std::vector<BlockState> palette;  ///< 0 is air
   std::vector<AnvilSection>
       sections;  ///< ascending, each y once; those without blocks are left out
+  SavedThings things;  ///< its signs, and before 1.17 its entities
 };
 
 enum class ChunkOutcome {

@@ -31,44 +31,56 @@ class RegionReader {
  public:
   RegionReader(const SaveFiles& files, glm::ivec2 place, const fs::path& path,
                std::atomic<std::int64_t>& left)
-      : files_(files), place_(place), left_(left) {
+      : files_(files), place_(place), folder_(path.parent_path()), left_(left) {
     const auto bytes = readSaveFile(files, path, limits::kRegionBytes, problem_);
     if (bytes) bytes_ = std::move(*bytes);
   }
 
-  void read(PlacedChunk& placed) const {
-    const glm::ivec2 inRegion = placed.at - place_ * kRegionChunks;
-    const AnvilRegion region(bytes_, place_);
-    placed.problem = problem_;
+  void readBlocks(PlacedChunk& placed) const {
     placed.state = PlacedChunk::State::Unreadable;
-    if (!problem_.empty()) return;
-    if (!region.holds(inRegion)) {
-      placed.state = PlacedChunk::State::Absent;
-      return;
-    }
-    const auto tags = region.tags(
-        inRegion, [&](glm::ivec2 at) { return external(at); }, placed.problem);
+    const auto tags = tagsOf(placed.at, placed.problem);
+    if (!tags && placed.problem.empty()) placed.state = PlacedChunk::State::Absent;
     if (!tags) return;
-    if ((left_ -= std::int64_t(tags->size())) < 0) {
-      placed.problem =
-          fmt::format("the chunks before it take {} bytes when decompressed", limits::kSaveBytes);
-      return;
-    }
     const ChunkOutcome outcome = parseAnvilChunk(*tags, placed.chunk, placed.problem);
     if (outcome == ChunkOutcome::Read) placed.state = PlacedChunk::State::Read;
     if (outcome == ChunkOutcome::Unfinished) placed.state = PlacedChunk::State::Unfinished;
-    if (outcome != ChunkOutcome::Read) placed.chunk = {placed.chunk.dataVersion, {}, {}};
+    if (outcome != ChunkOutcome::Read) placed.chunk = {placed.chunk.dataVersion, {}, {}, {}};
+  }
+
+  /// Of a region of entities.
+  void readThings(glm::ivec2 chunk, SavedThings& things) const {
+    std::string problem;
+    if (const auto tags = tagsOf(chunk, problem)) {
+      readEntityChunk(*tags, things);
+    } else if (!problem.empty()) {
+      ++things.unreadableChunks;
+      things.problem = problem;
+    }
   }
 
  private:
+  /// Decompressed. nullopt, and why not, or "" where the region has no such chunk.
+  std::optional<std::string> tagsOf(glm::ivec2 chunk, std::string& problem) const {
+    const glm::ivec2 inRegion = chunk - place_ * kRegionChunks;
+    const AnvilRegion region(bytes_, place_);
+    problem = problem_;
+    if (!problem.empty() || !region.holds(inRegion)) return std::nullopt;
+    auto tags = region.tags(inRegion, [&](glm::ivec2 at) { return external(at); }, problem);
+    if (!tags || (left_ -= std::int64_t(tags->size())) >= 0) return tags;
+    problem =
+        fmt::format("the chunks before it take {} bytes when decompressed", limits::kSaveBytes);
+    return std::nullopt;
+  }
+
   std::optional<std::string> external(glm::ivec2 at) const {
     std::string ignored;
-    return readSaveFile(files_, files_.region / fmt::format("c.{}.{}.mcc", at.x, at.y),
+    return readSaveFile(files_, folder_ / fmt::format("c.{}.{}.mcc", at.x, at.y),
                         limits::kChunkBytes, ignored);
   }
 
   const SaveFiles& files_;
   glm::ivec2 place_;
+  fs::path folder_;
   std::atomic<std::int64_t>& left_;
   std::string bytes_, problem_;
 };
@@ -144,7 +156,8 @@ std::optional<glm::ivec2> middleOfRegions(const SaveFiles& files) {
                            [&](glm::ivec2 a, glm::ivec2 b) { return distance(a) < distance(b); });
 }
 
-std::vector<PlacedChunk> readChunks(const SaveFiles& files, glm::ivec2 middle, int radius) {
+std::vector<PlacedChunk> readChunks(const SaveFiles& files, glm::ivec2 middle, int radius,
+                                    SavedThings& things) {
   std::vector<PlacedChunk> chunks;
   std::map<std::pair<int, int>, std::vector<std::size_t>> byRegion;
   for (int z = middle.y - radius; z <= middle.y + radius; ++z) {
@@ -153,13 +166,28 @@ std::vector<PlacedChunk> readChunks(const SaveFiles& files, glm::ivec2 middle, i
       chunks.emplace_back().at = {x, z};
     }
   }
+  const glm::dvec2 spot = (glm::dvec2(middle) + 0.5) * double(kSectionSize);
   std::atomic<std::int64_t> left{std::int64_t(limits::kSaveBytes)};
   for (const auto& [place, wanted] : byRegion) {
     const auto file = files.regions.find(place);
     if (file == files.regions.end()) continue;
     const RegionReader reader(files, {place.first, place.second}, file->second, left);
+    std::optional<RegionReader> entities;
+    if (const auto beside = files.entityRegions.find(place); beside != files.entityRegions.end())
+      entities.emplace(files, glm::ivec2(place.first, place.second), beside->second, left);
     const std::vector<std::size_t>& inRegion = wanted;  // clang 14 captures no structured binding
-    forEachInParallel(inRegion.size(), [&](std::size_t i) { reader.read(chunks[inRegion[i]]); });
+    forEachInParallel(inRegion.size(), [&](std::size_t i) {
+      PlacedChunk& placed = chunks[inRegion[i]];
+      reader.readBlocks(placed);
+      if (placed.state != PlacedChunk::State::Read) return;
+      if (entities) entities->readThings(placed.at, placed.chunk.things);
+      keepNearest(placed.chunk.things, spot);
+    });
+    for (const std::size_t i : inRegion) {
+      join(things, std::move(chunks[i].chunk.things));
+      chunks[i].chunk.things = {};
+    }
+    keepNearest(things, spot);
   }
   return chunks;
 }

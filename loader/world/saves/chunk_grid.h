@@ -25,8 +25,10 @@ struct PlacedChunk {
 /// that the game has finished take more. nullopt when there is none.
 std::optional<glm::ivec2> middleOfRegions(const SaveFiles& files);
 
-/// The chunks of the square of `radius` chunks around `middle`, by row; read by all cores.
-std::vector<PlacedChunk> readChunks(const SaveFiles& files, glm::ivec2 middle, int radius);
+/// The chunks of the square of `radius` chunks around `middle`, by row; read by all cores. `things`:
+/// what they hold besides blocks, the nearest to the middle of that chunk.
+std::vector<PlacedChunk> readChunks(const SaveFiles& files, glm::ivec2 middle, int radius,
+                                    SavedThings& things);
 
 /// Those that were read as one box, from the lowest to the highest section that holds a block; at most
 /// kMaxWorldSize blocks high, around the height `eye`. `chunks` lose their cells. nullopt and why not.

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
 
 #include <orris/core/add_diagnostic.h>
 #include <orris/core/limits.h>
@@ -21,7 +23,7 @@ namespace orris {
 namespace {
 
 constexpr int kBlocksOfChunk = kSectionSize;
-constexpr std::size_t kNamedChunks = 20;
+constexpr std::size_t kNamedChunks = 20, kNamedKinds = 20;
 constexpr double kEyeHeight = 1.62;
 
 /// What level.dat says; a damaged one is a warning.
@@ -94,6 +96,59 @@ void warnOfChunks(const std::vector<PlacedChunk>& chunks, const SaveFiles& files
   }
 }
 
+/// Adds to `world` what the chunks hold besides blocks.
+void addThings(SavedThings& things, World& world) {
+  const glm::ivec3 low = world.blocks.origin(), end = low + world.blocks.size();
+  const auto inside = [&](const glm::dvec3& at) {
+    return at.x >= low.x && at.x < end.x && at.z >= low.z && at.z < end.z;
+  };
+  for (Entity& entity : things.entities) {
+    if (inside(entity.position))
+      world.content.entities.push_back(std::move(entity));
+    else
+      ++things.damaged;
+  }
+  std::vector<BlockText>& texts = world.content.texts;
+  for (const SavedSign& sign : things.signs) {
+    if (!world.blocks.contains(sign.at)) continue;
+    std::vector<BlockText> lines = textsOf(sign, world.blocks.at(sign.at));
+    if (texts.size() + lines.size() > limits::kWorldThings)
+      ++things.tooFar;
+    else
+      std::ranges::move(lines, std::back_inserter(texts));
+  }
+}
+
+/// Of entities and signs that are left out: how many and why.
+void warnOfThings(const SavedThings& things, const SaveFiles& files, Diagnostics& diagnostics) {
+  std::vector<std::pair<std::size_t, std::string>> kinds;
+  std::size_t figureless = 0;
+  for (const auto& [kind, count] : things.figureless) {
+    figureless += count;
+    kinds.emplace_back(count, kind);
+  }
+  if (figureless + things.tooFar + things.damaged + things.unreadableChunks == 0) return;
+  std::vector<std::string> reasons;
+  if (figureless > 0) reasons.push_back(fmt::format("{} that no figure shows", figureless));
+  if (things.tooFar > 0)
+    reasons.push_back(fmt::format("{} behind the {} nearest", things.tooFar, limits::kWorldThings));
+  if (things.damaged > 0) reasons.push_back(fmt::format("{} without a sane kind or place", things.damaged));
+  if (things.unreadableChunks > 0)
+    reasons.push_back(fmt::format("those of {} chunks, which cannot be read", things.unreadableChunks));
+  addWarning(diagnostics, "entities-left-out", {files.region.string()},
+             fmt::format("entities and signs are left out: {}", fmt::join(reasons, ", ")));
+  std::vector<std::string>& notes = diagnostics.back().notes;
+  std::ranges::stable_sort(kinds, std::greater(), [](const auto& kind) { return kind.first; });
+  for (const auto& [count, kind] : kinds) {
+    if (notes.size() == kNamedKinds) {
+      notes.push_back(fmt::format("and {} more kinds", kinds.size() - kNamedKinds));
+      break;
+    }
+    notes.push_back(fmt::format("{} {}", count, kind));
+  }
+  if (!things.problem.empty()) notes.push_back(fmt::format("a chunk of entities: {}", things.problem));
+}
+
 void failWithoutRegions(const SaveFiles& files, Diagnostics& diagnostics) {
   const std::vector<std::string> has = dimensionsOf(files.root);
   addError(diagnostics, "world-unreadable", {files.root.string()},
@@ -161,7 +216,8 @@ std::optional<World> loadSave(const std::filesystem::path& path, const SavePart&
     return std::nullopt;
   }
   const glm::ivec2 middle = chunkOf(spot->column);
-  std::vector<PlacedChunk> chunks = readChunks(files, middle, radius);
+  SavedThings things;
+  std::vector<PlacedChunk> chunks = readChunks(files, middle, radius, things);
   warnOfChunks(chunks, files, diagnostics);
   if (std::none_of(chunks.begin(), chunks.end(),
                    [](const PlacedChunk& c) { return c.state == PlacedChunk::State::Read; })) {
@@ -182,6 +238,8 @@ std::optional<World> loadSave(const std::filesystem::path& path, const SavePart&
       }));
   world.blocks = std::move(*blocks);
   world.biomes = biomesOf(chunks, world.blocks);
+  addThings(things, world);
+  warnOfThings(things, files, diagnostics);
   setDimension(files.dimension, world.environment);
   setCameras(*spot, world);
   setEnvironment(level, biomeAt(chunks, glm::ivec3(glm::floor(world.cameras.front().position))),

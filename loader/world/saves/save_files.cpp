@@ -58,6 +58,10 @@ std::map<std::pair<int, int>, fs::path> regionsIn(const fs::path& folder) {
   return regions;
 }
 
+std::map<std::pair<int, int>, fs::path> entitiesBeside(const fs::path& region) {
+  return regionsIn(region.parent_path() / "entities");
+}
+
 /// Where regions of a dimension may lie, from the folder of level.dat.
 std::vector<fs::path> foldersOf(const std::string& dimension) {
   std::vector<fs::path> folders;
@@ -111,14 +115,18 @@ SaveFiles findSaveFiles(const fs::path& path, const std::string& dimension) {
     for (const fs::path& folder : foldersOf(files.dimension)) {
       files.region = (files.root / folder).lexically_normal();
       files.regions = regionsIn(files.region);
-      if (!files.regions.empty()) return files;
+      if (!files.regions.empty()) break;
     }
+    files.entityRegions = entitiesBeside(files.region);
     return files;
   }
   files.dimension = dimension.empty() ? dimensionOfPath(files.root) : dimension;
   files.region = files.root / "region";
   files.regions = regionsIn(files.region);
-  if (!files.regions.empty()) return files;
+  if (!files.regions.empty()) {
+    files.entityRegions = entitiesBeside(files.region);
+    return files;
+  }
   files.region = files.root;
   files.regions = regionsIn(files.region);
   return files;

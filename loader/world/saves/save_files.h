@@ -19,6 +19,8 @@ struct SaveFiles {
   std::string dimension;         ///< "minecraft:the_nether"
   std::string name;              ///< of the folder or file
   std::map<std::pair<int, int>, std::filesystem::path> regions;  ///< by place x, z
+  /// Of entities, beside `region`, where that is below `root`; 1.17 and later.
+  std::map<std::pair<int, int>, std::filesystem::path> entityRegions;
 };
 
 /// Is `path` a save: a folder with level.dat or with .mca files in it or in `region`, or one such file?
