@@ -619,6 +619,11 @@ WORLDS = [
     Case("world_random_room", ["world random:17"], 0, {}, stdout=["^random:17$", "camera +room: "]),
     Case("world_random_room_without_a_seed", ["world random:x"], 2, {},
          ["expected a whole number from 0 to 4294967295 after random:"]),
+    Case("world_entities_and_texts", ["world world"], 0,
+         {"world/world.json": '{ "size": [4, 4, 4], "cameras": [{ "name": "a", "position": [3, 3, 3] }],'
+                              ' "entities": [{ "kind": "cow", "position": [1, 1, 1] }, { "kind": "arrow", "position": [1, 2, 1] }],'
+                              ' "texts": [{ "text": "A", "at": [1, 1, 1], "position": [1, 1, 1] }] }'},
+         stdout=["entities +2", "texts +1"]),
     Case("world_facts", [f"world {CORNELL}"], 0,
          stdout=["size", "lights +[1-9]", "unknown +0", "camera "]),
 ]

@@ -85,6 +85,8 @@ nlohmann::json worldJson(const World& world, const WorldFacts& facts) {
           {"faces", facts.faces},
           {"lights", facts.lights},
           {"unknown", facts.unknown},
+          {"entities", world.content.entities.size()},
+          {"texts", world.content.texts.size()},
           {"events", world.events.size()},
           {"cameras", cameras}};
 }
@@ -101,6 +103,8 @@ void printWorld(const World& world, const WorldFacts& facts, const BlockLook* lo
   text += fmt::format("  faces       {}\n", facts.faces);
   text += fmt::format("  lights      {}\n", facts.lights);
   text += fmt::format("  unknown     {}\n", facts.unknown.size());
+  text += fmt::format("  entities    {}\n", world.content.entities.size());
+  text += fmt::format("  texts       {}\n", world.content.texts.size());
   text += fmt::format("  events      {}\n", world.events.size());
   if (look) text += lookText(*look);
   for (const Camera& camera : world.cameras) {
