@@ -15,6 +15,11 @@ MUTANTS = {
         ("skins of one size", "DrawLists.*", "const float texels = (look.tile->max.x - look.tile->min.x) * size.x;",
          "const float texels = 64;"),
         ("no item of a resource pack", "DrawLists.*", "look != looks.end())\n    return addModel", "false)\n    return addModel"),
+        ("the model of its kind", "DrawLists.*",
+         "const EntityModel* model = findEntityModel(entity.model);", "const EntityModel* model = findEntityModel(entity.kind);"),
+        ("frames only on walls", "DrawLists.*", "glm::radians(pitch), glm::vec3(1, 0, 0)", "0.0f * pitch, glm::vec3(1, 0, 0)"),
+        ("a framed item turns the other way", "DrawLists.*", "glm::radians(-entity.itemTurn)", "glm::radians(entity.itemTurn)"),
+        ("hidden armour", "DrawLists.*", "box.armour ? entity.armour : !entity.hidden", "box.armour ? !entity.hidden : entity.armour"),
         ("letters behind the board", "DrawLists.*", "{0, 0, kNearer / kCapital}", "{0, 0, -kNearer / kCapital}"),
     ],
     "loader/plan/lists/glyphs.cpp": [
