@@ -31,6 +31,7 @@ class DrawContentGL : public RenderTest {
   static World worldWith(Entity entity) {
     World world = floorWorld();
     if (entity.kind.empty()) entity.kind = "minecraft:slime";
+    entity.model = entity.kind;
     entity.position = {0.5, 1, 0.5};
     world.content.entities = {entity};
     return world;
