@@ -72,6 +72,10 @@ constexpr std::size_t kSaveRegions = 65'536;
 constexpr std::size_t kRegionBytes = std::size_t{256} << 20;
 constexpr std::size_t kChunkBytes = std::size_t{16} << 20;
 constexpr std::size_t kSaveBytes = std::size_t{1} << 30;
+constexpr std::size_t kMapBlockBytes = std::size_t{4} << 20;
+constexpr std::size_t kMapPlaces = std::size_t{1} << 20;
+constexpr std::size_t kMapSteps = std::size_t{1} << 26;
+constexpr std::size_t kMapMemory = std::size_t{256} << 20;
 
 // Resource packs (world/resources, core/files/asset_source.h).
 constexpr std::size_t kResourceJsonBytes = std::size_t{4} << 20;

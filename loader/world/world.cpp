@@ -14,6 +14,8 @@
 #include <orris/world/blocks/block_facts.h>
 #include <orris/world/files/schematic.h>
 #include <orris/world/files/world_json.h>
+#include <orris/world/luanti/luanti_files.h>
+#include <orris/world/luanti/luanti_world.h>
 #include <orris/world/random_room.h>
 #include <orris/world/saves/save.h>
 #include <orris/world/saves/save_files.h>
@@ -25,7 +27,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kWorldHint =
     "WORLD is a folder with world.json, a world.json, a schematic (.schem, .schematic, .litematic, .nbt), "
-    "a save, or a region file (.mca)";
+    "a save, a region file (.mca), or a Luanti world or its map.sqlite";
 const std::set<std::string> kSchematics = {".schem", ".schematic", ".litematic", ".nbt"};
 constexpr std::size_t kMaxFileBytes = std::size_t(1) << 28;
 
@@ -129,14 +131,17 @@ std::optional<World> loadWorld(const std::string& path, unsigned seed, Diagnosti
   const fs::path given(path);
   ReadFault fault{};
   if (path.starts_with(kRandomRoom)) return loadRandomRoom(path, diagnostics);
-  if (!fs::exists(given / "world.json", problem) && isSave(given)) {
-    std::optional<World> world = loadSave(given, part, diagnostics);
+  const bool described = fs::exists(given / "world.json", problem);
+  const bool luanti = !described && isLuantiWorld(given);
+  if (luanti || (!described && isSave(given))) {
+    std::optional<World> world =
+        luanti ? loadLuantiWorld(given, part, diagnostics) : loadSave(given, part, diagnostics);
     if (world) completePalette(*world);
     return world;
   }
   if (part.at || part.radius) {
     addError(diagnostics, "world-unreadable", {path},
-             "this world is drawn whole: --at and --radius choose a part of a save");
+             "this world is drawn whole: --at and --radius choose a part of a save or a Luanti world");
     return std::nullopt;
   }
   if (fs::is_directory(given, problem)) {

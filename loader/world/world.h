@@ -102,13 +102,13 @@ struct World {
 
 /// What of a save is loaded.
 struct SavePart {
-  std::optional<glm::ivec2> at;  ///< a block, x and z; nullopt for where the player is, or begins
+  std::optional<glm::ivec2> at;  ///< a block, x and z as the game shows them; nullopt for where the player is, or begins
   std::optional<int> radius;     ///< chunks, 0 to limits::kSaveRadius
   std::string dimension{};       ///< a name with its namespace; "" for the one that the path names
 };
 constexpr int kDefaultSaveRadius = 8;
 
-/// Loads a folder with world.json, a world.json, a Sponge .schem, a part of a save, or random:SEED (random_room.h). Numeric limits:
+/// Loads a folder with world.json, a world.json, a Sponge .schem, a part of a save or of a Luanti world, or random:SEED (random_room.h). Numeric limits:
 /// 512 blocks an axis and 2^25 blocks in all, but of saves. `seed` drives generated worlds. The palette
 /// also holds the states that events set, so that facts and textures made from it serve every frame.
 std::optional<World> loadWorld(const std::string& path, unsigned seed, Diagnostics& diagnostics,

@@ -285,7 +285,7 @@ TEST_F(Saves, parts_of_worlds_that_are_no_saves_are_refused) {
   EXPECT_FALSE(loadWorld(ORRIS_SOURCE_DIR "/worlds/cornell", 0, diagnostics, {.radius = 2}));
   ASSERT_EQ(diagnostics.size(), 1u);
   EXPECT_EQ(diagnostics[0].message,
-            "this world is drawn whole: --at and --radius choose a part of a save");
+            "this world is drawn whole: --at and --radius choose a part of a save or a Luanti world");
 }
 
 TEST(SharedSave, real_region_is_read_whole) {

@@ -102,7 +102,7 @@ TEST(Worlds, folder_file_and_schematic_are_distinguished) {
   EXPECT_EQ(joined(diagnostics),
             "no/such/world: error: no such file or folder\n"
             "  hint: WORLD is a folder with world.json, a world.json, a schematic (.schem, .schematic, "
-            ".litematic, .nbt), a save, or a region file (.mca)");
+            ".litematic, .nbt), a save, a region file (.mca), or a Luanti world or its map.sqlite");
 }
 
 class WorldFiles : public test::FolderTest {};

@@ -158,11 +158,11 @@ void addSavePartFlags(CLI::App& command, SavePart& part) {
   command
       .add_option_function<std::string>(
           "--at", [&part](const std::string& text) { part.at = parseColumn(text); },
-          "of a save: the block X,Z in the middle (default: where the player is)")
+          "of a save or a Luanti world: the block X,Z in the middle (default: where the player is)")
       ->type_name("X,Z");
   command
       .add_option("--radius", part.radius,
-                  fmt::format("of a save: chunks around it (default {})", kDefaultSaveRadius))
+                  fmt::format("of a save or a Luanti world: chunks around it (default {})", kDefaultSaveRadius))
       ->type_name("CHUNKS")
       ->check(CLI::Range(0, int(limits::kSaveRadius)));
 }
@@ -252,7 +252,7 @@ CLI::Option* addPackArgument(CLI::App& command, std::string& path) {
 }
 
 CLI::Option* addWorldArgument(CLI::App& command, std::string& path) {
-  return command.add_option("world", path, "world: a folder with world.json, a schematic, a save or a region file (.mca)")
+  return command.add_option("world", path, "world: a folder with world.json, a schematic, a save, a region file (.mca) or a Luanti world")
       ->type_name("WORLD")
       ->required();
 }

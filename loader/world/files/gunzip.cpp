@@ -30,7 +30,7 @@ GunzipResult inflateAll(z_stream& stream, std::size_t limit, std::string& output
 
 }  // namespace
 
-GunzipResult gunzip(std::string_view input, std::size_t limit, std::string& output) {
+GunzipResult gunzip(std::string_view input, std::size_t limit, std::string& output, std::size_t* used) {
   if (input.size() > std::numeric_limits<uInt>::max()) return GunzipResult::TooLarge;
   z_stream stream{};
   // zlib takes its input as non-const but does not write to it.
@@ -38,6 +38,7 @@ GunzipResult gunzip(std::string_view input, std::size_t limit, std::string& outp
   stream.avail_in = uInt(input.size());
   if (inflateInit2(&stream, kAnyHeader) != Z_OK) return GunzipResult::Corrupt;
   const GunzipResult result = inflateAll(stream, limit, output);
+  if (used) *used = input.size() - stream.avail_in;
   inflateEnd(&stream);
   return result;
 }

@@ -9,7 +9,7 @@ namespace orris {
 
 enum class GunzipResult { Ok, Truncated, Corrupt, TooLarge };
 
-/// Appends at most `limit` bytes to `output`. Trailing bytes after the stream are ignored.
-GunzipResult gunzip(std::string_view input, std::size_t limit, std::string& output);
+/// Appends at most `limit` bytes to `output`. Bytes after the stream are ignored; `used`: how many bytes the stream has.
+GunzipResult gunzip(std::string_view input, std::size_t limit, std::string& output, std::size_t* used = nullptr);
 
 }  // namespace orris

@@ -25,12 +25,12 @@ constexpr TextColour kTextColours[] = {
 
 /// Text that does not glow is darker.
 glm::vec3 dyedColour(const std::string& dye, bool glows) {
-  constexpr float kDull = 0.4f;
+  constexpr float kDullShare = 0.4f;
   const auto* found = std::ranges::find(kTextColours, dye, &TextColour::dye);
   if (found == std::end(kTextColours)) return glm::vec3(0);
   const glm::vec3 colour(float(found->rgb >> 16), float(found->rgb >> 8 & 255),
                          float(found->rgb & 255));
-  return colour / 255.0f * (glows ? 1.0f : kDull);
+  return colour / 255.0f * (glows ? 1.0f : kDullShare);
 }
 
 bool isBlank(const SignSide& side) {
