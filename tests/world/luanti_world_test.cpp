@@ -118,7 +118,7 @@ TEST_F(LuantiWorlds, without_a_place_the_middle_of_the_map_is_taken) {
   EXPECT_EQ(world->blocks.origin(), glm::ivec3(41 * 16, 0, -51 * 16));
   EXPECT_EQ(failure({.at = glm::ivec2(5, 5), .radius = 0}), "nothing that can be drawn lies within 0 map blocks of node (5, 5)");
   EXPECT_EQ(diagnostics_.back().hint, "the middle of the map is --at 664,808");
-  writeMap({{{40, 0, 50}, marked("default:dirt")}, {{0, 0, 0}, marked("default:dirt")}});
+  writeMap({{{40, 0, 50}, marked("default:dirt")}, {{41, 0, 50}, marked("default:dirt")}, {{0, 0, 0}, marked("default:dirt")}});
   world = load({.radius = 0});
   ASSERT_TRUE(world) << joined(diagnostics_);
   EXPECT_EQ(world->blocks.origin(), glm::ivec3(0, 0, -16));
@@ -127,7 +127,8 @@ TEST_F(LuantiWorlds, without_a_place_the_middle_of_the_map_is_taken) {
 }
 
 TEST_F(LuantiWorlds, of_great_heights_those_around_the_sea_are_drawn) {
-  writeMap({{{0, -900, 0}, marked("default:dirt")}, {{0, -1, 0}, marked("default:sand")}, {{0, 900, 0}, marked("default:dirt")}});
+  writeMap({{{0, -902, 0}, marked("default:dirt")}, {{0, -901, 0}, marked("default:dirt")}, {{0, -900, 0}, marked("default:dirt")},
+            {{0, -1, 0}, marked("default:sand")}});
   auto world = load({.radius = 0});
   ASSERT_TRUE(world) << joined(diagnostics_);
   EXPECT_EQ(world->blocks.at({0, -16, -1}).name, "minecraft:sand");
