@@ -408,8 +408,62 @@ TEST(DrawLists, items_are_drawn_by_the_models_of_a_resource_pack) {
   EXPECT_EQ(lists.draws[0].range.quads, 2u + 4u * 1) << "front, back and four edges";
   EXPECT_NE(skinTexel(scene, lists, 0), glm::ivec2(-1));
   EXPECT_EQ(skinTexel(scene, lists, lists.draws[1].range.firstVertex / 4), glm::ivec2(-1));
-  EXPECT_TRUE(scene.content.isFlat("minecraft:iron_sword"));
-  EXPECT_FALSE(scene.content.isFlat("minecraft:torch"));
+  EXPECT_NE(scene.content.lookOf("minecraft:iron_sword"), nullptr);
+  EXPECT_EQ(scene.content.lookOf("minecraft:torch"), nullptr);
+}
+
+/// An iron sword of a full square of texels, whose model has these poses.
+DrawLists posedLists(World world, const std::string& display) {
+  Diagnostics diagnostics;
+  std::map<std::string, std::string> files;
+  files["/minecraft/textures/item/a.png"] = encodePng(Image16(1, 1, 3), "a", diagnostics).value();
+  files["/minecraft/models/item/iron_sword.json"] =
+      R"({"parent": "builtin/generated", "textures": {"layer0": "item/a"}, "display": {)" + display + "}}";
+  ResourceStack resources;
+  resources.add("pack", memorySource(std::move(files)));
+  SceneData scene = buildScene(std::move(world), {}, diagnostics);
+  scene.content = buildContent(scene.world, &resources, diagnostics);
+  for (const Diagnostic& d : diagnostics) ADD_FAILURE() << formatDiagnostic(d);
+  return buildDrawLists(scene, stateOf(scene));
+}
+
+void expectNear(const glm::vec3& value, const glm::vec3& expected) {
+  EXPECT_LT(glm::length(value - expected), 1e-4f) << value.x << " " << value.y << " " << value.z;
+}
+
+TEST(DrawLists, a_hand_holds_an_item_as_its_model_says) {
+  const std::string display = R"("firstperson_righthand": {"translation": [16, 0, 0], "scale": [0.5, 0.25, 1]})";
+  for (const bool left : {false, true}) {
+    const auto [low, high] = boundsOf(posedLists(
+        worldOf(std::string(R"("environment": {"player": {")") + (left ? "offHand" : "mainHand") + R"(": "iron_sword"}})"),
+        display));
+    expectNear(high - low, {0.5f, 0.25f, 1 / 16.0f});
+    expectNear((high + low) * 0.5f, {left ? -1.56f : 1.56f, -0.52f, -0.72f});
+  }
+}
+
+TEST(DrawLists, dropped_and_framed_items_lie_as_their_models_say) {
+  const std::string display = R"("ground": {"rotation": [0, 0, 90], "translation": [0, 8, 0], "scale": [0.25, 2, 1]},
+                                 "fixed": {"rotation": [0, 180, 0], "translation": [8, 0, 0], "scale": [1, 0.5, 1]})";
+  const auto listsAt = [&](Entity entity) {
+    entity.item = "minecraft:iron_sword";
+    entity.hidden = true;
+    World world = worldOf("");
+    world.content.entities = {std::move(entity)};
+    return posedLists(std::move(world), display);
+  };
+  const auto [low, high] = boundsOf(listsAt(entityOf("minecraft:item", "item")));
+  EXPECT_NEAR(high.y - low.y, 0.25f, 1e-4f);
+  EXPECT_NEAR((high.y + low.y) / 2, -2 + 0.1f + 0.5f + 0.5f, 0.11f) << "it swims up and down";
+  Entity frame = entityOf("minecraft:item_frame", "item_frame");
+  const auto straight = listsAt(frame);
+  const auto [frameLow, frameHigh] = boundsOf(straight);
+  expectNear(frameHigh - frameLow, {0.5f, 0.25f, 1 / 32.0f});
+  expectNear((frameHigh + frameLow) * 0.5f, {-0.25f, -2, -3 + 1 / 16.0f});
+  EXPECT_LT(straight.vertices[0].position[0], straight.vertices[2].position[0]) << "its front is seen";
+  frame.itemTurn = 90;
+  const auto [turnedLow, turnedHigh] = boundsOf(listsAt(frame));
+  expectNear((turnedHigh + turnedLow) * 0.5f, {0, -2 + 0.25f, -3 + 1 / 16.0f});
 }
 
 }  // namespace

@@ -50,7 +50,6 @@ TEST(item_looks, a_flat_item_has_front_back_and_the_edges_of_its_texels) {
   const auto look = test.look("minecraft:stick");
   EXPECT_EQ(test.errors, "");
   ASSERT_TRUE(look.has_value());
-  EXPECT_TRUE(look->flat);
   ASSERT_THAT(*look->faces, SizeIs(2 + 1 + 2 + 1 + 2))
       << "edges in a line are one";
   for (const ModelFace& face : *look->faces) {
@@ -85,7 +84,7 @@ TEST(item_looks, the_texture_of_its_name_is_enough) {
   test.pack.texture("item/apple", pngOf(16, kGreen));
   const auto look = test.look("minecraft:apple");
   ASSERT_TRUE(look.has_value());
-  EXPECT_TRUE(look->flat);
+  EXPECT_EQ(look->poseOf(DisplayPlace::Ground).scale, glm::vec3(0.5f)) << "of the game's item/generated";
   EXPECT_FALSE(test.look("minecraft:stick").has_value());
   EXPECT_EQ(test.errors, "");
 }
@@ -95,7 +94,7 @@ TEST(item_looks, a_block_is_held_as_its_model_or_as_its_blockstates_say) {
   test.pack = stonePack();
   const auto byState = test.look("minecraft:stone");
   ASSERT_TRUE(byState.has_value());
-  EXPECT_FALSE(byState->flat);
+  EXPECT_EQ(byState->poseOf(DisplayPlace::Ground).scale, glm::vec3(0.25f)) << "of block/block";
   EXPECT_THAT(*byState->faces, SizeIs(6));
   test.item("stone", R"({"elements": [{"from": [0,0,0], "to": [16,4,16],
     "faces": {"up": {"texture": "#a"}}}], "textures": {"a": "block/stone"}})");
@@ -127,6 +126,76 @@ TEST(item_looks, a_definition_names_the_model_of_an_item_that_nobody_uses) {
   test.definition("bow", R"({"model": {"type": "special"}})");
   EXPECT_FALSE(test.look("minecraft:bow").has_value());
   EXPECT_EQ(test.errors, "");
+}
+
+/// Three numbers of a place, as "0 45 0".
+std::string text(const glm::vec3& v) { return fmt::format("{:g} {:g} {:g}", v.x, v.y, v.z); }
+
+TEST(item_looks, poses_come_place_by_place_from_the_nearest_model) {
+  ItemTest test;
+  test.pack.texture("item/a", pngOf(16, kRed));
+  test.item("stick", R"({"parent": "item/rod", "textures": {"layer0": "item/a"},
+    "display": {"ground": {"rotation": [1, 2, 3]}, "head": {"rotation": "left to others"}}})");
+  test.item("rod", R"({"parent": "item/handheld", "display": {
+    "ground": {"rotation": [9, 9, 9]}, "fixed": {"translation": [200, -200, 1], "scale": [9, -9, 0.5]}}})");
+  const auto look = test.look("minecraft:stick");
+  EXPECT_EQ(test.errors, "");
+  ASSERT_TRUE(look.has_value());
+  EXPECT_EQ(text(look->poseOf(DisplayPlace::Ground).degrees), "1 2 3");
+  EXPECT_EQ(text(look->poseOf(DisplayPlace::Ground).scale), "1 1 1") << "a place is taken whole";
+  EXPECT_EQ(text(look->poseOf(DisplayPlace::Fixed).translation), "80 -80 1");
+  EXPECT_EQ(text(look->poseOf(DisplayPlace::Fixed).scale), "4 -4 0.5");
+  EXPECT_EQ(text(look->poseOf(DisplayPlace::FirstRight).degrees), "0 -90 25") << "item/handheld of the game";
+  test.item("handheld", R"({"parent": "builtin/generated"})");
+  EXPECT_EQ(text(test.look("minecraft:stick")->poseOf(DisplayPlace::FirstRight).degrees), "0 0 0")
+      << "that of the pack says nothing";
+}
+
+TEST(item_looks, the_left_hand_mirrors_the_right_one) {
+  ItemTest test;
+  test.pack.texture("item/a", pngOf(16, kRed));
+  const auto left = [&](const std::string& display) {
+    test.item("stick", R"({"parent": "item/handheld", "textures": {"layer0": "item/a"}, "display": {)" + display + "}}");
+    return test.look("minecraft:stick")->poseOf(DisplayPlace::FirstLeft);
+  };
+  const std::string right = R"("firstperson_righthand": {"rotation": [10, 20, 30], "translation": [1, 2, 3]})";
+  EXPECT_EQ(text(left(right).degrees), "10 -20 -30") << "before the parent is asked";
+  EXPECT_EQ(text(left(right).translation), "-1 2 3");
+  EXPECT_EQ(text(left(right + R"(, "firstperson_lefthand": {"rotation": [5, 6, 7]})").degrees), "5 -6 -7");
+}
+
+TEST(item_looks, a_pose_turns_about_z_then_y_then_x_and_is_moved) {
+  ItemLook look;
+  look.poses[std::size_t(DisplayPlace::Ground)] = {{90, 0, 90}, {0, 16, 0}, {2, 1, 1}};
+  const glm::mat4 m = look.posed(DisplayPlace::Ground);
+  const auto at = [&](const glm::vec3& place) { return glm::vec3(m * glm::vec4(place, 1)); };
+  EXPECT_LT(glm::length(at(glm::vec3(0.5f)) - glm::vec3(0, 1, 0)), 1e-5f) << "the middle";
+  EXPECT_LT(glm::length(at({1, 0.5f, 0.5f}) - glm::vec3(0, 1, 1)), 1e-5f) << "from x to y, and then to z";
+}
+
+TEST(item_looks, models_whose_parent_is_absent_have_the_poses_of_blocks) {
+  ItemTest test;
+  test.pack.texture("item/a", pngOf(16, kRed));
+  const auto scale = [&](const std::string& parent) {
+    test.item("stick", R"({)" + parent + R"("elements": [{"from": [0,0,0], "to": [16,4,16],
+      "faces": {"up": {"texture": "#a"}}}], "textures": {"a": "item/a"}})");
+    return test.look("minecraft:stick")->poseOf(DisplayPlace::Fixed).scale.x;
+  };
+  EXPECT_EQ(scale(R"("parent": "item/absent", )"), 0.5f);
+  EXPECT_EQ(scale(R"("parent": "block/cube", )"), 0.5f);
+  EXPECT_EQ(scale(""), 1.0f);
+}
+
+TEST(item_looks, mistakes_in_poses_have_their_place) {
+  for (const auto& [display, message] : {std::pair{"[]", "1:45: warning"},
+                                         {R"({"ground": 1})", "1:56: warning"},
+                                         {R"({"ground": {"scale": [1, 1]}})", "1:66: warning"},
+                                         {R"({"fixed": {"rotation": [1, 1e9, 1]}})", "1:72: warning"}}) {
+    ItemTest test;
+    test.item("bow", R"({"parent": "item/generated",     "display": )" + std::string(display) + "}");
+    EXPECT_FALSE(test.look("minecraft:bow").has_value());
+    EXPECT_THAT(test.errors, HasSubstr(message)) << display;
+  }
 }
 
 TEST(item_looks, mistakes_are_warnings_and_the_item_keeps_its_look) {

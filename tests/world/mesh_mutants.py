@@ -83,6 +83,8 @@ MUTANTS = {
         ("item: layers at one place", "item_looks.*", "kApart * float(layer)", "kApart * 0.0f"),
         ("item: no bound of faces", "item_looks.*", "sum + faces > limits::kItemFaces", "sum > limits::kItemFaces"),
         ("item: textures that are absent", "item_looks.*", "if (complete || block)", "if (true)"),
+        ("item: no mirror", "item_looks.*", "glm::vec3(1, -1, -1)", "glm::vec3(1)"),
+        ("item: turned about x first", "item_looks.*", "for (const int axis : {0, 1, 2}) {", "for (const int axis : {2, 1, 0}) {"),
         ("item: no model of the block", "item_looks.*", "return ofBlock(item);", "return std::nullopt;"),
     ],
     "loader/world/items/item_definition.cpp": [

@@ -115,9 +115,9 @@ void wearResources(const World& world, const ResourceStack& resources,
 
 }  // namespace
 
-bool ContentScene::isFlat(const std::string& item) const {
+const ItemLook* ContentScene::lookOf(const std::string& item) const {
   const auto look = looks.find(item);
-  return look == looks.end() ? items.at(item).boxes.empty() : look->second.flat;
+  return look == looks.end() ? nullptr : &look->second;
 }
 
 ContentScene buildContent(const World& world, const ResourceStack* resources,

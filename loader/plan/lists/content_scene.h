@@ -18,8 +18,8 @@ struct ContentScene {
   std::map<std::string, BlockFacts> items;  ///< by name; an item that is no block has no boxes
   std::map<std::string, ItemLook> looks;    ///< of items that resource packs draw
 
-  /// Is it held like a sword, or like a block?
-  bool isFlat(const std::string& item) const;
+  /// nullptr: it has the look of Orris.
+  const ItemLook* lookOf(const std::string& item) const;
 };
 /// `resources`: nullptr: the look of Orris. Mistakes in the packs are warnings.
 ContentScene buildContent(const World& world, const ResourceStack* resources,

@@ -149,9 +149,28 @@ float stepOf(const Entity& entity, const FrameState& state) {
 
 bool isDropped(const Entity& entity) { return findEntityModel(entity.model)->kind == "item"; }
 
-/// Where a model's item is, as a cube 0..1.
+/// Where a model's item is, as a cube 0..1, that resource packs draw: as the game puts it.
+glm::mat4 posedMatrix(const ListWriter& writer, const Entity& entity, const ItemLook& look) {
+  constexpr float kFrameDepth = 1 / 16.0f, kFramed = 0.5f;
+  glm::mat4 m = standing(writer, entity.position, entity.yaw, entity.pitch);
+  if (isDropped(entity)) {
+    const float t = writer.state.frameTimeCounter;
+    const float height = 0.1f + 0.25f * look.poseOf(DisplayPlace::Ground).scale.y;
+    m = glm::translate(m, {0, height + 0.1f * std::sin(t * 2), 0});
+    return glm::rotate(m, t, glm::vec3(0, 1, 0)) * look.posed(DisplayPlace::Ground);
+  }
+  // The game's frames look to -z.
+  m = glm::translate(m, {0, 0, kFrameDepth});
+  m = glm::rotate(m, glm::radians(180.0f), glm::vec3(0, 1, 0));
+  m = glm::rotate(m, glm::radians(entity.itemTurn), glm::vec3(0, 0, 1));
+  return glm::scale(m, glm::vec3(kFramed)) * look.posed(DisplayPlace::Fixed);
+}
+
+/// The same of any item.
 glm::mat4 itemMatrix(const ListWriter& writer, const Entity& entity) {
-  const bool block = !writer.scene.content.isFlat(entity.item);
+  if (const ItemLook* look = writer.scene.content.lookOf(entity.item))
+    return posedMatrix(writer, entity, *look);
+  const bool block = !writer.scene.content.items.at(entity.item).boxes.empty();
   glm::mat4 m = standing(writer, entity.position, entity.yaw, entity.pitch);
   float size = block ? 0.25f : 0.5f;
   if (isDropped(entity)) {
@@ -316,9 +335,8 @@ bool isTranslucentItem(const SceneData& scene, const std::string& item) {
 void addItem(ListWriter& writer, const std::string& item, const glm::mat4& place,
              glm::ivec2 light) {
   const BlockFacts& facts = writer.scene.content.items.at(item);
-  const auto& looks = writer.scene.content.looks;
-  if (const auto look = looks.find(item); look != looks.end())
-    return addModel(writer, *look->second.faces, facts, place, light);
+  if (const ItemLook* look = writer.scene.content.lookOf(item))
+    return addModel(writer, *look->faces, facts, place, light);
   if (facts.boxes.empty()) return addSprite(writer, place, light);
   for (const BlockFace& face : makeBlockFaces(facts, writer.scene.content.atlas).faces) {
     ContentQuad quad;

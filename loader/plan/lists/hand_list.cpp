@@ -9,9 +9,14 @@ namespace {
 const glm::vec3 kXAxis(1, 0, 0), kYAxis(0, 1, 0), kZAxis(0, 0, 1);
 
 /// A cube 0..1 in the right hand, or in the left one.
-glm::mat4 heldMatrix(bool left, bool sprite) {
+glm::mat4 heldMatrix(const ContentScene& content, const std::string& item, bool left) {
   constexpr float kSize = 0.4f;
   const float side = left ? -1.0f : 1.0f;
+  // The game's place of a hand.
+  if (const ItemLook* look = content.lookOf(item))
+    return glm::translate(glm::mat4(1), {0.56f * side, -0.52f, -0.72f}) *
+           look->posed(left ? DisplayPlace::FirstLeft : DisplayPlace::FirstRight);
+  const bool sprite = content.items.at(item).boxes.empty();
   glm::mat4 m = glm::translate(glm::mat4(1), {0.62f * side, -0.5f, -0.95f});
   m = glm::rotate(m, glm::radians(sprite ? -70.0f * side : 45.0f * side), kYAxis);
   m = glm::scale(m, glm::vec3(sprite ? 0.6f : kSize));
@@ -55,7 +60,7 @@ void addHand(ListWriter& writer, const std::string& item, bool left) {
   if (!facts.air) draw.item = item;
   writer.begin(draw);
   if (facts.air) return addArm(writer, left, light);
-  const glm::mat4 place = heldMatrix(left, writer.scene.content.isFlat(item));
+  const glm::mat4 place = heldMatrix(writer.scene.content, item, left);
   addItem(writer, item, place, light);
   if (!writer.state.environment.player.handGlint || draw.geometry != Geometry::Hand) return;
   draw.geometry = Geometry::HandGlint;

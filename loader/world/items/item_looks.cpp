@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <glm/gtc/matrix_transform.hpp>
 #include <vector>
 
 #include <orris/core/add_diagnostic.h>
@@ -30,7 +31,8 @@ class ItemReader {
     const auto name = parseResourceName(item);
     if (!name || facts.air) return std::nullopt;
     if (auto look = ofModel(modelOf(*name), !facts.boxes.empty())) return look;
-    if (auto look = ofLayers({{name->space, "item/" + name->path}})) return look;
+    if (auto look = ofLayers({{name->space, "item/" + name->path}}, posesOf("item/generated")))
+      return look;
     if (facts.boxes.empty()) return std::nullopt;
     return ofBlock(item);
   }
@@ -62,27 +64,28 @@ class ItemReader {
     if (!parsed || !resources_.contains(*parsed, kModels)) return std::nullopt;
     const ResolvedModel* model = library_.find(name, {});
     if (!model) return std::nullopt;
-    if (!model->elements.empty()) return ofElements(name, facesOf(*model, {}), block);
+    if (!model->elements.empty()) return ofElements(name, *model, block);
     std::vector<ResourceName> layers;
     for (const std::string& layer : model->layers) layers.push_back(*parseResourceName(layer));
-    return ofLayers(layers);
+    return ofLayers(layers, model->display);
   }
 
   /// Textures of blocks that no pack has may be drawn as ours; those of other items are not.
-  std::optional<ItemLook> ofElements(const std::string& name, std::vector<ModelFace> faces,
+  std::optional<ItemLook> ofElements(const std::string& name, const ResolvedModel& model,
                                      bool block) {
+    std::vector<ModelFace> faces = facesOf(model, {});
     const bool complete = std::all_of(faces.begin(), faces.end(), [&](const ModelFace& face) {
       const auto texture = parseResourceName(face.texture);
       return texture && resources_.contains(*texture, kTextures);
     });
-    if (complete || block) return ofFaces(std::move(faces));
+    if (complete || block) return ofFaces(std::move(faces), model.display);
     incomplete_.push_back(name);
     return std::nullopt;
   }
 
   /// Each texture that the packs have; a layer lies in front of the one before it.
-  std::optional<ItemLook> ofLayers(const std::vector<ResourceName>& layers) {
-    ItemLook look{.flat = true};
+  std::optional<ItemLook> ofLayers(const std::vector<ResourceName>& layers,
+                                   const DisplayPoses& poses) {
     std::vector<ModelFace> faces;
     for (const ResourceName& layer : layers) {
       const std::string name = layer.text();
@@ -93,8 +96,7 @@ class ItemReader {
       }
     }
     if (faces.empty()) return std::nullopt;
-    look.faces = std::make_shared<const std::vector<ModelFace>>(std::move(faces));
-    return look;
+    return ItemLook{std::make_shared<const std::vector<ModelFace>>(std::move(faces)), poses};
   }
 
   /// Layers at one place would flicker.
@@ -111,12 +113,17 @@ class ItemReader {
       faces.insert(faces.end(), more.begin(), more.end());
     }
     if (faces.empty()) return std::nullopt;
-    return ofFaces(std::move(faces));
+    return ofFaces(std::move(faces), posesOf("block/block"));
   }
 
-  ItemLook ofFaces(std::vector<ModelFace> faces) {
+  DisplayPoses posesOf(const std::string& parent) {
+    const ResolvedModel* model = library_.find(parent, {});
+    return model ? model->display : DisplayPoses{};
+  }
+
+  ItemLook ofFaces(std::vector<ModelFace> faces, const DisplayPoses& poses) {
     for (const ModelFace& face : faces) textures_.addOfModel(face.texture);
-    return {std::make_shared<const std::vector<ModelFace>>(std::move(faces)), false};
+    return {std::make_shared<const std::vector<ModelFace>>(std::move(faces)), poses};
   }
 
   std::vector<std::string> incomplete_;  // models
@@ -128,6 +135,27 @@ class ItemReader {
 };
 
 }  // namespace
+
+DisplayPose ItemLook::poseOf(DisplayPlace place) const {
+  DisplayPose pose = poses[std::size_t(place)].value_or(DisplayPose{});
+  // The game mirrors what it is given for the left hand, too.
+  if (place == DisplayPlace::FirstLeft) {
+    pose.translation.x = -pose.translation.x;
+    pose.degrees *= glm::vec3(1, -1, -1);
+  }
+  return pose;
+}
+
+glm::mat4 ItemLook::posed(DisplayPlace place) const {
+  const DisplayPose pose = poseOf(place);
+  glm::mat4 m = glm::translate(glm::mat4(1), pose.translation / 16.0f);
+  for (const int axis : {0, 1, 2}) {
+    glm::vec3 around(0);
+    around[axis] = 1;
+    m = glm::rotate(m, glm::radians(pose.degrees[axis]), around);
+  }
+  return glm::translate(glm::scale(m, pose.scale), glm::vec3(-0.5f));
+}
 
 std::map<std::string, ItemLook> makeItemLooks(const ResourceStack& resources,
                                               const std::map<std::string, ItemUse>& items,

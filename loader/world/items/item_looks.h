@@ -1,11 +1,13 @@
 // What the resource packs make of items.
 #pragma once
 
+#include <glm/glm.hpp>
 #include <map>
 #include <string>
 
 #include <orris/world/blocks/block_facts.h>
 #include <orris/world/resources/block_model.h>
+#include <orris/world/resources/model_json.h>
 #include <orris/world/resources/look_textures.h>
 
 namespace orris {
@@ -13,7 +15,11 @@ namespace orris {
 /// An item as the packs draw it, in a cube 0..1.
 struct ItemLook {
   ModelFaces faces;
-  bool flat = false;  ///< of layers of texels, as a sword
+  DisplayPoses poses{};
+
+  DisplayPose poseOf(DisplayPlace place) const;
+  /// Puts the cube to its place, whose middle is the origin.
+  glm::mat4 posed(DisplayPlace place) const;
 };
 
 /// An item that the world shows.

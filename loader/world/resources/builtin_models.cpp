@@ -10,6 +10,20 @@ namespace {
 
 constexpr std::array<std::string_view, 6> kSides = {"down", "up", "north", "south", "west", "east"};
 
+// The game's poses of these.
+constexpr const char* kGenerated = R"({"parent": "builtin/generated", "display": {
+  "firstperson_righthand": {"rotation": [0, -90, 25], "translation": [1.13, 3.2, 1.13], "scale": [0.68, 0.68, 0.68]},
+  "ground": {"translation": [0, 2, 0], "scale": [0.5, 0.5, 0.5]},
+  "fixed": {"rotation": [0, 180, 0]}}})";
+constexpr const char* kHandheld = R"({"parent": "item/generated", "display": {
+  "firstperson_righthand": {"rotation": [0, -90, 25], "translation": [1.13, 3.2, 1.13], "scale": [0.68, 0.68, 0.68]},
+  "firstperson_lefthand": {"rotation": [0, 90, -25], "translation": [1.13, 3.2, 1.13], "scale": [0.68, 0.68, 0.68]}}})";
+constexpr const char* kBlock = R"({"display": {
+  "firstperson_righthand": {"rotation": [0, 45, 0], "scale": [0.4, 0.4, 0.4]},
+  "firstperson_lefthand": {"rotation": [0, 225, 0], "scale": [0.4, 0.4, 0.4]},
+  "ground": {"translation": [0, 3, 0], "scale": [0.25, 0.25, 0.25]},
+  "fixed": {"scale": [0.5, 0.5, 0.5]}}})";
+
 /// A parent with other names for the six sides.
 struct Renaming {
   std::string_view name, parent;
@@ -35,8 +49,9 @@ std::string boxModel(int low, int high, std::string_view texture, std::string_vi
                          inside ? "" : fmt::format(", \"cullface\": \"{}\"", side), more);
   }
   return fmt::format(
-      "{{\"elements\": [{{\"from\": [0, {}, 0], \"to\": [16, {}, 16], \"faces\": {{{}}}}}]}}", low,
-      high, faces);
+      "{{\"parent\": \"block/block\", \"elements\": [{{\"from\": [0, {}, 0], \"to\": [16, {}, 16], "
+      "\"faces\": {{{}}}}}]}}",
+      low, high, faces);
 }
 
 /// Two planes along the diagonals.
@@ -68,14 +83,14 @@ std::string renamedModel(const Renaming& row) {
 
 std::string builtinModel(std::string_view name) {
   constexpr std::string_view kBlocks = "minecraft:block/", kTinted = ", \"tintindex\": 0";
-  if (name == "minecraft:item/generated") return R"({"parent": "builtin/generated"})";
-  if (name == "minecraft:item/handheld") return R"({"parent": "item/generated"})";
+  if (name == "minecraft:item/generated") return kGenerated;
+  if (name == "minecraft:item/handheld") return kHandheld;
   if (!name.starts_with(kBlocks)) return "";
   name.remove_prefix(kBlocks.size());
   const auto row = std::find_if(std::begin(kRenamings), std::end(kRenamings),
                                 [&](const Renaming& candidate) { return candidate.name == name; });
   if (row != std::end(kRenamings)) return renamedModel(*row);
-  if (name == "block") return "{}";
+  if (name == "block") return kBlock;
   if (name == "cube" || name == "orris_cube") return boxModel(0, 16, "", "");
   if (name == "orris_half") return boxModel(0, 8, "", "");
   if (name == "orris_upper_half") return boxModel(8, 16, "", "");

@@ -16,6 +16,12 @@ using Kind = JsonNode::Kind;
 constexpr std::array<std::string_view, 6> kDirectionNames = {"down",  "up",   "north",
                                                              "south", "west", "east"};
 constexpr RealRange kUv{-4096, 4096}, kPlace{-16, 32}, kOrigin{-256, 256}, kDegrees{-180, 180};
+// In the order of DisplayPlace. The rest of "display" is of no use here.
+constexpr std::array<const char*, kDisplayPlaces> kPlaceNames = {
+    "firstperson_righthand", "firstperson_lefthand", "ground", "fixed"};
+// The game takes any number and keeps the moves and sizes within these.
+constexpr RealRange kPose{-1e6, 1e6};
+constexpr float kMostMoved = 80, kMostScaled = 4;
 
 std::optional<FaceDirection> directionNamed(std::string_view name) {
   if (name == "bottom") name = "down";  // the game's older word
@@ -39,6 +45,7 @@ class ModelReader {
     reader_.optional(root, "ambientocclusion", ambient);
     if (root.find("ambientocclusion")) model.ambientOcclusion = ambient;
     if (const JsonNode* elements = root.find("elements")) readElements(*elements, model);
+    if (const JsonNode* display = root.find("display")) readDisplay(*display, model.display);
     return !reader_.failed();
   }
 
@@ -76,6 +83,29 @@ class ModelReader {
       }
       model.elements->push_back(readElement(item));
     }
+  }
+
+  void readDisplay(const JsonNode& node, DisplayPoses& display) {
+    if (node.kind != Kind::Object) return reader_.expected(node, "\"display\"", "an object");
+    for (std::size_t i = 0; i < kDisplayPlaces; ++i)
+      if (const JsonNode* pose = node.find(kPlaceNames[i])) display[i] = readPose(*pose);
+    // The left hand mirrors the right one, before a parent is asked.
+    auto& left = display[std::size_t(DisplayPlace::FirstLeft)];
+    if (!left) left = display[std::size_t(DisplayPlace::FirstRight)];
+  }
+
+  DisplayPose readPose(const JsonNode& node) {
+    DisplayPose pose;
+    if (node.kind != Kind::Object) {
+      reader_.expected(node, "a place of \"display\"", "an object");
+      return pose;
+    }
+    reader_.optional(node, "rotation", kPose, pose.degrees);
+    reader_.optional(node, "translation", kPose, pose.translation);
+    reader_.optional(node, "scale", kPose, pose.scale);
+    pose.translation = glm::clamp(pose.translation, -kMostMoved, kMostMoved);
+    pose.scale = glm::clamp(pose.scale, -kMostScaled, kMostScaled);
+    return pose;
   }
 
   ElementTemplate readElement(const JsonNode& node) {

@@ -36,6 +36,18 @@ struct ElementTemplate {
   std::array<std::optional<FaceTemplate>, 6> faces{};  ///< by FaceDirection
 };
 
+/// Where an item is seen as its model's "display" says.
+enum class DisplayPlace { FirstRight, FirstLeft, Ground, Fixed };
+inline constexpr std::size_t kDisplayPlaces = 4;
+
+/// How the model is put there: made larger about its middle, turned about z, then y, then x, and moved.
+struct DisplayPose {
+  glm::vec3 degrees{0};
+  glm::vec3 translation{0};  ///< sixteenths of a block
+  glm::vec3 scale{1};
+};
+using DisplayPoses = std::array<std::optional<DisplayPose>, kDisplayPlaces>;  ///< by DisplayPlace
+
 struct ModelFile {
   std::string place;  ///< for messages
   std::string parent;
@@ -43,6 +55,7 @@ struct ModelFile {
   std::map<std::string, std::string> textures;  ///< by variable: a texture or "#variable"
   std::optional<std::vector<ElementTemplate>> elements{};
   std::optional<bool> ambientOcclusion{};
+  DisplayPoses display{};
 };
 
 /// nullopt and warnings: the file is no model. What the game ignores in a model is not read.

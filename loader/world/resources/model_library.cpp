@@ -41,6 +41,12 @@ std::vector<std::string> layersOf(const Variables& variables) {
   return layers;
 }
 
+/// What a model does not say its parent does, place by place.
+void inheritPoses(const DisplayPoses& parent, DisplayPoses& display) {
+  for (std::size_t i = 0; i < kDisplayPlaces; ++i)
+    if (!display[i]) display[i] = parent[i];
+}
+
 std::optional<ResourceFile> builtin(const ResourceName& name) {
   std::string json = builtinModel(name.text());
   return json.empty() ? std::nullopt : std::optional(ResourceFile{std::move(json), "built in"});
@@ -77,7 +83,7 @@ const ResolvedModel* ModelLibrary::find(const std::string& name, const SourceLoc
   return entry->second ? &*entry->second : nullptr;
 }
 
-// A model goes before its parent: in each variable, in its elements as a whole, in ambient occlusion.
+// A model goes before its parent: in each variable, in its elements as a whole, in each pose, in ambient occlusion.
 std::optional<ResolvedModel> ModelLibrary::resolve(const std::string& name,
                                                    const SourceLocation& askedAt) {
   const ModelFile* model = file(name, askedAt);
@@ -86,11 +92,13 @@ std::optional<ResolvedModel> ModelLibrary::resolve(const std::string& name,
   std::optional<bool> ambientOcclusion;
   std::set<const ModelFile*> seen;
   bool flat = false;
+  DisplayPoses display;
   while (model) {
     seen.insert(model);
     variables.insert(model->textures.begin(), model->textures.end());
     if (!elements && model->elements) elements = &*model->elements;
     if (!ambientOcclusion) ambientOcclusion = model->ambientOcclusion;
+    inheritPoses(model->display, display);
     const auto parent = parseResourceName(model->parent);
     const bool builtin = parent && parent->path.starts_with("builtin/");
     flat = builtin && parent->path == "builtin/generated";
@@ -107,8 +115,12 @@ std::optional<ResolvedModel> ModelLibrary::resolve(const std::string& name,
   }
   // What the packs lack of the parents may be all that was wanted of them.
   if (!model && !elements) return std::nullopt;
+  // Of most elements the parent that is absent would have led there.
+  const ModelFile* root = model ? nullptr : file("block/block", {});
+  if (root) inheritPoses(root->display, display);
   ResolvedModel resolved;
   resolved.ambientOcclusion = ambientOcclusion.value_or(true);
+  resolved.display = display;
   if (elements) resolved.elements = *elements;
   if (flat && !elements) resolved.layers = layersOf(variables);
   for (ElementTemplate& element : resolved.elements) {

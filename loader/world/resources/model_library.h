@@ -16,6 +16,7 @@ struct ResolvedModel {
   std::vector<ElementTemplate> elements;
   bool ambientOcclusion = true;
   std::vector<std::string> layers{};  ///< of a flat item: textures, one over the other
+  DisplayPoses display{};             ///< without one: the item is put there as it is
 };
 
 /// Reads each file once.
