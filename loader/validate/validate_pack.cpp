@@ -43,7 +43,8 @@ std::vector<std::string> chosen(const std::vector<std::string>& request,
 }
 
 void checkPrograms(const ShaderPack& pack, Checker& checker, Diagnostics& diagnostics) {
-  checkWithGlslang(pack, checker.jobs, checker.glslang, diagnostics, checker.quiet);
+  checkWithGlslang(pack, checker.jobs, checker.glslang, diagnostics, checker.quiet,
+                   checker.trials.get());
   if (!checker.gpu) return;
   // What glslang refuses has been reported; the driver would report it again in other words.
   for (const auto& [hash, good] : checker.glslang) {
@@ -96,7 +97,7 @@ std::vector<ShaderPack> makeFolders(const ShaderPack& outline,
       verdict.status = statusOf(found.back());
     }
   }
-  settleConditionals(folders, checker.jobs, found);
+  settleConditionals(folders, checker.jobs, *checker.trials, found);
   for (Diagnostics& diagnostics : found) problems.add(diagnostics);
   return folders;
 }
@@ -337,6 +338,7 @@ PackVerdict validateFiles(const std::string& path, std::shared_ptr<const FileSou
                           const ValidateOptions& options, Checker& checker, ProblemList& problems) {
   const WorkStage stage("checking", path);
   PackVerdict verdict{.path = path, .files = std::move(files)};
+  checker.trials = std::make_shared<TrialMemo>();
   checkPack(verdict, options, checker, problems);
   findConsequences(verdict, options, checker, checkAgain, problems);
   return verdict;
@@ -355,6 +357,7 @@ PackVerdict validatePath(const std::string& path, const ValidateOptions& options
   std::optional<std::string> key;
   if (problems.all().empty()) key = cache.keyOf(*verdict.files, options);
   if (key && cache.restore(*key, verdict, problems)) return verdict;
+  checker.trials = std::make_shared<TrialMemo>();
   checkPack(verdict, options, checker, problems);
   findConsequences(verdict, options, checker, checkAgain, problems);
   checker.folders.clear();  // the next pack is another

@@ -14,6 +14,7 @@
 
 #include <orris/check/compile/program_check.h>
 #include <orris/check/compile/target_limits.h>
+#include <orris/check/hints/trial_memo.h>
 #include <orris/pack/shader_pack.h>
 #include <orris/report/findings.h>
 #include <orris/report/problem_list.h>
@@ -35,6 +36,8 @@ struct Checker {
   std::optional<gl::DriverInfo> gpu;
   Verdicts glslang, driver;
   std::set<std::uint64_t>* quiet = nullptr;  ///< learns of checkWithGlslang(); may be null
+  /// Of the pack in hand: its copies, which check it with repairs, learn from one another.
+  std::shared_ptr<TrialMemo> trials = std::make_shared<TrialMemo>();
   bool draw = true;  ///< a frame, with a driver
   std::chrono::seconds drawTime = kDrawTime;  ///< of the processor, for that frame
   /// Of the check before, by versions ("": the newest); it may be of the same pack before an edit:

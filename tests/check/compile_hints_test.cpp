@@ -5,6 +5,7 @@
 
 #include <orris/check/pack/file_name_checks.h>
 #include <orris/check/compile/program_check.h>
+#include <orris/check/hints/trial_memo.h>
 #include "frame_fixture.h"
 
 namespace orris {
@@ -165,6 +166,27 @@ TEST(CompileHints, of_two_places_the_one_that_the_files_beside_it_have) {
                          "#include seems to be missing here | #include \"/lib/all.glsl\"")));
   // One line makes both names known.
   EXPECT_THAT(lines, Not(Contains(HasSubstr("'tint' is unknown"))));
+}
+
+TEST(CompileHints, what_an_include_was_found_to_do_is_not_tried_again) {
+  const ShaderPack pack = loadClean(
+      {{"/a.glsl", "vec4 shade(float x) { return vec4(x); }\n"},
+       {"/composite.vsh", kVertexStage},
+       {"/composite.fsh", kVersion + "\nvoid main() { gl_FragColor = shade(1.0) + lost(); }\n"},
+       {"/final.vsh", kVertexStage},
+       {"/final.fsh", kVersion + "#include \"/a.glsl\"\nvoid main() { gl_FragColor = shade(1.0); }\n"}});
+  TrialMemo trials;
+  const auto check = [&] {
+    Verdicts verdicts;
+    Diagnostics diagnostics;
+    checkWithGlslang(pack, 1, verdicts, diagnostics, nullptr, &trials);
+    return linesOf(diagnostics);
+  };
+  const Lines first = check();
+  const std::size_t made = trials.made();
+  EXPECT_GT(made, 0u);
+  EXPECT_EQ(check(), first);
+  EXPECT_EQ(trials.made(), made);
 }
 
 TEST(CompileHints, of_two_gaps_the_one_where_the_program_compiles) {

@@ -27,7 +27,8 @@ Lines reported(const Files& files, const std::vector<std::string>& dimensions, b
     request.keepGoing = true;
     folders.push_back(*loadShaderPack(memorySource(files), request, found.emplace_back()));
   }
-  if (settle) settleConditionals(folders, 1, found);
+  TrialMemo trials;
+  if (settle) settleConditionals(folders, 1, trials, found);
   Lines lines;
   for (const Diagnostics& diagnostics : found) {
     for (const Diagnostic& d : diagnostics) {

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include <orris/report/report_format.h>
 #include "support/folder_test.h"
 
@@ -50,6 +52,28 @@ TEST_F(ValidatePack, aMistakeIsAFindingInEveryFormat) {
   ASSERT_THAT(idsOf(result), ElementsAre("glsl-compile"));
   EXPECT_EQ(result.packs[0].findings[0].diagnostic.at, (SourceLocation{"/final.fsh", 3, 35}));
   EXPECT_THAT(writeSarif(result), HasSubstr("'nothing'"));
+}
+
+// The brace of composite is repaired and all is checked again, final as it is.
+TEST_F(ValidatePack, noIncludeIsTriedAgainForAMistakeElsewhere) {
+  const std::string head = "#version 330 compatibility\n";
+  write("shaders/a.glsl", "vec4 shade(float x) { return vec4(x); }\n");
+  write("shaders/final.fsh", head + "\nvoid main() { gl_FragColor = shade(1.0) + lost(); }\n");
+  write("shaders/composite.vsh", head + "void main() { gl_Position = ftransform(); }\n");
+  const auto trialsWith = [&](const std::string& end) {
+    write("shaders/composite.fsh", head + "#include \"/a.glsl\"\nvoid main() {\n  if (shade(1.0).x > "
+                                          "0.0) {\n    gl_FragColor = shade(1.0);\n" + end + "}\n");
+    Diagnostics diagnostics;
+    ProblemList problems;
+    auto checker = makeChecker(options_, 1, diagnostics);
+    validateFiles("pack", openPack(options_.pack.path, diagnostics), options_, *checker, problems);
+    const auto brace = [](const Diagnostic& d) { return d.id == "brace-unbalanced"; };
+    EXPECT_EQ(std::ranges::any_of(problems.all(), brace), end.empty());
+    return checker->trials->made();
+  };
+  const std::size_t made = trialsWith("  }\n");
+  EXPECT_GT(made, 0u);
+  EXPECT_EQ(trialsWith(""), made);
 }
 
 TEST_F(ValidatePack, theCauseOfAFailedLoadIsTheStatus) {

@@ -12,7 +12,6 @@
 #include <orris/check/hints/compile_hints.h>
 #include <orris/check/hints/line_trial.h>
 #include <orris/check/pack/open_comments.h>
-#include <orris/check/workers/diagnostic_codec.h>
 #include <orris/glsl/compile/validate.h>
 #include <orris/pack/mods/mods.h>
 
@@ -151,16 +150,18 @@ bool hasUnclosedComment(const ProgramSource& program) {
 }
 
 void checkWithGlslang(const ShaderPack& pack, int jobs, Verdicts& verdicts, Diagnostics& diagnostics,
-                      std::set<std::uint64_t>* quiet) {
+                      std::set<std::uint64_t>* quiet, TrialMemo* known) {
   const std::vector<ProgramUnit> units = unitsWithoutVerdict(pack, verdicts);
   if (units.empty()) return;
   std::vector<Diagnostics> found(units.size());
   const SourceLines lines = sourceLinesOf(pack);
   DefinitionIndex index(pack);
+  TrialMemo own;
+  TrialMemo& trials = known ? *known : own;
   warmUp(units);
   const auto check = [&](size_t i) {
     // Names that a missing file would declare are no further mistakes.
-    if (units[i].incomplete || lacksVersion(units[i])) return encodeDiagnostics({});
+    if (units[i].incomplete || lacksVersion(units[i])) return trials.encode({});
     Diagnostics messages;
     validateWithGlslang(units[i].judged, lines, messages);
     for (const StageText* stage : units[i].judged) checkUnusedSyntax(pack, *stage, messages);
@@ -170,21 +171,21 @@ void checkWithGlslang(const ShaderPack& pack, int jobs, Verdicts& verdicts, Diag
       if (units[i].judged != units[i].stages) explainVersions(units[i].judged, lines, messages);
       const Diagnostics errors = messages;
       const IncludeTrial trial = [&](const MissingInclude& added) {
-        return fixedBy(pack, units[i], added, errors);
+        return fixedBy(pack, units[i], added, errors, trials);
       };
       explainUnknownNames(index, units[i].judged, trial, messages);
     }
-    return encodeDiagnostics(messages);
+    return trials.encode(messages);
   };
   runIsolated({.count = units.size(), .workers = jobs, .work = check},
               [&](size_t i, const JobOutcome& outcome) {
                 found[i] = outcome.kind == JobOutcome::Kind::Done
-                               ? decodeDiagnostics(outcome.result)
+                               ? trials.decode(outcome.result)
                                : Diagnostics{lostJob(outcome, "the compiler", units[i].name,
                                                      entryFile(units[i]))};
                 return true;
               });
-  mergeMissingIncludes(pack, units, found);
+  mergeMissingIncludes(pack, units, trials, found);
   for (size_t i = 0; i < units.size(); ++i) {
     verdicts[units[i].hash] = !hasErrors(found[i]) && !units[i].incomplete && !units[i].refused &&
                               !lacksVersion(units[i]);

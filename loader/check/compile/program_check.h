@@ -14,6 +14,8 @@
 
 namespace orris {
 
+class TrialMemo;
+
 /// A set of stages that link together: a program, or one of its compute shaders.
 struct ProgramUnit {
   std::string name;  ///< "/world0/composite3", of a compute shader "/world0/composite3_a.csh"
@@ -45,9 +47,10 @@ std::string entryFile(const ProgramUnit& unit);
 /// unit that kills or stalls the compiler is reported (compiler-crash, compiler-timeout), the others
 /// are checked all the same. See check/workers/isolated_jobs.h for what the caller must not have. `quiet`,
 /// when given, learns the units that nothing at all was reported of: with their verdicts given, another
-/// check of equal units reports the same.
+/// check of equal units reports the same. `trials`, when given, lends and learns what lines that seem to
+/// be missing were found to do.
 void checkWithGlslang(const ShaderPack& pack, int jobs, Verdicts& verdicts, Diagnostics& diagnostics,
-                      std::set<std::uint64_t>* quiet = nullptr);
+                      std::set<std::uint64_t>* quiet = nullptr, TrialMemo* trials = nullptr);
 
 /// What is reported of a unit or program whose check did not end well. `file` is its entry file.
 Diagnostic lostJob(const JobOutcome& outcome, std::string_view tool, const std::string& name,

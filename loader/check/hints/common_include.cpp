@@ -9,7 +9,6 @@
 #include <orris/check/compile/stage_files.h>
 #include <orris/check/hints/compile_hints.h>
 #include <orris/check/hints/line_trial.h>
-#include <orris/check/workers/diagnostic_codec.h>
 #include <orris/check/workers/isolated_jobs.h>
 
 namespace orris {
@@ -34,8 +33,8 @@ using Samples = std::vector<std::size_t>;
 class CommonInclude {
  public:
   CommonInclude(const ShaderPack& pack, const std::vector<ProgramUnit>& units,
-                const std::vector<Diagnostics>& found)
-      : pack_(pack), units_(units), found_(found), index_(pack) {
+                const std::vector<Diagnostics>& found, TrialMemo& trials)
+      : pack_(pack), units_(units), found_(found), trials_(trials), index_(pack) {
     for (std::size_t i = 0; i < units.size(); ++i) {
       const Diagnostic* missing = missingOf(found[i]);
       if (!missing) continue;
@@ -113,11 +112,11 @@ class CommonInclude {
     return places;
   }
 
-  bool fixesAll(const Samples& samples, const MissingInclude& added) const {
+  bool fixesAll(const Samples& samples, const MissingInclude& added) {
     return std::ranges::all_of(samples, [&](std::size_t i) {
       Diagnostics errors = found_[i];
       std::erase_if(errors, [](const Diagnostic& d) { return d.id == kMissing; });
-      return fixedBy(pack_, units_[i], added, errors);
+      return fixedBy(pack_, units_[i], added, errors, trials_);
     });
   }
 
@@ -160,6 +159,7 @@ class CommonInclude {
   const ShaderPack& pack_;
   const std::vector<ProgramUnit>& units_;
   const std::vector<Diagnostics>& found_;
+  TrialMemo& trials_;
   DefinitionIndex index_;
   std::map<std::pair<std::string, int>, Samples> places_;  ///< which lack an #include where
   int failing_ = 0;                                        ///< units in all that lack any
@@ -184,15 +184,15 @@ bool replaceEqual(const Diagnostics& better, std::vector<Diagnostics>& found) {
 }  // namespace
 
 void mergeMissingIncludes(const ShaderPack& pack, const std::vector<ProgramUnit>& units,
-                          std::vector<Diagnostics>& found) {
+                          TrialMemo& trials, std::vector<Diagnostics>& found) {
   const auto first = std::ranges::find_if(found, missingOf);
   if (first == found.end()) return;
   Diagnostics reported;
   const auto work = [&](std::size_t) {
-    return encodeDiagnostics(CommonInclude(pack, units, found).find());
+    return trials.encode(CommonInclude(pack, units, found, trials).find());
   };
   runIsolated({.count = 1, .workers = 1, .work = work}, [&](std::size_t, JobOutcome outcome) {
-    if (outcome.kind == JobOutcome::Kind::Done) reported = decodeDiagnostics(outcome.result);
+    if (outcome.kind == JobOutcome::Kind::Done) reported = trials.decode(outcome.result);
     return true;
   });
   if (reported.empty()) return;

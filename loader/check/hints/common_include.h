@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <orris/check/compile/program_check.h>
+#include <orris/check/hints/trial_memo.h>
 
 namespace orris {
 
@@ -13,6 +14,6 @@ namespace orris {
 /// repair as well, as warnings. `found` are the diagnostics of each unit. Compiles, so it works in
 /// a process of its own; nothing changes when that is lost.
 void mergeMissingIncludes(const ShaderPack& pack, const std::vector<ProgramUnit>& units,
-                          std::vector<Diagnostics>& found);
+                          TrialMemo& trials, std::vector<Diagnostics>& found);
 
 }  // namespace orris

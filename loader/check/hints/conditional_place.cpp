@@ -6,7 +6,6 @@
 #include <set>
 
 #include <orris/check/hints/line_trial.h>
-#include <orris/check/workers/diagnostic_codec.h>
 #include <orris/glsl/syntax/conditional_balance.h>
 #include <orris/glsl/tokens/source_map.h>
 
@@ -95,7 +94,8 @@ int countProblems(const Diagnostics& diagnostics) {
 
 class PlaceSearch {
  public:
-  explicit PlaceSearch(const Unbalanced& unbalanced) : unbalanced_(unbalanced) {
+  PlaceSearch(const Unbalanced& unbalanced, TrialMemo& trials)
+      : unbalanced_(unbalanced), trials_(trials) {
     std::string inNoOther;
     for (const std::string& stage : unbalanced.what.stages) {
       if (conditions_.size() < kMostConditions) conditions_.push_back("#ifdef " + stage);
@@ -137,17 +137,26 @@ class PlaceSearch {
   }
 
   /// Left in all samples, at most one more than is known to be possible.
-  int problemsWith(const AddedLine& added) const {
+  int problemsWith(const AddedLine& added) {
     int problems = 0;
-    for (const auto& [folder, unit] : unbalanced_.samples) {
-      const auto left = diagnosticsWith(*folder, unit, added, CompileErrors::First);
-      problems += countProblems(left ? *left : unit.program->diagnostics);
+    for (const User& sample : unbalanced_.samples) {
+      problems += problemsOf(sample, added);
       if (problems > least_) break;
     }
     return problems;
   }
 
+  int problemsOf(const User& sample, const AddedLine& added) {
+    const auto trial = trialHash(*sample.folder, sample.unit, added);
+    if (const auto known = trial ? trials_.find(*trial) : std::nullopt) return *known;
+    const auto left = diagnosticsWith(*sample.folder, sample.unit, added, CompileErrors::First);
+    const int problems = countProblems(left ? *left : sample.unit.program->diagnostics);
+    if (trial && left) trials_.add(*trial, problems);
+    return problems;
+  }
+
   const Unbalanced& unbalanced_;
+  TrialMemo& trials_;
   std::vector<std::string> conditions_ = {"#if 1", "#if 0"};
   std::size_t best_ = 0;
   LineEdit bestEdit_;
@@ -169,23 +178,23 @@ void replaceReport(const Unbalanced& unbalanced, const Diagnostic& settled, Diag
 }  // namespace
 
 void settleConditionals(const std::vector<ShaderPack>& folders, int jobs,
-                        std::vector<Diagnostics>& found) {
+                        TrialMemo& trials, std::vector<Diagnostics>& found) {
   Collector collector(found);
   if (collector.none()) return;
   for (const ShaderPack& folder : folders) collector.add(folder, kMostOfFolder);
   const std::vector<Unbalanced> files = collector.files();
   std::vector<Diagnostics> settled(files.size());
   const auto work = [&](std::size_t i) {
-    auto tried = PlaceSearch(files[i]).run();
-    if (!tried) return encodeDiagnostics({});
+    auto tried = PlaceSearch(files[i], trials).run();
+    if (!tried) return trials.encode({});
     const ShaderPack& folder = *files[i].samples.front().folder;
     tried->sourceLine = folder.sourceLine(tried->at.file, tried->at.line);
-    return encodeDiagnostics({*tried});
+    return trials.encode({*tried});
   };
   runIsolated({.count = files.size(), .workers = jobs, .work = work},
               [&](std::size_t i, const JobOutcome& outcome) {
                 if (outcome.kind == JobOutcome::Kind::Done)
-                  settled[i] = decodeDiagnostics(outcome.result);
+                  settled[i] = trials.decode(outcome.result);
                 return true;
               });
   for (std::size_t i = 0; i < files.size(); ++i) {

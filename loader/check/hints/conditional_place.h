@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include <orris/check/hints/trial_memo.h>
 #include <orris/core/diagnostic.h>
 #include <orris/pack/shader_pack.h>
 
@@ -11,8 +12,8 @@ namespace orris {
 
 /// Moves what `found`, the diagnostics of making each of the `folders` of a pack, says of such a
 /// place to one that was tried. Compiles, so it works in processes of its own; what such a process is
-/// lost with stays as it was.
+/// lost with stays as it was. `trials` lends and learns what the places were found to do.
 void settleConditionals(const std::vector<ShaderPack>& folders, int jobs,
-                        std::vector<Diagnostics>& found);
+                        TrialMemo& trials, std::vector<Diagnostics>& found);
 
 }  // namespace orris

@@ -5,6 +5,7 @@
 
 #include <orris/check/compile/program_check.h>
 #include <orris/check/hints/missing_include.h>
+#include <orris/check/hints/trial_memo.h>
 #include <orris/pack/programs/folder_build.h>
 
 namespace orris {
@@ -17,8 +18,13 @@ const FolderBuild* buildOf(const ShaderPack& pack, const ProgramSource& program)
 std::optional<Diagnostics> diagnosticsWith(const ShaderPack& pack, const ProgramUnit& unit,
                                            const AddedLine& added, CompileErrors wanted);
 
+/// What all that is reported of the unit with the line depends on, as a hash; nullopt when it cannot be
+/// made anew or the line changes nothing.
+std::optional<std::uint64_t> trialHash(const ShaderPack& pack, const ProgramUnit& unit,
+                                       const AddedLine& added);
+
 /// Does the unit, which has `errors`, have fewer with the #include, and none that is new?
 bool fixedBy(const ShaderPack& pack, const ProgramUnit& unit, const MissingInclude& added,
-             const Diagnostics& errors);
+             const Diagnostics& errors, TrialMemo& trials);
 
 }  // namespace orris

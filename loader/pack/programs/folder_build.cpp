@@ -10,6 +10,30 @@
 namespace orris {
 namespace {
 
+class SourceHash {
+ public:
+  void add(std::string_view text) { add(std::hash<std::string_view>()(text)); }
+  void add(std::uint64_t value) { hash_ = (hash_ ^ value) * 0x9e3779b97f4a7c15u + (hash_ >> 29); }
+
+  void add(const FlatSource& source) {
+    for (const IncludeSite& site : source.sites) {
+      add(site.file);
+      add(std::uint64_t(site.parent));
+      add(std::uint64_t(site.parentLine));
+    }
+    for (const FlatLine& line : source.lines) {
+      add(line.text);
+      add(std::uint64_t(line.site));
+      add(std::uint64_t(line.line));
+    }
+  }
+
+  std::uint64_t value() const { return hash_; }
+
+ private:
+  std::uint64_t hash_ = 0;
+};
+
 /// Did the text of the program meet a limit? Whatever is missing then is no mistake of its own.
 bool isCutOff(const Diagnostics& diagnostics) {
   return std::any_of(diagnostics.begin(), diagnostics.end(), [](const Diagnostic& d) {
@@ -136,11 +160,48 @@ ProgramSource FolderBuild::buildWith(const ProgramEntry& entry, const AddedLine&
   const ExtendedGraph with(*this, added);
   if (!with.changed()) return build(entry);
   const FileLookup lookup = [&](const std::string& file) { return with.lines(file); };
-  const BuildContext here = context(with.graph(), lookup);
+  BuildContext here = context(with.graph(), lookup);
+  here.judgedOnly = true;
   std::vector<PreprocessedPart> parts;
   for (std::size_t i = 0; i < partCount(entry); ++i)
     parts.push_back(preprocessPart(entry, i, here));
   return finishProgram(entry, here, std::move(parts));
+}
+
+std::optional<std::uint64_t> FolderBuild::hashWith(const ProgramEntry& entry,
+                                                   const AddedLine& added) const {
+  const ExtendedGraph with(*this, added);
+  if (!with.changed()) return std::nullopt;
+  SourceHash hash;
+  hash.add(folder_);
+  hash.add(mod_ ? mod_->name : "");
+  hash.add(voxyPrelude_);
+  hash.add(irisTexts_);
+  for (const auto& [name, value] : properties_->shaderMacros) {
+    hash.add(name);
+    hash.add(value);
+  }
+  for (const LiveUniform& live : live_) {
+    hash.add(live.name);
+    hash.add(live.declaration);
+  }
+  hash.add(entry.name.program);
+  hash.add(std::uint64_t(entry.name.group));
+  const FileLookup lookup = [&](const std::string& file) { return with.lines(file); };
+  const auto addFile = [&](const std::string& file) {
+    Diagnostics limits;
+    if (!file.empty()) hash.add(flatten(with.graph(), lookup, file, limits));
+    for (const Diagnostic& limit : limits) hash.add(limit.message);
+  };
+  for (const auto& [stage, file] : entry.stages) {
+    hash.add(std::uint64_t(stage));
+    addFile(file);
+  }
+  for (const auto& [name, file] : entry.computes) {
+    hash.add(name);
+    addFile(file);
+  }
+  return hash.value();
 }
 
 PreprocessedPart FolderBuild::buildPart(const ProgramEntry& entry, std::size_t part) const {

@@ -2,8 +2,10 @@
 // them built on demand.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -56,8 +58,11 @@ class FolderBuild {
   /// From its files to texts that compile. Safe to call from several threads.
   ProgramSource build(const ProgramEntry& entry) const;
   /// As it would be with one more line, an #include of whatever file of the pack for one; the same as
-  /// build() when a file would include itself.
+  /// build() when a file would include itself. What nobody judges is left out (BuildContext::judgedOnly).
   ProgramSource buildWith(const ProgramEntry& entry, const AddedLine& added) const;
+  /// A hash of all that buildWith() makes texts and diagnostics from, before it makes them; nullopt when
+  /// it is the same as build().
+  std::optional<std::uint64_t> hashWith(const ProgramEntry& entry, const AddedLine& added) const;
   /// The two halves of build() (pack/programs/program_builder.h).
   PreprocessedPart buildPart(const ProgramEntry& entry, std::size_t part) const;
   ProgramSource finish(const ProgramEntry& entry, std::vector<PreprocessedPart> parts) const;

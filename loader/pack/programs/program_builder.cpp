@@ -115,7 +115,11 @@ class ProgramBuild {
     }
     if (stage == Stage::Vertex)
       checkAttributeTypes(stream, irisProgramOf(entry_.name), built_.diagnostics);
-    addIrisText(stage, stream);
+    const bool judged = addIrisText(stage, stream);
+    if (judged && context_.judgedOnly) {
+      built_.stages.push_back({stage, {}});
+      return;
+    }
     RewriteResult result = rewrite(stream, stage, names_);
     built_.writesFragData |= result.writesFragData;
     addRules(result.rules, built_.rules);
@@ -124,12 +128,14 @@ class ProgramBuild {
     addToHash(stageName(stage), built_.stages.back().text.text);
   }
 
-  void addIrisText(Stage stage, const TokenStream& stream) {
+  /// false: it is the text for drawing that is judged.
+  bool addIrisText(Stage stage, const TokenStream& stream) {
     const IrisProgram program = irisProgramOf(entry_.name);
-    if (!context_.irisTexts || program.patch == IrisPatch::None) return;
+    if (!context_.irisTexts || program.patch == IrisPatch::None) return false;
     TokenStream own = stream;
     addIrisRules(rewriteAsIris(own, stage, program, names_).rules, built_.rules);
     built_.irisStages.push_back({stage, print(own)});
+    return true;
   }
 
   // A const line inside a comment is a directive although no token of the text names it.

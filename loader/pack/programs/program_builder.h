@@ -39,6 +39,7 @@ struct BuildContext {
   std::string voxyPrelude{};                    ///< stands before the code of its programs
   bool irisTexts = false;                       ///< as in LoadRequest
   std::span<const LiveUniform> live{};  ///< that the texts have in place of options
+  bool judgedOnly = false;  ///< where Iris's text is made, that for drawing stays empty
 };
 
 /// One file of a program preprocessed, nothing rewritten.
