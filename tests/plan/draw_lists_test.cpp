@@ -412,6 +412,21 @@ TEST(DrawLists, items_are_drawn_by_the_models_of_a_resource_pack) {
   EXPECT_EQ(scene.content.lookOf("minecraft:torch"), nullptr);
 }
 
+TEST(DrawLists, layers_of_an_item_have_their_colours) {
+  SceneData scene = sceneOf(R"("environment": {"player": {"mainHand": "leather_boots", "offHand": "iron_sword"}})");
+  const ResourceStack resources = packOf({"item/iron_sword", "item/leather_boots"}, 16, 16);
+  Diagnostics diagnostics;
+  scene.content = buildContent(scene.world, &resources, diagnostics);
+  const DrawLists lists = buildDrawLists(scene, stateOf(scene));
+  ASSERT_THAT(lists.draws, SizeIs(2));
+  const auto color = [&](int draw) {
+    const GpuVertex& vertex = lists.vertices[lists.draws[std::size_t(draw)].range.firstVertex];
+    return glm::ivec4(vertex.color[0], vertex.color[1], vertex.color[2], vertex.color[3]);
+  };
+  EXPECT_EQ(color(0), glm::ivec4(0xA0, 0x65, 0x40, 255));
+  EXPECT_EQ(color(1), glm::ivec4(255));
+}
+
 /// An iron sword of a full square of texels, whose model has these poses.
 DrawLists posedLists(World world, const std::string& display) {
   Diagnostics diagnostics;

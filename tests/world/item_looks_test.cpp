@@ -128,6 +128,89 @@ TEST(item_looks, a_definition_names_the_model_of_an_item_that_nobody_uses) {
   EXPECT_EQ(test.errors, "");
 }
 
+/// The colour of the faces with a texture, as hexadecimal digits.
+std::string tintOf(const std::optional<ItemLook>& look, const std::string& texture) {
+  if (!look) return "no look";
+  for (const ModelFace& face : *look->faces)
+    if (face.texture == texture) {
+      const glm::ivec3 rgb(glm::round(look->tintOf(face.tintIndex) * 255.0f));
+      return fmt::format("{:02x}{:02x}{:02x}", rgb.r, rgb.g, rgb.b);
+    }
+  return "no face";
+}
+
+TEST(item_looks, layers_have_the_colours_of_the_definition) {
+  ItemTest test;
+  for (const char* name : {"item/a", "item/b", "item/c"}) test.pack.texture(name, pngOf(16, kRed));
+  test.item("potion", R"({"parent": "item/generated",
+    "textures": {"layer0": "item/a", "layer1": "item/b", "layer2": "item/c"}})");
+  const auto tints = [&](const std::string& first, const std::string& second) {
+    test.definition("potion", fmt::format(R"({{"model": {{"type": "model", "model": "item/potion",
+      "tints": [{}, {}]}}}})", first, second));
+    const auto look = test.look("minecraft:potion");
+    EXPECT_EQ(tintOf(look, "minecraft:item/c"), "ffffff") << "beyond the list";
+    return tintOf(look, "minecraft:item/a") + " " + tintOf(look, "minecraft:item/b");
+  };
+  EXPECT_EQ(tints(R"({"type": "minecraft:potion", "default": -13083194})",
+                  R"({"type": "constant", "value": 255})"),
+            "385dc6 0000ff");
+  EXPECT_EQ(tints(R"({"type": "dye", "default": [1, 0.5, 0]})",
+                  R"({"type": "minecraft:grass", "temperature": 0.5, "downfall": 1})"),
+            "ff8000 91bd59");
+  EXPECT_EQ(tints(R"({"type": "of_a_mod"})", R"({"type": "team", "default": 16711680})"),
+            "ffffff ff0000");
+  EXPECT_EQ(test.errors, "");
+  test.definition("potion", R"({"model": {"model": "item/potion"}})");
+  EXPECT_EQ(tintOf(test.look("minecraft:potion"), "minecraft:item/a"), "ffffff")
+      << "a definition says all";
+}
+
+TEST(item_looks, packs_without_definitions_have_the_colours_of_older_games) {
+  ItemTest test;
+  for (const char* name : {"item/a", "item/b"}) test.pack.texture(name, pngOf(16, kRed));
+  const auto tints = [&](const std::string& name) {
+    test.item(name, R"({"parent": "item/generated",
+      "textures": {"layer0": "item/a", "layer1": "item/b"}})");
+    const auto look = test.look("minecraft:" + name);
+    return tintOf(look, "minecraft:item/a") + " " + tintOf(look, "minecraft:item/b");
+  };
+  EXPECT_EQ(tints("leather_boots"), "a06540 ffffff");
+  EXPECT_EQ(tints("splash_potion"), "385dc6 ffffff");
+  EXPECT_EQ(tints("firework_star"), "ffffff 8a8a8a");
+  EXPECT_EQ(tints("stick"), "ffffff ffffff");
+}
+
+TEST(item_looks, blocks_in_a_hand_have_the_colours_of_the_plains) {
+  ItemTest test;
+  test.pack.texture("block/a", pngOf(16, kRed));
+  test.pack.texture("block/b", pngOf(16, kRed));
+  const auto tints = [&](const std::string& name) {
+    test.item(name, R"({"elements": [{"from": [0,0,0], "to": [16,16,16],
+      "faces": {"up": {"texture": "#a", "tintindex": 0}, "down": {"texture": "#b"}}}],
+      "textures": {"a": "block/a", "b": "block/b"}})");
+    const auto look = test.look("minecraft:" + name);
+    return tintOf(look, "minecraft:block/a") + " " + tintOf(look, "minecraft:block/b");
+  };
+  EXPECT_EQ(tints("grass_block"), "91bd59 ffffff");
+  EXPECT_EQ(tints("birch_leaves"), "80a755 ffffff");
+  test.definition("birch_leaves", R"({"model": {"model": "item/birch_leaves",
+    "tints": [{"type": "constant", "value": -8345771}]}})");
+  EXPECT_EQ(tints("birch_leaves"), "80a755 ffffff");
+}
+
+TEST(item_looks, mistakes_in_colours_have_their_place_and_the_item_is_white) {
+  for (const auto& [tints, column] : {std::pair{"{}", 46}, {"[7]", 47},
+                                      {R"([{"type": "dye", "default": "red"}])", 74},
+                                      {R"([{"type": "dye", "default": [2, 0, 0]}])", 75}}) {
+    ItemTest test;
+    test.pack.texture("item/a", pngOf(16, kRed));
+    test.item("bow", R"({"parent": "item/generated", "textures": {"layer0": "item/a"}})");
+    test.definition("bow", R"({"model": {"model": "item/bow", "tints":     )" + std::string(tints) + "}}");
+    EXPECT_EQ(tintOf(test.look("minecraft:bow"), "minecraft:item/a"), "ffffff") << tints;
+    EXPECT_THAT(test.errors, HasSubstr(fmt::format("items/bow.json:1:{}: warning", column))) << tints;
+  }
+}
+
 /// Three numbers of a place, as "0 45 0".
 std::string text(const glm::vec3& v) { return fmt::format("{:g} {:g} {:g}", v.x, v.y, v.z); }
 

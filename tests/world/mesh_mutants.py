@@ -85,7 +85,16 @@ MUTANTS = {
         ("item: textures that are absent", "item_looks.*", "if (complete || block)", "if (true)"),
         ("item: no mirror", "item_looks.*", "glm::vec3(1, -1, -1)", "glm::vec3(1)"),
         ("item: turned about x first", "item_looks.*", "for (const int axis : {0, 1, 2}) {", "for (const int axis : {2, 1, 0}) {"),
-        ("item: no model of the block", "item_looks.*", "return ofBlock(item);", "return std::nullopt;"),
+        ("item: no model of the block", "item_looks.*", "return ofBlock(name.text());", "return std::nullopt;"),
+        ("item: one colour for all layers", "item_looks.*", "face.tintIndex = int(&layer - layers.data());", "face.tintIndex = 0;"),
+        ("item: colours of older games beside a definition", "item_looks.*", "definition ? tintOf(*definition, face.tintIndex)", "definition && !definition->tints.empty() ? tintOf(*definition, face.tintIndex)"),
+    ],
+    "loader/world/items/item_tints.cpp": [
+        ("item: red and blue exchanged", "item_looks.*", "{std::uint8_t(rgb >> 16), std::uint8_t(rgb >> 8), std::uint8_t(rgb)}", "{std::uint8_t(rgb), std::uint8_t(rgb >> 8), std::uint8_t(rgb >> 16)}"),
+        ("item: defaults are not read", "item_looks.*", '{"value", "default"}', '{"value", "constant"}'),
+        ("item: white grass", "item_looks.*", "return plainsTint(Tint::Grass);", "return kWhite;"),
+        ("item: all layers of leather", "item_looks.*", "item == tint.item && index == tint.index", "item == tint.item"),
+        ("item: white leaves", "item_looks.*", "return modelTint({item, {}}, facts, index,\n                   biomeTint(", "if (index >= 0) return kWhite;\n  return modelTint({item, {}}, facts, index,\n                   biomeTint("),
     ],
     "loader/world/items/item_definition.cpp": [
         ("item: the bow is always drawn", "item_looks.*", '{"on_false", "fallback"}', '{"on_true", "fallback"}'),

@@ -311,9 +311,8 @@ void addSprite(ListWriter& writer, const glm::mat4& place, glm::ivec2 light) {
 }
 
 /// An item by its model of a resource pack.
-void addModel(ListWriter& writer, const std::vector<ModelFace>& faces, const BlockFacts& facts,
-              const glm::mat4& place, glm::ivec2 light) {
-  for (const ModelFace& face : faces) {
+void addModel(ListWriter& writer, const ItemLook& look, const glm::mat4& place, glm::ivec2 light) {
+  for (const ModelFace& face : *look.faces) {
     const AtlasTile tile = writer.scene.content.atlas.tile(face.texture);
     ContentQuad quad;
     for (std::size_t i = 0; i < 4; ++i) {
@@ -321,7 +320,7 @@ void addModel(ListWriter& writer, const std::vector<ModelFace>& faces, const Blo
       quad.uv[i] = tile.min + face.uv[i] * (tile.max - tile.min);
     }
     quad.light = light;
-    if (face.tintIndex == 0 && facts.tint != Tint::None) quad.color = glm::vec4(kPlainsTint, 1);
+    quad.color = glm::vec4(look.tintOf(face.tintIndex), 1);
     writer.quad(quad);
   }
 }
@@ -334,9 +333,9 @@ bool isTranslucentItem(const SceneData& scene, const std::string& item) {
 
 void addItem(ListWriter& writer, const std::string& item, const glm::mat4& place,
              glm::ivec2 light) {
-  const BlockFacts& facts = writer.scene.content.items.at(item);
   if (const ItemLook* look = writer.scene.content.lookOf(item))
-    return addModel(writer, *look->faces, facts, place, light);
+    return addModel(writer, *look, place, light);
+  const BlockFacts& facts = writer.scene.content.items.at(item);
   if (facts.boxes.empty()) return addSprite(writer, place, light);
   for (const BlockFace& face : makeBlockFaces(facts, writer.scene.content.atlas).faces) {
     ContentQuad quad;

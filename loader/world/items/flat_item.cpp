@@ -20,7 +20,6 @@ ModelFace faceOf(const std::string& texture, FaceDirection direction, const Texe
   face.texture = texture;
   face.direction = direction;
   face.normal = glm::vec3(normalOf(direction));
-  face.tintIndex = 0;
   face.smooth = false;
   face.uv = {span.low, {span.low.x, span.high.y}, span.high, {span.high.x, span.low.y}};
   const float left = span.low.x, right = span.high.x, top = 1 - span.low.y,

@@ -2,6 +2,7 @@
 
 #include <orris/core/limits.h>
 #include <orris/world/files/json_reader.h>
+#include <orris/world/items/item_tints.h>
 
 namespace orris {
 namespace {
@@ -23,10 +24,18 @@ const JsonNode* innerModel(const JsonNode& node) {
   return parts && !parts->items.empty() ? &parts->items.front() : nullptr;
 }
 
+std::vector<glm::u8vec3> parseTints(const JsonNode& node, JsonReader& reader) {
+  const JsonNode* list = node.find("tints");
+  if (!list || !reader.array(*list, "\"tints\"")) return {};
+  std::vector<glm::u8vec3> tints;
+  for (const JsonNode& entry : list->items) tints.push_back(parseItemTint(entry, reader));
+  return tints;
+}
+
 }  // namespace
 
-std::optional<std::string> parseItemDefinition(const ResourceFile& file,
-                                               Diagnostics& diagnostics) {
+std::optional<ItemDefinition> parseItemDefinition(const ResourceFile& file,
+                                                  Diagnostics& diagnostics) {
   const JsonText source{file.bytes, file.place, &kResourceJson};
   JsonReader reader(source, diagnostics);
   const auto root = parseLocatedJson(source, diagnostics);
@@ -37,7 +46,11 @@ std::optional<std::string> parseItemDefinition(const ResourceFile& file,
       reader.expected(*node, "\"model\"", "an object");
       return std::nullopt;
     }
-    if (const JsonNode* name = node->find("model")) return reader.string(*name, "\"model\"");
+    if (const JsonNode* name = node->find("model")) {
+      const auto model = reader.string(*name, "\"model\"");
+      if (!model) return std::nullopt;
+      return ItemDefinition{*model, parseTints(*node, reader)};
+    }
     node = innerModel(*node);
   }
   return std::nullopt;

@@ -1,15 +1,23 @@
-// Which model an item has: its file in `items`, of the game since 1.21.4.
+// Which model an item has, and the colours of its parts: its file in `items`, of the game since 1.21.4.
 #pragma once
 
+#include <glm/glm.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <orris/world/resources/resource_stack.h>
 
 namespace orris {
 
-/// The model of an item that nobody uses: of conditions and choices what they are otherwise. nullopt: the item is
-/// drawn by code of the game, or (warnings) the file says nothing of use.
-std::optional<std::string> parseItemDefinition(const ResourceFile& file, Diagnostics& diagnostics);
+struct ItemDefinition {
+  std::string model;
+  std::vector<glm::u8vec3> tints;  ///< by tint index; those beyond are white
+};
+
+/// Those of an item that nobody uses: of conditions and choices what they are otherwise. nullopt: the item is drawn by
+/// code of the game, or (warnings) the file says nothing of use.
+std::optional<ItemDefinition> parseItemDefinition(const ResourceFile& file,
+                                                  Diagnostics& diagnostics);
 
 }  // namespace orris

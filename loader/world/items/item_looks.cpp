@@ -12,6 +12,7 @@
 #include <orris/world/resources/block_models.h>
 #include <orris/world/items/flat_item.h>
 #include <orris/world/items/item_definition.h>
+#include <orris/world/items/item_tints.h>
 #include <orris/world/resources/model_library.h>
 
 namespace orris {
@@ -30,11 +31,15 @@ class ItemReader {
   std::optional<ItemLook> read(const std::string& item, const BlockFacts& facts) {
     const auto name = parseResourceName(item);
     if (!name || facts.air) return std::nullopt;
-    if (auto look = ofModel(modelOf(*name), !facts.boxes.empty())) return look;
-    if (auto look = ofLayers({{name->space, "item/" + name->path}}, posesOf("item/generated")))
-      return look;
-    if (facts.boxes.empty()) return std::nullopt;
-    return ofBlock(item);
+    const auto definition = definitionOf(*name);
+    auto look = uncolored(*name, definition, facts);
+    if (!look) return std::nullopt;
+    for (const ModelFace& face : *look->faces) {
+      if (face.tintIndex < 0) continue;
+      look->tints[face.tintIndex] = definition ? tintOf(*definition, face.tintIndex)
+                                               : itemTintByName(item, facts, face.tintIndex);
+    }
+    return look;
   }
 
   void warnOfMissing() {
@@ -53,10 +58,27 @@ class ItemReader {
   }
 
  private:
-  std::string modelOf(const ResourceName& item) {
-    if (const auto file = resources_.read(item, kItems, diagnostics_))
-      return parseItemDefinition(*file, diagnostics_).value_or("");
-    return item.space + ":item/" + item.path;
+  /// nullopt: packs of games before 1.21.4 have none. One that says nothing has no model.
+  std::optional<ItemDefinition> definitionOf(const ResourceName& item) {
+    const auto file = resources_.read(item, kItems, diagnostics_);
+    if (!file) return std::nullopt;
+    return parseItemDefinition(*file, diagnostics_).value_or(ItemDefinition{});
+  }
+
+  static glm::u8vec3 tintOf(const ItemDefinition& definition, int index) {
+    return std::size_t(index) < definition.tints.size() ? definition.tints[std::size_t(index)]
+                                                        : glm::u8vec3(255);
+  }
+
+  std::optional<ItemLook> uncolored(const ResourceName& name,
+                                    const std::optional<ItemDefinition>& definition,
+                                    const BlockFacts& facts) {
+    const std::string model = definition ? definition->model : name.space + ":item/" + name.path;
+    if (auto look = ofModel(model, !facts.boxes.empty())) return look;
+    if (auto look = ofLayers({{name.space, "item/" + name.path}}, posesOf("item/generated")))
+      return look;
+    if (facts.boxes.empty()) return std::nullopt;
+    return ofBlock(name.text());
   }
 
   std::optional<ItemLook> ofModel(const std::string& name, bool block) {
@@ -91,12 +113,13 @@ class ItemReader {
       const std::string name = layer.text();
       if (!resources_.contains(layer, kTextures) || !textures_.addStill(name, layer)) continue;
       for (ModelFace& face : flatItemFaces(name, *textures_.colours(name))) {
-        moveOut(face, int(&layer - layers.data()));
+        face.tintIndex = int(&layer - layers.data());
+        moveOut(face, face.tintIndex);
         faces.push_back(std::move(face));
       }
     }
     if (faces.empty()) return std::nullopt;
-    return ItemLook{std::make_shared<const std::vector<ModelFace>>(std::move(faces)), poses};
+    return ItemLook{std::make_shared<const std::vector<ModelFace>>(std::move(faces)), poses, {}};
   }
 
   /// Layers at one place would flicker.
@@ -123,7 +146,7 @@ class ItemReader {
 
   ItemLook ofFaces(std::vector<ModelFace> faces, const DisplayPoses& poses) {
     for (const ModelFace& face : faces) textures_.addOfModel(face.texture);
-    return {std::make_shared<const std::vector<ModelFace>>(std::move(faces)), poses};
+    return {std::make_shared<const std::vector<ModelFace>>(std::move(faces)), poses, {}};
   }
 
   std::vector<std::string> incomplete_;  // models
@@ -135,6 +158,11 @@ class ItemReader {
 };
 
 }  // namespace
+
+glm::vec3 ItemLook::tintOf(int tintIndex) const {
+  const auto found = tints.find(tintIndex);
+  return found == tints.end() ? glm::vec3(1) : glm::vec3(found->second) / 255.0f;
+}
 
 DisplayPose ItemLook::poseOf(DisplayPlace place) const {
   DisplayPose pose = poses[std::size_t(place)].value_or(DisplayPose{});

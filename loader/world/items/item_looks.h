@@ -16,7 +16,10 @@ namespace orris {
 struct ItemLook {
   ModelFaces faces;
   DisplayPoses poses{};
+  std::map<int, glm::u8vec3> tints{};  ///< by tint index of the faces
 
+  /// What a texture is multiplied with: white below 0.
+  glm::vec3 tintOf(int tintIndex) const;
   DisplayPose poseOf(DisplayPlace place) const;
   /// Puts the cube to its place, whose middle is the origin.
   glm::mat4 posed(DisplayPlace place) const;
