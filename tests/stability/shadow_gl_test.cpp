@@ -105,6 +105,67 @@ TEST_P(ShadowBias, normal_offset_has_neither_acne_nor_detached_shadows) {
 
 INSTANTIATE_TEST_SUITE_P(, ShadowBias, testing::Values(5, 45, 60, 75, 85));
 
+const char* const kPoint =
+    "float lit_point(vec3 world) {\n"
+    "    return point_visibility(world - cameraPosition, vec3(0.0, 1.0, 0.0), light_direction(), 1.0);\n"
+    "}\n";
+
+class ShadowOfPoints : public testing::TestWithParam<int> {};
+
+// What rays hit: no offset from the plane makes shadows shorter. Walls of eight heights, as each edge falls somewhere
+// within a texel.
+TEST_P(ShadowOfPoints, is_as_long_as_geometry_says) {
+  constexpr int kWalls = 8, kPoints = 384, kFirst = 4, kEveryBlock = 8;
+  std::string walls;
+  for (int i = 0; i < kWalls; ++i)
+    walls += fmt::format(R"({}{{"box": "stone", "min": [48, 2, {}], "max": [48, {}, {}]}})", i > 0 ? ", " : "", 12 + 5 * i,
+                         1 + kFirst + i, 14 + 5 * i);
+  ShadowLab lab({.blocks = walls,
+                 .sun = double(GetParam()),
+                 .probe = fmt::format("vec4(lit_point(vec3(48.0 - (float(pixel.x) + 0.5) / {}.0, 2.0, "
+                                      "13.5 + 5.0 * float(pixel.y))))",
+                                      kEveryBlock),
+                 .functions = kPoint,
+                 .width = kPoints,
+                 .height = kWalls});
+  lab.draw();
+  const double slope = std::tan(radians(GetParam()));
+  double error = 0;
+  for (int wall = 0; wall < kWalls; ++wall) {
+    int dark = 0;
+    for (int x = 0; x < kPoints; ++x) dark += lab.at(x, wall)[0] == 0 ? 1 : 0;
+    error += (double(dark) / kEveryBlock - (kFirst + wall) * slope) / kWalls;
+  }
+  // In blocks on the floor; a texel is as long as 1 / cosine there, and the mean of eight edges off by a tenth of it.
+  EXPECT_NEAR(error, 0, .25 * kTexel / std::cos(radians(GetParam())));
+}
+
+TEST_P(ShadowOfPoints, open_floor_has_no_acne) {
+  ShadowLab floor({.sun = double(GetParam()),
+                   .probe = "vec4(lit_point(vec3(20.0, 2.0, 20.0) + 0.0731 * vec3(pixel.x, 0.0, pixel.y)))",
+                   .functions = kPoint,
+                   .width = 64,
+                   .height = 64});
+  floor.draw();
+  for (int y = 0; y < 64; ++y)
+    for (int x = 0; x < 64; ++x) ASSERT_EQ(floor.at(x, y)[0], 1) << x << ' ' << y;
+}
+
+// The plane of a floor, followed as far as the middle of a texel, must not come out beyond the wall. Several suns, as the
+// wall's foot falls somewhere within a texel.
+TEST(ShadowOfPointsIndoors, no_light_comes_in_at_the_foot_of_a_wall) {
+  for (const double sun : {86., 87., 88., 88.5, 89.}) {
+    ShadowLab lab({.blocks = R"({"hollow": "stone", "min": [20, 1, 20], "max": [40, 8, 44]})",
+                   .sun = sun,
+                   .probe = "vec4(lit_point(vec3(40.0 - (float(pixel.x) + 0.5) / 64.0, 2.0, 32.0)))",
+                   .functions = kPoint});
+    lab.draw();
+    for (int x = 0; x < 64; ++x) EXPECT_EQ(lab.at(x)[0], 0) << sun << ' ' << x;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(, ShadowOfPoints, testing::Values(35, 60, 75));
+
 // Row C2 of docs/failure-modes.md.
 TEST(PublishedShadowBias, shows_acne_only_when_the_sun_is_low) {
   // Texels of half a block; theory says 86.5 degrees then.

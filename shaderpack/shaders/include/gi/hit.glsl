@@ -100,7 +100,7 @@ bool faces_stained_glass(Hit hit) {
 vec3 sun_at(Hit hit, vec3 light, float sky) {
     vec3 player = from_volume(hit.position);
     return light_irradiance() * (max(dot(hit.normal, light), 0.0) / pi) *
-           light_visibility(player, hit.normal, light, 0, sky) *
+           point_visibility(player, hit.normal, light, sky) *
            sun_tint(player, hit.normal, light, 0, hit.cell + ivec3(hit.normal));
 }
 

@@ -58,6 +58,33 @@ float lit_at(vec2 position, float depth) {
 #endif
 }
 
+/// The middle of the texel of the map into which a point of a plane falls, and the plane's depth there, 0..1. What is
+/// compared lies in the plane: no offset that would hide its slope moves the edges of shadows, which a low sun would
+/// carry on by blocks (Isidoro 2006, "Shadow Mapping: GPU-based Tips and Techniques"). Where the light is so aslant that the
+/// middle would lie a block away, in the open beyond a wall, the point is moved off its plane instead.
+vec3 plane_receiver(vec3 player, vec3 normal, vec3 light) {
+    vec4 view = shadowModelView * vec4(player, 1.0);
+    vec3 across = mat3(shadowModelView) * normal;
+    vec2 clip = (shadowProjection * view).xy;
+    vec2 size = vec2(shadow_map_size);
+    if (across.z < 0.8 * shadow_texel(clip + shadow_snap()))
+        return shadow_receiver(player, normal, light, 0).xyz;
+    vec2 texel = floor((distort_shadow(clip + shadow_snap()) * 0.5 + 0.5) * size);
+    vec2 middle = straighten_shadow((texel + 0.5) / size * 2.0 - 1.0) - shadow_snap();
+    vec2 off = (middle - clip) / vec2(shadowProjection[0][0], shadowProjection[1][1]);
+    view.z -= dot(off, across.xy) / across.z;
+    return vec3(texel + 0.5, (shadowProjection * view).z * 0.5 + 0.5);
+}
+
+/// Does light arrive at a point of a plane that rays have hit?
+float point_visibility(vec3 player, vec3 normal, vec3 light, float sky) {
+    vec3 receiver = plane_receiver(player, normal, light);
+    bool outside = any(lessThan(receiver, vec3(0.0))) ||
+                   any(greaterThanEqual(receiver, vec3(shadow_map_size, 1.0)));
+    float bias = 0.005 * abs(shadowProjection[2][2]);  // a hundredth of a block
+    return outside ? unmapped_visibility(sky) : lit_at(receiver.xy, receiver.z - bias);
+}
+
 /// Share of the light that arrives, 0..1.
 float light_visibility(vec3 player, vec3 normal, vec3 light, int radius, float sky) {
     vec4 receiver = shadow_receiver(player, normal, light, radius);
@@ -99,6 +126,8 @@ const int shadow_radius = 0;
 float light_visibility(vec3 player, vec3 normal, vec3 light, int radius, float sky) {
     return unmapped_visibility(sky);
 }
+
+float point_visibility(vec3 player, vec3 normal, vec3 light, float sky) { return unmapped_visibility(sky); }
 
 #endif
 

@@ -49,6 +49,11 @@ vec2 distort_shadow(vec2 clip) {
     return clip / (SHADOW_DISTORTION * length(clip) + (1.0 - SHADOW_DISTORTION));
 }
 
+/// Inverse of distort_shadow.
+vec2 straighten_shadow(vec2 clip) {
+    return clip * (1.0 - SHADOW_DISTORTION) / max(1.0 - SHADOW_DISTORTION * length(clip), 1e-3);
+}
+
 /// The side of a texel at `clip`, x and y before the distortion; in blocks, at its longest.
 float shadow_texel(vec2 clip) {
     const float side = 2.0 * SHADOW_DISTANCE / float(shadow_map_size.y);

@@ -28,7 +28,7 @@ vec4 tint_at(ivec2 texel, float depth) {
 }
 
 /// What is left of the light at a point of the surface before which `cell` lies. `radius`: that of light_visibility(),
-/// whose texels the colour comes from, too: one beside a stained window knows only the wall, and would leave all light.
+/// whose texels the colour comes from, too (0: that of point_visibility()): one beside a stained window knows only the wall, and would leave all light.
 vec3 sun_tint(vec3 player, vec3 normal, vec3 light, int radius, ivec3 cell) {
     Voxel before = voxel_at(cell);
     if (is_filter_voxel(before.code) && !is_tinted_pane(before.code)) {
@@ -36,7 +36,8 @@ vec3 sun_tint(vec3 player, vec3 normal, vec3 light, int radius, ivec3 cell) {
         ivec2 texel = sheet_texel(ivec2(floor(unit.xy * vec2(shadow_map_size))));
         return filtered(before.color, max(0.0, blocks_below(texel, unit.z)));
     }
-    vec4 receiver = shadow_receiver(player, normal, light, radius);
+    vec3 receiver = radius > 0 ? shadow_receiver(player, normal, light, radius).xyz
+                               : plane_receiver(player, normal, light);
     ivec2 middle = ivec2(floor(receiver.xy));
     vec4 tint = tint_at(sheet_texel(middle), receiver.z);
     // In a penumbra the colour is that of the texels around which are lit.
