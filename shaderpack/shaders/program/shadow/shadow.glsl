@@ -241,8 +241,7 @@ void emit_voxel() {
     voxel = block_voxel(block.id, block.emission, vertex_normal[0], cell);
     if (voxel.a == 0.0) return;
     uvec3 place = uvec3(cell + volume_origin());
-    if (is_filter_voxel(int(voxel.a * 255.0 + 0.5)))
-        voxel.rgb = in_bytes(voxel.rgb, float(hash(place).y >> 8u) * (1.0 / 16777216.0));
+    voxel.rgb = in_bytes(voxel.rgb, float(hash(place).y >> 8u) * (1.0 / 16777216.0));
 #if HAS_VOXEL_CHANGES
     count_voxel();
     int code = int(voxel.a * 255.0 + 0.5);
