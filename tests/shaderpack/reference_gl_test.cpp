@@ -169,6 +169,41 @@ const OptionValues kSettling = {{"GI_METHOD", "FACE_CACHE"},     {"GI_LAMPS", "S
                                 {"DIRECT_LIGHT", "NONE"},        {"FACE_SHARE", "1"},
                                 {"FACE_WINDOW", "256"}};
 
+/// A room, and the mean of its picture of 16x9: orris trace --noise 0.002.
+struct Room {
+  const char* name;
+  const char* wall;
+  const char* lamp;  ///< block and place
+  glm::dvec3 mean;
+};
+void PrintTo(const Room& room, std::ostream* out) { *out << room.name; }
+
+class ReferenceRoom : public testing::TestWithParam<Room> {};
+
+// White wool reflects .86: what is there after so many updates is what bright rooms need to come to rest, and the albedo of
+// voxels to a thousandth. Lava in the floor lights the sides of its hole first, which light the room.
+TEST_P(ReferenceRoom, is_as_bright_as_in_the_path_tracer) {
+  const Room& room = GetParam();
+  PackSession pack(fmt::format(R"({{"size": [11, 9, 11],
+        "blocks": [{{"box": "{}", "min": [0, 0, 0], "max": [10, 8, 10]}},
+                   {{"box": "air", "min": [2, 2, 2], "max": [8, 6, 8]}}, {{{}}}],
+        "cameras": [{{"name": "eye", "position": [3, 3.5, 3], "target": [8, 4, 8], "fov": 70}}],
+        "environment": {{"time": 18000}}}})",
+                               room.wall, room.lamp),
+                   kSettling, 16, 9);
+  pack.renderFrames(160);
+  const glm::dvec3 ratio = glm::dvec3(pack.meanRadiance()) / room.mean;
+  RecordProperty("ratio", fmt::format("{:.4f} {:.4f} {:.4f}", ratio.r, ratio.g, ratio.b));
+  for (int channel = 0; channel < 3; ++channel) EXPECT_NEAR(ratio[channel], 1, .012) << channel;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    , ReferenceRoom,
+    testing::Values(Room{"of_wool", "white_wool", R"("block": "glowstone", "at": [6, 7, 4])", {.40223, .31025, .16693}},
+                    Room{"with_lava_in_the_floor", "white_concrete", R"("block": "lava", "at": [6, 1, 4])",
+                         {.20989, .07228, .01255}}),
+    [](const auto& tested) { return std::string(tested.param.name); });
+
 /// A window of red glass in a house of quartz, and green over red in the mean of a picture of 16x9 inside: orris trace
 /// --noise 0.004.
 struct Window {

@@ -68,9 +68,11 @@ Hit trace_from_face(vec3 origin, vec3 direction) {
 #if HAS_VOXEL_CHANGES
     if (is_post(own.code)) met = meet_post(walk, own.code);
 #endif
+    // From above it, off the blocks around it.
+    if (own.code == voxel_lava) met = meet_lava(walk, vec2(0.0, distance_out(origin, direction)));
     if (met.found)
         return Hit(true, cell, origin + direction * met.t, -met.axis * walk.stride, own, vec3(1.0),
-                   !is_post(own.code));
+                   !is_post(own.code) && own.code != voxel_lava);
     Hit hit = trace(origin, direction);
     for (int i = 0; i < int(own.code == voxel_solid); ++i) hit.transmittance *= left_by_leaves(own, origin, direction);
     if (is_filter_voxel(own.code)) {

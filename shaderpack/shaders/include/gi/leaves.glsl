@@ -1,5 +1,6 @@
 // The inside of a block of leaves, which is hollow: light passes its sides by their holes, and they let through
-// and reflect what falls on them. The image face_light belongs to the program.
+// and reflect what falls on them. With the face cache light_of(cell, face) belongs to the program: B of a face, and
+// its number of updates.
 #if !defined INCLUDED_GI_LEAVES
 #define INCLUDED_GI_LEAVES
 
@@ -27,7 +28,7 @@ vec3 light_of_leaves(vec3 origin, vec3 direction, vec3 light, float sky) {
     vec3 arriving = sun_at(side, light, sky);
 #if HAS_FACE_CACHE
     // Towards a full block it has no face of its own.
-    vec4 cached = trusted(imageLoad(face_light, face_texel(side.cell, face_of(side.normal))));
+    vec4 cached = light_of(side.cell, face_of(side.normal));
     if (cached.a == 0.0 || is_opaque_voxel(voxel_at(side.cell + ivec3(side.normal)).code)) return vec3(0.0);
     // What the inside reflects adds up to a geometric series.
     vec3 stopped = (1.0 - leaf_holes) * side.voxel.color;

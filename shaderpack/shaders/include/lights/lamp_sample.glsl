@@ -51,6 +51,12 @@ vec3 point_of_post(ivec3 cell, int code, int face, vec2 at) {
     return vec3(cell) + 0.5 + mix(post.low, post.high, point_of_side(ivec3(0), face_normal(face), at));
 }
 
+/// A point of a face that looks into a cell of lava, moved to what is seen of it above the lava.
+vec3 point_above_lava(vec3 point, vec3 normal) {
+    float height = mix(water_height, 1.0, fract(point.y));
+    return normal.y == 0.0 && !is_whole_lava(ivec3(floor(point))) ? vec3(point.x, floor(point.y) + height, point.z) : point;
+}
+
 /// A point of a face that looks into the cell of a plate, moved out of what the plate covers of it.
 vec3 point_beside_plate(vec3 point, int code, uint parts) {
     Box plate = main_box(code, parts);

@@ -10,4 +10,11 @@ vec3 round_to_half(vec3 x) {
     return mix(normal, small, lessThan(x, vec3(1.0 / 16384.0)));
 }
 
+/// A half float next to it, up or down by `chance` (0..1, at random), so that the mean of many is what it was.
+vec3 dithered_half(vec3 x, float chance) {
+    vec3 normal = uintBitsToFloat((floatBitsToUint(x) + uint(chance * 8192.0)) & 0xFFFFE000u);
+    vec3 small = floor(x * 16777216.0 + chance) / 16777216.0;
+    return mix(normal, small, lessThan(x, vec3(1.0 / 16384.0)));
+}
+
 #endif

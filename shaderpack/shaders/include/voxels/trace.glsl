@@ -189,9 +189,12 @@ Meeting meet_post(Walk walk, int code) {
     return met;
 }
 
-/// Lava up to its surface: whole where there is lava above it.
+/// Is the lava of a cell whole, since there is lava above it?
+bool is_whole_lava(ivec3 cell) { return int(texel_of(cell + ivec3(0, 1, 0)).a * 255.0 + 0.5) == voxel_lava; }
+
+/// Lava up to its surface.
 Meeting meet_lava(Walk walk, vec2 span) {
-    bool surface = int(texel_of(cell_of(walk) + ivec3(0, 1, 0)).a * 255.0 + 0.5) != voxel_lava;
+    bool surface = !is_whole_lava(cell_of(walk));
     vec2 below = below_surface(span, walk.cell.y + water_height - walk.origin.y, walk.direction.y);
     if (!surface || below.x <= span.x) return Meeting(!surface || below.x < below.y, span.x, vec3(0.0));
     return Meeting(below.x <= below.y, below.x, vec3(0.0, 1.0, 0.0));

@@ -72,6 +72,8 @@ ivec3 store_cell(ivec3 cell) { return wrap(volume_origin() + cell, volume_size);
 /// Inverse of store_cell.
 ivec3 stored_at(ivec3 place) { return wrap(place - volume_origin(), volume_size); }
 
+const int face_up = 3;
+
 // Added to the number of a face that lies in the middle of its cell.
 const int face_inner = 8;
 

@@ -1,14 +1,17 @@
-// Puts the new light of the listed faces in its place, empties the cells that came into the volume,
+// Adds the new samples of the listed faces to their means, empties the cells that came into the volume,
 // and notes whether the blocks have changed, or the eye moved.
 #include "/settings.glsl"
 
 #include "/include/face_cache/face_cache.glsl"
 #include "/include/gi/rest.glsl"
+#include "/include/math/half.glsl"
+#include "/include/math/random.glsl"
 
 layout(local_size_x = 64) in;
 const ivec3 workGroups = ivec3(16, 1, 1);
 
-layout(rgba16f) uniform writeonly image3D face_light;
+layout(rgba16f) uniform image3D face_light;
+layout(rgba16f) uniform image3D face_recent;
 layout(rgba16f) uniform readonly image2D face_fresh;
 layout(r32ui) uniform readonly uimage2D face_list;
 layout(r32ui) uniform readonly uimage2D face_tally;
@@ -16,12 +19,29 @@ layout(r32ui) uniform readonly uimage2D voxel_sums;
 layout(r32ui) uniform uimage2D face_memory;
 layout(r32ui) uniform readonly uimage3D face_seen;
 
+// Quick enough for a room of albedo .9 to come to rest in a hundred updates, and slow enough to take half of the noise.
+const float recent_gain = 0.25;
+
+/// `old` as stored, `sampled` as in face_fresh. Rounded up or down by chance: a slow mean moves by less than a step of half
+/// floats, and would stay where it is.
+vec4 mean_with(vec4 old, vec4 sampled, float gain, float chance) {
+    vec3 mean = mix(trusted(old).rgb / face_unit, sampled.rgb, gain);
+    return vec4(dithered_half(mean, chance), min(sampled.a + 1.0, 2047.0));
+}
+
+void add_sample(ivec3 texel, vec4 sampled) {
+    uvec3 chance = hash(uvec3(texel.x + 2048 * texel.y, texel.z, frameCounter)) >> 8u;
+    vec2 at = vec2(chance.xy) * (1.0 / 16777216.0);
+    float gain = max(1.0 / float(FACE_WINDOW), FACE_GAIN / (sampled.a + FACE_GAIN));
+    imageStore(face_light, texel, mean_with(imageLoad(face_light, texel), sampled, gain, at.x));
+    imageStore(face_recent, texel, mean_with(imageLoad(face_recent, texel), sampled, max(gain, recent_gain), at.y));
+}
+
 void commit_faces(uint first, uint stride) {
     uint count = min(imageLoad(face_tally, tally_faces).r, face_capacity);
     for (uint i = first; i < count; i += stride) {
         uint entry = imageLoad(face_list, face_slot(i)).r;
-        ivec3 texel = face_texel(packed_cell(entry), packed_face(entry));
-        imageStore(face_light, texel, imageLoad(face_fresh, face_slot(i)));
+        add_sample(face_texel(packed_cell(entry), packed_face(entry)), imageLoad(face_fresh, face_slot(i)));
     }
 }
 
@@ -41,8 +61,10 @@ void empty_entered_cells(uint first, uint stride) {
         if (!entered(cell)) continue;
         uint listed = imageLoad(face_seen, cell).r;
         for (int face = 0; face < face_inner + 6; ++face)
-            if (face != face_ball && face != 7 && !is_listed(listed, face))
+            if (face != face_ball && face != 7 && !is_listed(listed, face)) {
                 imageStore(face_light, face_texel(cell, face), vec4(0.0));
+                imageStore(face_recent, face_texel(cell, face), vec4(0.0));
+            }
     }
 }
 

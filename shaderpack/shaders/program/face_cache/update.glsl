@@ -1,11 +1,11 @@
 // One sample of the light on each face of this frame's list: a ray into the hemisphere, and a ray
-// to a lamp.
+// to a lamp. commit.glsl adds it to the means.
 #include "/settings.glsl"
 
 layout(local_size_x = 64) in;
 const ivec3 workGroups = ivec3(16, 1, 1);  // idle threads cost as much as busy ones on some drivers
 
-layout(rgba16f) uniform readonly image3D face_light;
+layout(rgba16f) uniform readonly image3D face_recent;
 layout(rgba16f) uniform writeonly image2D face_fresh;
 layout(r32ui) uniform readonly uimage2D face_list;
 layout(r32ui) uniform readonly uimage2D face_tally;
@@ -14,8 +14,6 @@ layout(r32ui) uniform readonly uimage2D face_memory;
 #define HAS_VOXEL_READS
 const int lamp_candidates = 16;
 #include "/include/lights/lamp_sample.glsl"
-#include "/include/gi/leaves.glsl"
-#include "/include/math/half.glsl"
 
 struct Face {
     ivec3 cell;
@@ -27,8 +25,10 @@ struct Face {
 /// B and number of updates; nothing where the cell was elsewhere in the frame before.
 vec4 light_of(ivec3 cell, int face) {
     if (entered(cell)) return vec4(0.0);
-    return trusted(imageLoad(face_light, face_texel(cell, face)));
+    return trusted(imageLoad(face_recent, face_texel(cell, face)));
 }
+
+#include "/include/gi/leaves.glsl"
 
 /// Radiance along a cosine ray, which goes on from a face in stained glass: a ray more.
 vec3 hemisphere_sample(Face f, vec2 u, vec3 light) {
@@ -76,29 +76,28 @@ vec3 point_of(ivec3 cell, int face, vec2 at) {
     ivec3 before = cell + ivec3(face_normal(face));
     at = half_beside_pane(at, voxel_at(before).code, face);
     if (is_full(code)) face &= 7;
+    if (code == voxel_lava && face == face_up && !is_whole_lava(cell))
+        return point_of_side(cell, vec3(0.0, 1.0, 0.0), at) - vec3(0.0, 1.0 - water_height, 0.0);
     vec3 point = point_of_face(cell, octants_of(code, cell), octants_at(before), face, at);
     int code_before = voxel_at(ivec3(floor(point))).code;
+    if (code_before == voxel_lava) return point_above_lava(point, face_normal(face));
     return is_plate(code_before) ? point_beside_plate(point, code_before, kept_shape(ivec3(floor(point)))) : point;
 }
 
-vec4 updated(uint entry, vec3 light) {
+/// B / face_unit by this frame's rays, and on how many updates the old light rests.
+vec4 fresh_sample(uint entry, vec3 light) {
     Face f;
     f.cell = packed_cell(entry);
     f.face = packed_face(entry);
     f.from.normal = face_normal(f.face);
     f.sky = entry_level(entry);
-    vec4 old = light_of(f.cell, f.face);
-
     uvec3 place = uvec3(face_texel(f.cell, f.face));
     // Independent numbers: along a sequence, what a face looks up would follow how it came about.
     seed_random(ivec2(place.x + 2048u * place.y, place.z), frameCounter);
     f.from.origin = point_of(f.cell, f.face, next_random().xy);
     vec3 sampled = hemisphere_sample(f, next_random().xy, light) + lamp_sample(f.from);
 
-    float updates = trusted_updates(old.a);
-    float gain = max(1.0 / float(FACE_WINDOW), FACE_GAIN / (updates + FACE_GAIN));
-    vec3 mean = mix(old.rgb, min(sampled, vec3(face_light_max)), gain);
-    return vec4(round_to_half(mean / face_unit), min(updates + 1.0, 2047.0));
+    return vec4(min(sampled, vec3(face_light_max)) / face_unit, trusted_updates(light_of(f.cell, f.face).a));
 }
 
 void main() {
@@ -107,6 +106,6 @@ void main() {
     uint threads = gl_NumWorkGroups.x * gl_WorkGroupSize.x;
     for (uint i = gl_GlobalInvocationID.x; i < count; i += threads) {
         ivec2 slot = face_slot(i);
-        imageStore(face_fresh, slot, updated(imageLoad(face_list, slot).r, light));
+        imageStore(face_fresh, slot, fresh_sample(imageLoad(face_list, slot).r, light));
     }
 }

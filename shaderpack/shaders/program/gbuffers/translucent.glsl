@@ -93,7 +93,7 @@ vec3 light_beside(Hit hit) {
     vec3 own = cached_light(hit.cell, face_of_hit(hit)).rgb;
     bool beside = voxel_at(hit.cell + ivec3(hit.normal)).code == voxel_water_surface;
     if (!beside || hit.position.y - float(hit.cell.y) < water_height) return own;
-    return 0.5 * (own + cached_light(hit.cell, face_of(vec3(0.0, 1.0, 0.0))).rgb);
+    return 0.5 * (own + cached_light(hit.cell, face_up).rgb);
 }
 #endif
 

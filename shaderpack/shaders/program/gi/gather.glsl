@@ -38,6 +38,9 @@ void main() {
 layout(rgba16f) uniform readonly image3D face_light;
 layout(r32ui) uniform readonly uimage2D face_memory;
 #include "/include/face_cache/face_cache.glsl"
+
+/// B of a face, and its number of updates.
+vec4 light_of(ivec3 cell, int face) { return trusted(imageLoad(face_light, face_texel(cell, face))); }
 #endif
 #include "/include/gi/leaves.glsl"
 #if HAS_GLOSSY
@@ -170,8 +173,7 @@ vec3 gather(Surface s, vec3 light, int number) {
 #endif
             continue;
         }
-        radiance += throughput *
-                    trusted(imageLoad(face_light, face_texel(hit.cell, face_of_hit(hit)))).rgb;
+        radiance += throughput * light_of(hit.cell, face_of_hit(hit)).rgb;
         break;
 #endif
         // A loop that is not known to end here costs a quarter more on llvmpipe.
@@ -193,7 +195,7 @@ vec3 mirrored(Surface s, vec3 light) {
     weight *= hit.transmittance;
     if (!hit.found) return weight * sky_beyond(hit, direction, s.light.y);
     vec3 lamp = is_lamp_voxel(hit.voxel.code) ? lamp_light(hit.voxel) : vec3(0.0);
-    vec3 cached = trusted(imageLoad(face_light, face_texel(hit.cell, face_of_hit(hit)))).rgb;
+    vec3 cached = light_of(hit.cell, face_of_hit(hit)).rgb;
     return weight * (lamp + voxel_albedo(hit.voxel) * (sun_at(hit, light, s.light.y) + cached));
 }
 #endif
