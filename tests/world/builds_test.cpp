@@ -113,7 +113,7 @@ TEST(Builds, numeric_schematic_maps_ids_and_data) {
   ASSERT_TRUE(world) << errors;
   EXPECT_EQ(world->at({0, 0, 0}).name, "minecraft:red_wool");
   EXPECT_EQ(world->at({1, 0, 0}).toString(), "minecraft:oak_slab[type=top]");
-  EXPECT_EQ(world->at({0, 0, 1}).toString(), "minecraft:oak_stairs[facing=west,half=top]");
+  EXPECT_EQ(world->at({0, 0, 1}).toString(), "minecraft:oak_stairs[facing=west,half=top,shape=straight]");
   EXPECT_EQ(world->at({1, 0, 1}).name, "legacy:257");
   EXPECT_FALSE(built(size + nbtByteArray("Blocks", "12") + nbtByteArray("Data", "12"), errors));
   EXPECT_EQ(errors, "\"Blocks\" and \"Data\" have fewer than 4 bytes each");

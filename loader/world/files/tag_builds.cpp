@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include <orris/world/blocks/neighbour_joins.h>
 #include <orris/world/saves/block_palette.h>
 #include <orris/world/saves/legacy_blocks.h>
 #include <orris/world/saves/packed_indices.h>
@@ -217,6 +218,8 @@ std::optional<BlockWorld> readNumericSchematic(const NbtTag& root, std::int64_t 
           index = world.paletteIndex(legacyState(id, value));
         world.set({x, y, z}, index);
       }
+  completeParts(world);
+  joinSides(world);
   return world;
 }
 
