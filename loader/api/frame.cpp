@@ -1,8 +1,10 @@
 // Frames through the C interface: what the engine gives for each, and what becomes of it.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <glm/gtc/type_ptr.hpp>
+#include <span>
 
 #include <orris/api/renderer.h>
 
@@ -263,6 +265,23 @@ OrrisStatus orris_renderer_frame_init(OrrisRenderer* handle, OrrisFrame* frame, 
     refuseNull(frame, "frame");
     const OrrisFrame now = frameOf(renderer);
     initialise(frame, size, &now, sizeof(now));
+  });
+}
+
+OrrisStatus orris_renderer_set_uniform(OrrisRenderer* handle, const char* name, const float* values,
+                                       size_t count) {
+  return guarded([&] {
+    OrrisRenderer& renderer = live(handle);
+    refuseNull(name, "name");
+    refuseNull(values, "values");
+    const orris::StatedUniform* uniform = orris::findStated(name);
+    if (uniform == nullptr)
+      fail(ORRIS_ERROR_NOT_FOUND, std::string(name) + " is no uniform that can be stated");
+    const std::span given(values, count);
+    if (!orris::takes(*uniform, given))
+      fail(ORRIS_ERROR_ARGUMENT, std::string(name) + " does not take these " + std::to_string(count) + " numbers");
+    std::array<float, 3>& stated = renderer.session->environment().stated[name];
+    std::copy(given.begin(), given.end(), stated.begin());
   });
 }
 

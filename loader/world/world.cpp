@@ -62,6 +62,7 @@ std::optional<World> loadSchematic(const fs::path& path, Diagnostics& diagnostic
   world.exercises = "a schematic";
   world.blocks = std::move(*blocks);
   world.cameras = defaultCameras(world.blocks);
+  world.environment.clouds = Clouds::Fancy;
   completePalette(world);
   return world;
 }

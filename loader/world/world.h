@@ -13,6 +13,7 @@
 #include <orris/world/blocks/biome_grid.h>
 #include <orris/world/blocks/block_world.h>
 #include <orris/world/content/content.h>
+#include <orris/world/content/stated_values.h>
 
 namespace orris {
 
@@ -53,6 +54,7 @@ struct Environment {
   glm::vec3 fogColor{0.7f, 0.8f, 1.0f}, skyColor{0.47f, 0.65f, 1.0f};
   Clouds clouds = Clouds::Off;  ///< a pack's `clouds` goes before it
   Player player;
+  StatedValues stated;  ///< uniforms that follow from nothing else here
 };
 
 struct SetBlock {

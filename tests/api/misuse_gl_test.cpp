@@ -79,6 +79,8 @@ TEST_F(Misuse, arguments_of_a_renderer_are_checked) {
                              orris_renderer_set_option(renderer, nullptr, "B"),
                              orris_renderer_set_option(renderer, "A", nullptr),
                              orris_renderer_set_profile(renderer, nullptr),
+                             orris_renderer_set_uniform(renderer, nullptr, &frame.rain, 1),
+                             orris_renderer_set_uniform(renderer, "isRiding", nullptr, 1),
                              orris_renderer_option_count(renderer, nullptr),
                              orris_renderer_set_dimension(renderer, nullptr)};
   for (const OrrisStatus status : all) EXPECT_EQ(status, ORRIS_ERROR_ARGUMENT);

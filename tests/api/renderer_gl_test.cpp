@@ -107,6 +107,19 @@ TEST_F(RendererApi, uniforms_of_the_player_reach_the_pack) {
   EXPECT_EQ(at(read(renderer), 5, 5), (Rgb{102, 102, 102}));
 }
 
+TEST_F(RendererApi, what_orris_cannot_know_is_stated) {
+  OrrisRenderer* renderer = make(request(testPack()));
+  const float health = 0.4f, much = 2;
+  ASSERT_EQ(orris_renderer_set_uniform(renderer, "currentPlayerHealth", &health, 1), ORRIS_OK);
+  EXPECT_EQ(at(drawn(renderer), 5, 5), (Rgb{102, 102, 102}));
+  EXPECT_EQ(orris_renderer_set_uniform(renderer, "currentPlayerHealth", &much, 1), ORRIS_ERROR_ARGUMENT);
+  EXPECT_EQ(orris_renderer_set_uniform(renderer, "currentTime", &health, 1), ORRIS_ERROR_ARGUMENT);
+  EXPECT_EQ(orris_renderer_set_uniform(renderer, "sunAngle", &health, 1), ORRIS_ERROR_NOT_FOUND);
+  OrrisFrame frame = frameOf(renderer);
+  ASSERT_EQ(orris_renderer_draw_frame(renderer, &frame), ORRIS_OK);
+  EXPECT_EQ(at(read(renderer), 5, 5), (Rgb{102, 102, 102})) << "until something else is stated";
+}
+
 TEST_F(RendererApi, options_are_read_and_set) {
   OrrisRenderer* renderer = make(request(testPack()));
   std::uint32_t count = 0;

@@ -164,6 +164,41 @@ TEST(ContractUniforms, the_player_is_that_of_the_world) {
   EXPECT_EQ(findUniform("is_on_ground")->value(state, {}).i[0], 1);
 }
 
+TEST(ContractUniforms, what_only_the_player_knows_is_as_the_world_states) {
+  FrameState state;
+  state.cameraPosition = {10, 20, 30};
+  for (const StatedUniform& stated : kStatedUniforms) {
+    const UniformRow* row = findUniform(stated.name);
+    ASSERT_NE(row, nullptr) << stated.name;
+    const auto first = [&] {
+      const Value value = row->value(state, {});
+      return row->type == ValueType::Float || row->type == ValueType::Vec3 ? value.f[0] : static_cast<float>(value.i[0]);
+    };
+    EXPECT_EQ(first(), stated.otherwise[0]) << stated.name;
+    state.environment.stated[std::string(stated.name)] = {stated.high, stated.high, stated.high};
+    EXPECT_EQ(first(), stated.high) << stated.name;
+  }
+  state.environment.stated = {{"relativeEyePosition", {1, 2, 3}}};
+  const Value eye = findUniform("eyePosition")->value(state, {});
+  EXPECT_EQ(eye.f[0], 9);
+  EXPECT_EQ(eye.f[2], 27);
+}
+
+TEST(ContractPage, what_is_constant_belongs_to_other_mods) {
+  const std::set<std::string> mods = {"dh*",        "clrwl_*",    "vivecraft*", "VIVECRAFT*",
+                                      "IS_MONOCLE", "photonics*", "DISTANT_HORIZONS", "ALLOWS_UNKNOWN_SHADERS",
+                                      "IRIS_HAS_CONNECTED_TEXTURES"};
+  for (const ContractRow& row : readContractPage()) {
+    if (row.state != "constant") continue;
+    for (const std::string& word : wordsOf(row.name)) {
+      const bool known = std::any_of(mods.begin(), mods.end(), [&](const std::string& mod) {
+        return mod.ends_with('*') ? word.starts_with(mod.substr(0, mod.size() - 1)) : word == mod;
+      });
+      EXPECT_TRUE(known) << row.name;
+    }
+  }
+}
+
 TEST(ContractAttributes, are_those_of_the_layout) {
   EXPECT_THAT(without(attributeNames(), wordsOfSection("Vertex attributes")), IsEmpty());
   Names generic = namesIn("Vertex attributes", "loader/render/scene/vertex_layout.cpp");

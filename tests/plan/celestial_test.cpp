@@ -85,6 +85,24 @@ TEST(FrameState, smoothing_halves_the_distance_in_a_half_life) {
   EXPECT_NEAR(value, 0.5, 1e-4);
 }
 
+TEST(FrameState, skies_of_other_dimensions_stand_still_and_their_fog_is_not_dimmed) {
+  FrameInput input{.width = 4, .height = 4};
+  input.environment.fogColor = {0.2f, 0.1f, 0.1f};
+  const auto at = [&](const char* dimension, int time) {
+    input.environment.dimension = dimension;
+    input.environment.time = time;
+    return nextFrameState(input, {}, nullptr);
+  };
+  for (const int time : {0, 6000, 18000}) {
+    EXPECT_EQ(at("minecraft:the_nether", time).skyAngle, skyAngleOf(18000));
+    EXPECT_EQ(at("minecraft:the_end", time).skyAngle, skyAngleOf(6000));
+    EXPECT_EQ(at("minecraft:the_nether", time).environment.fogColor, input.environment.fogColor);
+    EXPECT_EQ(at("minecraft:the_nether", time).environment.time, time);
+    EXPECT_EQ(at("minecraft:overworld", time).skyAngle, skyAngleOf(time));
+  }
+  EXPECT_LT(at("minecraft:overworld", 18000).environment.fogColor.r, 0.05f);
+}
+
 TEST(FrameState, the_end_flashes_now_and_then) {
   FrameInput input{.width = 4, .height = 4};
   input.environment.dimension = "minecraft:the_end";

@@ -49,6 +49,12 @@ TEST(CloudShapes, the_layer_hangs_in_the_world_and_drifts_west) {
   EXPECT_EQ(cloudOrigins(state)[0].z, before[0].z);
 }
 
+TEST(CloudShapes, the_uniform_says_how_far_they_have_moved) {
+  FrameState state;
+  state.frameTimeCounter = 10;
+  EXPECT_FLOAT_EQ(cloudTimeOf(state), 6);
+}
+
 TEST(CloudShapes, periods_cover_all_that_the_far_plane_shows) {
   FrameState state;
   state.environment.renderDistance = 512;

@@ -78,6 +78,9 @@ TEST(DrawLists, each_thing_has_its_kinds_and_no_other) {
       {player(R"("mainHand": "iron_sword", "glint": true)"), {G::Hand, G::HandGlint}},
       {player(R"("mainHand": "air", "glint": true)"), {G::Hand}},
       {player(R"("mainHand": "red_stained_glass", "glint": true)"), {G::HandTranslucent}},
+      {entity(R"("kind": "player", "mainHand": "red_stained_glass")"), {G::Entities, G::EntitiesTranslucent}},
+      {entity(R"("kind": "player", "offHand": "torch", "glint": true)"), {G::Entities, G::Glint}},
+      {entity(R"("kind": "cow", "mainHand": "red_stained_glass")"), {G::Entities}},
       {entity(R"("kind": "item", "item": "stone")"), {G::Entities}},
       {entity(R"("kind": "item", "item": "red_stained_glass")"), {G::EntitiesTranslucent}},
       {entity(R"("kind": "item", "item": "iron_sword")"), {G::Entities}},
@@ -150,6 +153,14 @@ TEST(DrawLists, a_name_tag_faces_the_eye_over_the_head) {
   EXPECT_GT(glm::dot(glm::vec3(corner.normal[0], corner.normal[1], corner.normal[2]),
                      glm::vec3(state.gbufferModelViewInverse[2])),
             120);
+}
+
+TEST(DrawLists, a_tag_is_a_name_tag_to_the_pack) {
+  const SceneData scene = sceneOf(R"("entities": [{"kind": "cow", "position": [4, 1, 1], "tag": "L"}])");
+  const DrawLists lists = buildDrawLists(scene, stateOf(scene));
+  ASSERT_THAT(lists.draws, SizeIs(2));
+  EXPECT_EQ(lists.draws[0].entity, "minecraft:cow");
+  EXPECT_EQ(lists.draws[1].entity, "minecraft:name_tag");
 }
 
 TEST(DrawLists, letters_of_a_tag_are_read_in_front_of_its_board) {
@@ -444,6 +455,50 @@ DrawLists posedLists(World world, const std::string& display) {
 
 void expectNear(const glm::vec3& value, const glm::vec3& expected) {
   EXPECT_LT(glm::length(value - expected), 1e-4f) << value.x << " " << value.y << " " << value.z;
+}
+
+// By the game's numbers: the hand hangs 10/16 below the shoulder, 5/16 beside the middle, an item 2/16 before it.
+TEST(DrawLists, a_figure_holds_items_in_both_hands) {
+  const auto held = [](const std::string& hand, const std::string& display, const std::string& more = "") {
+    const DrawLists lists = posedLists(
+        worldOf(R"("entities": [{"kind": "player", "position": [4, 1, 4], ")" + hand + R"(": "iron_sword")" + more + "}]"),
+        display);
+    EXPECT_THAT(lists.draws, SizeIs(2)) << hand;
+    EXPECT_EQ(lists.draws[1].item, "minecraft:iron_sword");
+    DrawLists item;
+    const QuadRange& range = lists.draws[1].range;
+    item.vertices.assign(lists.vertices.begin() + range.firstVertex,
+                         lists.vertices.begin() + range.firstVertex + range.quads * 4);
+    return boundsOf(item);
+  };
+  constexpr float kScale = 0.9375f;
+  const std::string display = R"("thirdperson_righthand": {"scale": [0.5, 0.25, 1]})";
+  for (const bool left : {false, true}) {
+    const auto [low, high] = held(left ? "offHand" : "mainHand", display);
+    // The item's up is the figure's front.
+    expectNear(high - low, glm::vec3(0.5f, 1 / 16.0f, 0.25f) * kScale);
+    const glm::vec3 feet = glm::vec3(4, 1, 4) - glm::vec3(4, 3, 7);
+    expectNear((high + low) * 0.5f, feet + glm::vec3(left ? 6 : -6, 22 - 10, 2) / 16.0f * kScale);
+  }
+  const auto [low, high] = held("mainHand", display, R"(, "yaw": 90)");
+  EXPECT_LT((high + low).x * 0.5f, 0) << "towards west";
+}
+
+TEST(DrawLists, what_takes_a_dye_has_it) {
+  SceneData scene = sceneOf(
+      R"("entities": [{"kind": "item", "item": "leather_boots", "dye": [1, 0, 0.2], "position": [4, 1, 1]},
+                      {"kind": "item", "item": "iron_sword", "dye": [1, 0, 0.2], "position": [4, 1, 1]}])");
+  const ResourceStack resources = packOf({"item/iron_sword", "item/leather_boots"}, 16, 16);
+  Diagnostics diagnostics;
+  scene.content = buildContent(scene.world, &resources, diagnostics);
+  const DrawLists lists = buildDrawLists(scene, stateOf(scene));
+  ASSERT_THAT(lists.draws, SizeIs(2));
+  const auto color = [&](int draw) {
+    const GpuVertex& vertex = lists.vertices[lists.draws[std::size_t(draw)].range.firstVertex];
+    return glm::ivec3(vertex.color[0], vertex.color[1], vertex.color[2]);
+  };
+  EXPECT_EQ(color(0), glm::ivec3(255, 0, 51));
+  EXPECT_EQ(color(1), glm::ivec3(255));
 }
 
 TEST(DrawLists, a_hand_holds_an_item_as_its_model_says) {

@@ -82,6 +82,25 @@ TEST_F(AnimatedTilesGL, maps_beside_a_texture_move_with_it) {
     EXPECT_THAT(colours(R"({"animation": {}})", 11, sampler), MatchesRegex("r{2,4}g{2,4}r{2,4}g{0,4}")) << sampler;
 }
 
+TEST_F(AnimatedTilesGL, items_in_the_hand_move_too) {
+  write("textures/block/stone.png.mcmeta", R"({"animation": {}})");
+  addProgram("gbuffers_hand",
+             "uniform sampler2D gtexture;\nvoid main() { gl_FragData[0] = texture(gtexture, uv); }\n");
+  World world = floorWorld();
+  world.environment.player.mainHand = "minecraft:stone";
+  world.environment.player.hideGui = false;
+  world.cameras[0].position.y = 1.3;
+  world.resourcePacks = {folder_.string()};
+  ASSERT_TRUE(start(std::move(world))) << messages();
+  std::string text;
+  for (int i = 0; i < 11; ++i) {
+    draw();
+    const std::vector<float> value = pixel("colortex0", 27, 26);
+    text += value[0] > 0.9f ? 'r' : value[1] > 0.9f ? 'g' : 'm';
+  }
+  EXPECT_THAT(text, MatchesRegex("r{2,4}g{2,4}r{2,4}g{0,4}"));
+}
+
 TEST_F(AnimatedTilesGL, one_without_meta_stands_still) {
   // Both frames are squeezed into the block.
   const std::string text = colours("{}", 8);

@@ -24,4 +24,13 @@ MUTANTS = {
         ("animation: only the largest level", "AnimatedTilesGL.*", "i < levels.size()", "i < 1"),
         ("animation: ten ticks a second", "AnimatedTilesGL.*", "kTicksPerSecond = 20", "kTicksPerSecond = 10"),
     ],
+    "loader/render/scene/gpu_scene.cpp": [
+        ("animation: items stand still", "AnimatedTilesGL.*", "  animatedContent_ = AnimatedTiles(atlas.animations);\n", ""),
+    ],
+    "loader/render/draw/draw_terrain.cpp": [
+        ("block entities' shadows: all", "FrameRendererGL.*", "return !scene.emits(entry.second->state);", "return false;"),
+    ],
+    "loader/render/draw/draw_sky.cpp": [
+        ("the End: no sky", "FrameRendererGL.*", "    scene.drawQuads(scene.endCube, program.patches);\n", ""),
+    ],
 }

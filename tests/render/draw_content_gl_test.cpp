@@ -142,6 +142,24 @@ TEST_F(DrawContentGL, the_hand_is_in_front_of_all_and_its_light_and_id_are_known
   EXPECT_THAT(pixel("colortex0", 4, 4), ElementsAre(0, 0, 0, 1));
 }
 
+TEST_F(DrawContentGL, the_light_of_one_hand_counts_for_the_other) {
+  paint("gbuffers_hand", "vec4(float(heldBlockLightValue) / 15.0, float(heldBlockLightValue2) / 15.0, 0.0, 1.0)",
+        "uniform int heldBlockLightValue, heldBlockLightValue2;");
+  const auto light = [&](const std::string& properties) {
+    files_["/shaders.properties"] = properties;
+    World world = floorWorld();
+    world.environment.player.mainHand = "minecraft:stone";
+    world.environment.player.offHand = "minecraft:glowstone";
+    world.environment.player.hideGui = false;
+    world.cameras[0].position.y = 1.3;
+    EXPECT_TRUE(startQuiet(world)) << messages();
+    draw();
+    return pixel("colortex0", 27, 26);
+  };
+  EXPECT_THAT(light(""), ElementsAre(FloatNear(1, .01f), FloatNear(1, .01f), 0, 1));
+  EXPECT_THAT(light("oldHandLight=false\n"), ElementsAre(0, FloatNear(1, .01f), 0, 1));
+}
+
 TEST_F(DrawContentGL, the_depth_before_the_hand_knows_none) {
   paint("gbuffers_textured", "vec4(0.0, 0.0, 0.0, 1.0)");
   addProgram("deferred",

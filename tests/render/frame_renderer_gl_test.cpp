@@ -186,6 +186,52 @@ TEST_F(FrameRendererGL, block_entities_have_their_program_and_their_id) {
   EXPECT_TRUE(unlisted) << "the bed has no id";
 }
 
+TEST_F(FrameRendererGL, block_entities_that_give_light_may_alone_cast_shadows) {
+  addProgram("shadow", "void main() { gl_FragData[0] = vec4(1.0); }\n");
+  addProgram("final", "uniform sampler2D shadowtex0;\nvoid main() { gl_FragData[0] = texture(shadowtex0, uv); }\n");
+  const auto casts = [&](const std::string& properties, const char* block) {
+    files_["/shaders.properties"] = "shadowTerrain=false\n" + properties;
+    World world = floorWorld();
+    world.blocks.set({0, 1, 0}, world.blocks.paletteIndex(*parseBlockState(block)));
+    EXPECT_TRUE(start(world, 33, 33)) << messages();
+    draw();
+    const auto depth = session_->renderer().dump("shadowtex0");
+    return *std::ranges::min_element(depth->pixels) < 1;
+  };
+  const std::string none = "shadowBlockEntities=false\n", light = none + "shadowLightBlockEntities=true\n";
+  EXPECT_FALSE(casts(none, "minecraft:ender_chest"));
+  EXPECT_TRUE(casts(light, "minecraft:ender_chest"));
+  EXPECT_FALSE(casts(light, "minecraft:chest"));
+  EXPECT_TRUE(casts("", "minecraft:chest"));
+}
+
+TEST_F(FrameRendererGL, the_end_has_a_sky_of_its_own_and_the_nether_none) {
+  addProgram("gbuffers_skytextured",
+             "uniform sampler2D gtexture;\nuniform int renderStage;\n/* RENDERTARGETS: 3 */\n"
+             "/*\nconst int colortex3Format = RGBA32F;\n*/\n"
+             "void main() { gl_FragData[0] = vec4(texture(gtexture, uv).rg, float(renderStage), 1.0); }\n");
+  addProgram("gbuffers_skybasic",
+             "/* RENDERTARGETS: 4 */\n/*\nconst int colortex4Format = R8;\n*/\nvoid main() { gl_FragData[0] = vec4(1.0); }\n");
+  addProgram("final", kPass);
+  const auto drawnIn = [&](const char* dimension) {
+    World world = floorWorld();
+    world.environment.dimension = dimension;
+    world.cameras[0].pitch = -90;
+    EXPECT_TRUE(start(std::move(world), 33, 33)) << messages();
+    draw();
+  };
+  drawnIn("minecraft:the_end");
+  const std::vector<float> sky = pixel("colortex3", 3, 30);
+  EXPECT_GT(sky[0], sky[1]) << "its purple";
+  EXPECT_EQ(sky[2], 1);
+  EXPECT_EQ(pixel("colortex4", 3, 30)[0], 0);
+  drawnIn("minecraft:the_nether");
+  EXPECT_EQ(pixel("colortex3", 3, 30)[3], 0);
+  EXPECT_EQ(pixel("colortex4", 3, 30)[0], 0);
+  drawnIn("minecraft:overworld");
+  EXPECT_EQ(pixel("colortex4", 3, 30)[0], 1);
+}
+
 TEST_F(FrameRendererGL, clouds_hang_above_and_move_west) {
   addProgram("gbuffers_clouds",
              "/* RENDERTARGETS: 3 */\n/*\nconst int colortex3Format = R8;\n*/\n"

@@ -109,15 +109,15 @@ TEST(block_look, grass_takes_the_colour_map_and_spruce_its_own_green) {
   pack.world.environment.temperature = 0.5f;
   pack.world.environment.rainfall = 0.5f;
   const BlockLook look = pack.look(oneBlock("stone"));
-  EXPECT_EQ(look.tints[0].grass, glm::u8vec3(127, 191, 7));
-  EXPECT_EQ(look.tints[0].foliage, plainsTint(Tint::Foliage));  // the pack has no map of it
+  EXPECT_EQ(look.tints.byBiome[0].grass, glm::u8vec3(127, 191, 7));
+  EXPECT_EQ(look.tints.byBiome[0].foliage, glm::u8vec3(98, 169, 72)) << "blended, as the pack has no map of it";
   const BlockFacts facts;
-  EXPECT_EQ(modelTint(blockState("grass_block"), facts, 0, look.tints[0]), look.tints[0].grass);
-  EXPECT_EQ(modelTint(blockState("spruce_leaves"), facts, 0, look.tints[0]),
+  EXPECT_EQ(modelTint(blockState("grass_block"), facts, 0, look.tints.byBiome[0]), look.tints.byBiome[0].grass);
+  EXPECT_EQ(modelTint(blockState("spruce_leaves"), facts, 0, look.tints.byBiome[0]),
             glm::u8vec3(0x61, 0x99, 0x61));
-  EXPECT_EQ(modelTint(blockState("stone"), facts, 0, look.tints[0]), glm::u8vec3(255));
-  EXPECT_EQ(modelTint(blockState("pink_petals"), facts, 0, look.tints[0]), glm::u8vec3(255));
-  EXPECT_EQ(modelTint(blockState("pink_petals"), facts, 1, look.tints[0]), look.tints[0].grass);
+  EXPECT_EQ(modelTint(blockState("stone"), facts, 0, look.tints.byBiome[0]), glm::u8vec3(255));
+  EXPECT_EQ(modelTint(blockState("pink_petals"), facts, 0, look.tints.byBiome[0]), glm::u8vec3(255));
+  EXPECT_EQ(modelTint(blockState("pink_petals"), facts, 1, look.tints.byBiome[0]), look.tints.byBiome[0].grass);
 }
 
 TEST(block_look, biomes_of_a_save_have_their_colours_and_blend) {
@@ -128,11 +128,11 @@ TEST(block_look, biomes_of_a_save_have_their_colours_and_blend) {
   grid.cells = {0, 0, 1, 1};  // the swamp ends at x = 8
   pack.world.biomes = std::make_shared<const BiomeGrid>(grid);
   const BlockLook look = pack.look(oneBlock("stone"));
-  EXPECT_EQ(look.tintAt({3, 0, 0}).grass, glm::u8vec3(0x6a, 0x70, 0x39));
-  EXPECT_EQ(look.tintAt({-50, 9, 0}).water, glm::u8vec3(0x61, 0x7b, 0x64));
-  EXPECT_EQ(look.tintAt({12, 0, 0}).grass, glm::u8vec3(0x90, 0x81, 0x4d));
+  EXPECT_EQ(look.tints.at({3, 0, 0}).grass, glm::u8vec3(0x6a, 0x70, 0x39));
+  EXPECT_EQ(look.tints.at({-50, 9, 0}).water, glm::u8vec3(0x61, 0x7b, 0x64));
+  EXPECT_EQ(look.tints.at({12, 0, 0}).grass, glm::u8vec3(0x90, 0x81, 0x4d));
   // Of five columns around x = 7 three are swamp.
-  EXPECT_EQ(look.tintAt({7, 0, 0}).grass.r, (3 * 0x6a + 2 * 0x90) / 5);
+  EXPECT_EQ(look.tints.at({7, 0, 0}).grass.r, (3 * 0x6a + 2 * 0x90) / 5);
 }
 
 TEST(block_look, a_texture_with_holes_is_no_solid_layer) {

@@ -6,6 +6,8 @@
 #include <random>
 #include <set>
 
+#include <orris/world/resources/biome_tint.h>
+
 #include "world_helpers.h"
 
 namespace orris {
@@ -176,6 +178,30 @@ TEST(BlockMesh, waterlogged_blocks_stand_in_water_that_carries_its_own_id) {
                     [&](const BlockVertex& v) { return v.state == water && v.fluid; });
   EXPECT_EQ(fluid, 7 * 4);
   EXPECT_GT(mesh.vertices.size(), std::size_t(fluid));
+}
+
+TEST(BlockMesh, our_own_look_has_the_tints_of_the_biome) {
+  Scene scene(glm::ivec3(1));
+  scene.set({0, 0, 0}, "grass_block");
+  World world;
+  world.environment.biome = "minecraft:swamp";
+  const BiomeTints swamp = tintsOf(world, {});
+  world.environment = {.biome = "minecraft:jungle", .temperature = 0.95f, .rainfall = 0.9f};
+  const BiomeTints jungle = tintsOf(world, {});
+  const auto topOf = [&](const BiomeTints* tints) {
+    const std::vector<BlockFacts> facts = scene.facts();
+    const LightLevels light(scene.blocks, facts);
+    const BlockAtlas atlas = buildAtlas(texturesOf(facts));
+    const ReadMesh mesh(buildMesh({scene.blocks, facts, light, atlas, 1, nullptr, tints}));
+    glm::u8vec3 color(255);
+    for (const BlockVertex& vertex : mesh.vertices)
+      if (glm::u8vec3(vertex.tint) != glm::u8vec3(255)) color = glm::u8vec3(vertex.tint);
+    return color;
+  };
+  EXPECT_EQ(topOf(nullptr), plainsTint(Tint::Grass));
+  EXPECT_EQ(topOf(&swamp), glm::u8vec3(0x6a, 0x70, 0x39));
+  EXPECT_GT(topOf(&jungle).g, 195) << "warm and wet";
+  EXPECT_LT(topOf(&jungle).b, 70);
 }
 
 TEST(BlockMesh, block_entities_are_apart_from_the_terrain_one_state_a_draw) {

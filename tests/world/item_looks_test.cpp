@@ -79,6 +79,22 @@ TEST(item_looks, layers_lie_over_each_other_and_large_textures_have_no_edges) {
   EXPECT_EQ(texelAt(test.atlas.albedo, test.atlas, "minecraft:item/b", {0.5f, 0.5f}), kBlue);
 }
 
+TEST(item_looks, moving_textures_have_the_edges_of_all_their_frames) {
+  ItemTest test;
+  test.item("clock", R"({"parent": "item/generated", "textures": {"layer0": "item/clock"}})");
+  // One texel in the first frame, another in the second.
+  test.pack.texture("item/clock", pngOf(16, 32, [](int x, int y) {
+                      return (x == 2 && y == 2) || (x == 9 && y == 16 + 9) ? kRed : kNothing;
+                    }));
+  test.pack.files["/minecraft/textures/item/clock.png.mcmeta"] = R"({"animation": {}})";
+  const auto look = test.look("minecraft:clock");
+  EXPECT_EQ(test.errors, "");
+  ASSERT_TRUE(look.has_value());
+  EXPECT_THAT(*look->faces, SizeIs(2 + 2 * 4));
+  ASSERT_NE(test.atlas.animations, nullptr);
+  EXPECT_THAT(test.atlas.animations->front().frames, SizeIs(2));
+}
+
 TEST(item_looks, the_texture_of_its_name_is_enough) {
   ItemTest test;
   test.pack.texture("item/apple", pngOf(16, kGreen));

@@ -23,6 +23,15 @@ TEST(Light, torch_light_falls_by_one_a_step_in_a_closed_room) {
   EXPECT_EQ(light.sky({8, 15, 8}), 0);
 }
 
+TEST(Light, without_skylight_all_is_dark_but_for_lamps) {
+  Scene scene({4, 4, 4});
+  scene.set({1, 1, 1}, "torch");
+  const LightLevels light(scene.blocks, scene.facts(), false);
+  EXPECT_EQ(light.sky({3, 3, 3}), 0);
+  EXPECT_EQ(light.sky({3, 30, 3}), 0);
+  EXPECT_EQ(light.block({1, 1, 2}), 13);
+}
+
 TEST(Light, light_goes_round_a_wall) {
   Scene scene({3, 1, 5});
   scene.set({0, 0, 0}, "sea_lantern");

@@ -73,6 +73,7 @@ MUTANTS = {
         ("skin: nothing is mirrored", "EntitySkin.*", "? glm::ivec3(-v.x, v.y, v.z) : v", "? v : v"),
     ],
     "loader/world/items/flat_item.cpp": [
+        ("item: edges of the first frame", "item_looks.*", "std::ranges::any_of(frames, [&]", "std::ranges::all_of(frames, [&]"),
         ("flat item: an edge for each texel", "item_looks.*", "if (edge || from < 0) continue;",
          "if (from < 0) continue;"),
         ("flat item: edges inside", "item_looks.*", "&& !isThere(image, x + out.x, y - out.y)", ""),
@@ -92,11 +93,54 @@ MUTANTS = {
     "loader/world/items/item_tints.cpp": [
         ("item: red and blue exchanged", "item_looks.*", "{std::uint8_t(rgb >> 16), std::uint8_t(rgb >> 8), std::uint8_t(rgb)}", "{std::uint8_t(rgb), std::uint8_t(rgb >> 8), std::uint8_t(rgb >> 16)}"),
         ("item: defaults are not read", "item_looks.*", '{"value", "default"}', '{"value", "constant"}'),
-        ("item: white grass", "item_looks.*", "return plainsTint(Tint::Grass);", "return kWhite;"),
+        ("item: white grass", "item_looks.*", "return {plainsTint(Tint::Grass)};", "return {kWhite};"),
         ("item: all layers of leather", "item_looks.*", "item == tint.item && index == tint.index", "item == tint.item"),
-        ("item: white leaves", "item_looks.*", "return modelTint({item, {}}, facts, index,\n                   biomeTint(", "if (index >= 0) return kWhite;\n  return modelTint({item, {}}, facts, index,\n                   biomeTint("),
+        ("item: white leaves", "item_looks.*", "return {modelTint({item, {}}, facts, index,\n                    biomeTint(", "if (index >= 0) return {kWhite};\n  return {modelTint({item, {}}, facts, index,\n                    biomeTint("),
     ],
     "loader/world/items/item_definition.cpp": [
         ("item: the bow is always drawn", "item_looks.*", '{"on_false", "fallback"}', '{"on_true", "fallback"}'),
+    ],
+    "loader/world/resources/look_textures.cpp": [
+        ("item: textures stand still", "item_looks.*", "auto texture = readTexture(resources_, file, budget_, diagnostics_);\n  if (!texture) return false;",
+         "auto texture = readTexture(resources_, file, budget_, diagnostics_);\n  if (!texture) return false;\n  texture->animation.reset();"),
+    ],
+    "loader/world/resources/biome_tint.cpp": [
+        ("tints: no blend without a map", "block_look.*:BlockMesh.*", "return blended(warm, wet, tint);", "return plainsTint(tint);"),
+        ("tints: hot and wet exchanged", "block_look.*:BlockMesh.*", "corners[0] * (warm - wet)", "corners[2] * (warm - wet)"),
+    ],
+    "loader/world/mesh/light.cpp": [
+        ("light: skylight everywhere", "Light.*", "kind == 1 && skylight", "kind == 1"),
+        ("light: skylight around the world", "Light.*", "skylight ? kFull : 0", "kFull"),
+    ],
+    "loader/world/dimension_look.cpp": [
+        ("dimensions: fog of the plains", "WorldJson.*", "  environment.fogColor = look->fog;\n", ""),
+        ("dimensions: the sky of the plains", "WorldJson.*", "  environment.skyColor = glm::vec3(0);\n", ""),
+    ],
+    "loader/world/content/stated_values.cpp": [
+        ("stated: any number", "WorldJson.*", "return inside && (!whole || value == std::floor(value));", "return true;"),
+        ("stated: fractions", "WorldJson.*", "(!whole || value == std::floor(value))", "true"),
+        ("stated: any count", "WorldJson.*", "values.size() == componentCount(uniform) && ", ""),
+    ],
+    "loader/world/blocks/neighbour_joins.cpp": [
+        ("joins: the other side", "NeighbourJoins.*", "acrossFrom(int side) { return (side + 2) % 4; }", "acrossFrom(int side) { return side; }"),
+        ("joins: fences of nether bricks with others", "NeighbourJoins.*", "(state.name == kOwnKind) == (other.name == kOwnKind)", "true"),
+        ("joins: gates along their way", "NeighbourJoins.*", "% 2 != side % 2", "% 2 == side % 2"),
+        ("joins: leaves are firm", "NeighbourJoins.*", "state.name.ends_with(\"_leaves\")", "false"),
+        ("joins: water is firm", "NeighbourJoins.*", "facts.air || facts.fluid || facts.cross", "facts.air"),
+        ("joins: a post everywhere", "NeighbourJoins.*", "straight && world.at(p + kUp).name == \"minecraft:air\"", "false"),
+        ("joins: a post under nothing only", "NeighbourJoins.*", "straight && world.at(p + kUp).name == \"minecraft:air\"", "straight"),
+        ("joins: what is named changes", "NeighbourJoins.*", "kind != SideKind::None && kind != SideKind::Gate &&", "kind != SideKind::None && kind != SideKind::Gate) || (false &&"),
+        ("joins: all rails curve", "NeighbourJoins.*", "state.name == \"minecraft:rail\" && north.there", "north.there"),
+        ("joins: rails on one level", "NeighbourJoins.*", "higher || isRail(beside) || isRail(beside - kUp)", "isRail(beside)"),
+        ("joins: left is right", "NeighbourJoins.*", "side == counterClockwise(facing) ? \"left\" : \"right\"", "side == counterClockwise(facing) ? \"right\" : \"left\""),
+        ("joins: corners where a row goes on", "NeighbourJoins.*", "&& !continues(acrossFrom(facingOf(before)))", ""),
+        ("joins: halves know nothing", "NeighbourJoins.*", "state.properties.insert(other.properties.begin(), other.properties.end());", ";"),
+        ("joins: chests turned away", "NeighbourJoins.*", "other.name == state.name && std::max(facingOf(other), 0) == facing", "other.name == state.name"),
+        ("joins: sections of one state stay", "NeighbourJoins.*", "if (only && !isWanted(*only)) continue;", "if (only) continue;"),
+    ],
+    "loader/world/saved_things/saved_entities.cpp": [
+        ("saves: empty hands", "SavedEntities.*", "    setHands(tag, entity);\n", ""),
+        ("saves: hands of 1.21.5 are empty", "SavedEntities.*", "equipment->find(\"mainhand\")", "equipment->find(\"head\")"),
+        ("saves: no dyes", "SavedEntities.*", "  entity.dye = dyeOf(*item);\n", ""),
     ],
 }

@@ -158,6 +158,39 @@ TEST(SavedEntities, items_of_old_and_new_games) {
                    .glint);
 }
 
+TEST(SavedEntities, figures_hold_what_the_save_gives_them) {
+  const std::string bow = nbtString("id", "minecraft:bow"), torch = nbtString("id", "minecraft:torch");
+  const Entity before = entityOf("minecraft:skeleton", nbtList("HandItems", 10, {closed(bow), closed(torch)}));
+  EXPECT_EQ(before.mainHand, "minecraft:bow");
+  EXPECT_EQ(before.offHand, "minecraft:torch");
+  EXPECT_FALSE(before.glint);
+  const Entity now = entityOf("minecraft:skeleton",
+                              nbtCompound("equipment", nbtCompound("offhand", torch) + nbtCompound("mainhand", bow)));
+  EXPECT_EQ(now.mainHand, "minecraft:bow");
+  EXPECT_EQ(now.offHand, "minecraft:torch");
+  const std::string charm = nbtCompound("tag", nbtList("Enchantments", 10, {closed("")}));
+  const Entity charmed = entityOf("minecraft:zombie", nbtList("HandItems", 10, {closed(bow + charm)}));
+  EXPECT_TRUE(charmed.glint);
+  EXPECT_EQ(charmed.offHand, "");
+  EXPECT_EQ(entityOf("minecraft:zombie", nbtList("Equipment", 10, {closed(bow)})).mainHand, "minecraft:bow");
+  EXPECT_EQ(entityOf("minecraft:cow", nbtList("HandItems", 10, {closed(bow)})).mainHand, "");
+}
+
+TEST(SavedEntities, dyes_of_old_and_new_games) {
+  const auto dye = [](const std::string& more) {
+    return entityOf("minecraft:item", nbtCompound("Item", nbtString("id", "minecraft:leather_boots") + more)).dye;
+  };
+  const glm::vec3 red(1, 0, 51 / 255.0f);
+  constexpr int kRed = 0xff0033;
+  EXPECT_FALSE(dye(""));
+  EXPECT_EQ(dye(nbtCompound("tag", nbtCompound("display", nbtInt("color", kRed)))), red);
+  EXPECT_EQ(dye(nbtCompound("tag", nbtInt("CustomPotionColor", kRed))), red);
+  EXPECT_EQ(dye(nbtCompound("components", nbtInt("minecraft:dyed_color", kRed))), red);
+  EXPECT_EQ(dye(nbtCompound("components", nbtCompound("minecraft:dyed_color", nbtInt("rgb", kRed)))), red);
+  EXPECT_EQ(dye(nbtCompound("components", nbtCompound("minecraft:potion_contents", nbtInt("custom_color", kRed)))), red);
+  EXPECT_FALSE(dye(nbtCompound("components", nbtString("minecraft:dyed_color", "red"))));
+}
+
 TEST(SavedEntities, riders_are_read_and_damaged_ones_counted) {
   const std::string rider =
       closed(nbtString("id", "minecraft:zombie") + nbtDoubles("Pos", {1, 2, 3}));

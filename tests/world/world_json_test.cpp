@@ -1,6 +1,6 @@
 #include <orris/world/files/world_json.h>
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include "nbt_builder.h"
 #include "world_helpers.h"
@@ -152,6 +152,52 @@ TEST(WorldJson, events_are_sorted_by_frame_and_keep_their_order_within_one) {
   EXPECT_EQ(std::get<SetTime>(events[3].action).time, 100);
   EXPECT_EQ(std::get<SetOption>(events[4].action).value, "NONE");
   EXPECT_EQ(events[4].frame, 9);
+}
+
+TEST(WorldJson, uniforms_are_stated_by_their_names) {
+  const ParsedWorld parsed = parseWorld(R"({"size": [1, 1, 1], "environment": {"uniforms": {"isSpectator": true,
+    "currentPlayerHealth": 0.25, "vehicleId": 7, "currentDate": [2020, 2, 29], "vehicleLookVector": [0, 0.5, -1]}}})");
+  ASSERT_TRUE(parsed.world) << parsed.errors;
+  const StatedValues expected = {{"isSpectator", {1, 0, 0}},
+                                 {"currentPlayerHealth", {0.25f, 0, 0}},
+                                 {"vehicleId", {7, 0, 0}},
+                                 {"currentDate", {2020, 2, 29}},
+                                 {"vehicleLookVector", {0, 0.5f, -1}}};
+  EXPECT_EQ(parsed.world->environment.stated, expected);
+}
+
+TEST(WorldJson, uniforms_that_cannot_be_are_errors) {
+  const std::pair<const char*, const char*> rows[] = {
+      {R"("isSpectator": 1)", "expected true or false"},
+      {R"("currentPlayerHealth": 2)", "expected a number from -1 to 1"},
+      {R"("currentPlayerHealth": [1])", "expected a number from -1 to 1"},
+      {R"("vehicleId": 1.5)", "expected a whole number from -1 to 65535"},
+      {R"("currentDate": [2020, 1])", "expected a list of three whole numbers from 1 to 9999"},
+      {R"("currentDate": [2020, 1, "a"])", "expected a list of three whole numbers from 1 to 9999"},
+      {R"("vehicleLookVector": 1)", "expected a list of three numbers from -1 to 1"},
+      {R"("sunAngle": 1)", "unknown key \"sunAngle\""}};
+  for (const auto& [member, error] : rows) {
+    const ParsedWorld parsed =
+        parseWorld(R"({"size": [1, 1, 1], "environment": {"uniforms": {)" + std::string(member) + "}}}");
+    EXPECT_FALSE(parsed.world) << member;
+    EXPECT_THAT(parsed.errors, testing::HasSubstr(error)) << member;
+  }
+}
+
+TEST(WorldJson, a_dimension_has_its_own_fog_sky_and_climate) {
+  const auto environment = [](const std::string& members) {
+    return parseWorld(R"({"size": [1, 1, 1], "environment": {)" + members + "}}").world.value().environment;
+  };
+  const Environment nether = environment(R"("dimension": "minecraft:the_nether")");
+  EXPECT_EQ(nether.biome, "minecraft:nether_wastes");
+  EXPECT_EQ(nether.temperature, 2);
+  EXPECT_EQ(nether.skyColor, glm::vec3(0));
+  EXPECT_NEAR(nether.fogColor.r, 0.2f, 1e-3f);
+  EXPECT_NEAR(nether.fogColor.g, 0.031f, 1e-3f);
+  const Environment end = environment(R"("dimension": "minecraft:the_end", "fogColor": [1, 0, 0])");
+  EXPECT_EQ(end.biome, "minecraft:the_end");
+  EXPECT_EQ(end.fogColor, glm::vec3(1, 0, 0)) << "what the file says goes before it";
+  EXPECT_EQ(environment(R"("dimension": "mod:moon")").fogColor, Environment().fogColor);
 }
 
 TEST(WorldJson, terrain_depends_on_both_seeds_only) {

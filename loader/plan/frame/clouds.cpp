@@ -95,6 +95,8 @@ std::vector<glm::vec3> cloudOrigins(const FrameState& state) {
   return origins;
 }
 
+float cloudTimeOf(const FrameState& state) { return kBlocksPerSecond * state.frameTimeCounter; }
+
 glm::vec4 cloudColor(const FrameState& state) {
   const float day = std::clamp(std::cos(state.skyAngle * 6.2831853f) * 2 + 0.5f, 0.0f, 1.0f);
   const auto greyed = [](glm::vec3 color, float gray, float amount) {

@@ -26,6 +26,9 @@ CloudMesh buildClouds(bool fancy);
 /// Where, relative to the camera, periods of the pattern lie that the view frustum can reach.
 std::vector<glm::vec3> cloudOrigins(const FrameState& state);
 
+/// Blocks that the clouds have moved. Uniform cloudTime.
+float cloudTimeOf(const FrameState& state);
+
 /// Colour of the clouds by time and rain; alpha is the game's 0.8.
 glm::vec4 cloudColor(const FrameState& state);
 

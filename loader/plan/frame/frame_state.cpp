@@ -5,6 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <orris/plan/frame/celestial.h>
+#include <orris/world/dimension_look.h>
 
 namespace orris {
 namespace {
@@ -40,7 +41,7 @@ void setShadow(FrameState& state, const PackDirectives& directives) {
 }
 
 void setSky(FrameState& state, const PackDirectives& directives) {
-  state.skyAngle = skyAngleOf(state.environment.time);
+  state.skyAngle = skyAngleOf(skyTimeOf(state.environment));
   state.sunAngle = sunAngleOf(state.skyAngle);
   state.shadowAngle = state.sunAngle > 0.5f ? state.sunAngle - 0.5f : state.sunAngle;
   const glm::mat3 view(state.gbufferModelView);
@@ -61,6 +62,7 @@ void setEndFlash(FrameState& state, const FrameState* previous) {
 
 // The game darkens sky and fog at night by the height of the sun.
 void dimColors(FrameState& state) {
+  if (!hasSkylight(state.environment.dimension)) return;
   const float height = std::cos(state.skyAngle * 2 * 3.14159265f) * 2 + 0.5f;
   const float day = std::min(std::max(height, 0.0f), 1.0f);
   state.environment.skyColor *= day;

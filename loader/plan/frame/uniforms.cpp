@@ -1,6 +1,7 @@
 #include <orris/plan/frame/uniforms.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstring>
 #include <glm/gtc/type_ptr.hpp>
@@ -8,8 +9,10 @@
 #include <vector>
 
 #include <orris/pack/expressions/expression_functions.h>
+#include <orris/plan/frame/clouds.h>
 #include <orris/plan/frame/core_uniforms.h>
 #include <orris/pack/shader_pack.h>
+#include <orris/world/dimension_look.h>
 
 namespace orris {
 namespace {
@@ -59,8 +62,53 @@ int categoryOf(const FrameState& s) {
 // GL_LINEAR and GL_EXP2, as uniform fogMode gives them.
 constexpr int kLinearFog = 9729, kExp2Fog = 2049;
 
-// Milliseconds in which the game fades a new chunk in unless its user chooses others.
-constexpr float kChunkFadeTime = 750;
+glm::vec3 statedVector(const FrameState& s, std::string_view name) {
+  const std::array<float, 3> value = valueIn(s.environment.stated, *findStated(name));
+  return {value[0], value[1], value[2]};
+}
+
+Value statedValue(const FrameState& s, const StatedUniform& uniform) {
+  const glm::vec3 value = statedVector(s, uniform.name);
+  switch (uniform.type) {
+    case StatedType::Bool:
+      return Value::ofBool(value.x != 0);
+    case StatedType::Int:
+      return Value::ofInt(int(value.x));
+    case StatedType::Float:
+      return valueOf(value.x);
+    case StatedType::IVec3:
+      return valueOf(glm::ivec3(value));
+    case StatedType::Vec3:
+      break;
+  }
+  return valueOf(value);
+}
+
+constexpr ValueType typeOf(StatedType type) {
+  constexpr ValueType kTypes[] = {ValueType::Bool, ValueType::Int, ValueType::Float, ValueType::IVec3,
+                                  ValueType::Vec3};
+  return kTypes[std::size_t(type)];
+}
+
+/// Seconds since the year began, and until it ends.
+glm::ivec2 yearTimeOf(const FrameState& s) {
+  using std::chrono::January, std::chrono::sys_days;
+  const glm::ivec3 date(statedVector(s, "currentDate")), time(statedVector(s, "currentTime"));
+  const std::chrono::year year(date.x);
+  const sys_days begin = year / January / 1, end = (year + std::chrono::years(1)) / January / 1;
+  const auto stated = year / std::chrono::month(unsigned(date.y)) / std::chrono::day(unsigned(date.z));
+  const sys_days day = stated.ok() ? sys_days(stated) : begin;
+  const auto seconds = [](auto days) { return int(std::chrono::seconds(days).count()); };
+  const int since = seconds(day - begin) + (time.x * 60 + time.y) * 60 + time.z;
+  return {since, seconds(end - begin) - since};
+}
+
+// The game: FogRenderer. Near and thick fog lies around the eye as a sphere, that of the distance as a cylinder.
+int fogShapeOf(const FrameState& s) {
+  const Player& player = s.environment.player;
+  const bool around = s.isEyeInWater != 0 || player.blindness > 0 || player.darkness > 0;
+  return around || isNether(s) || statedVector(s, "heavyFog").x != 0 ? 0 : 1;
+}
 
 using S = const FrameState&;
 using D = const DrawState&;
@@ -87,6 +135,13 @@ void addVolumeLights(std::vector<UniformRow>& rows, std::index_sequence<kIndex..
       "shadowVolumeLight4", "shadowVolumeLight5", "shadowVolumeLight6", "shadowVolumeLight7"};
   (rows.push_back({kNames[kIndex], ValueType::Vec4, false,
                    [](S s, D) { return valueOf(s.volumeLights[kIndex]); }}),
+   ...);
+}
+
+template <std::size_t... kIndex>
+void addStated(std::vector<UniformRow>& rows, std::index_sequence<kIndex...>) {
+  (rows.push_back({kStatedUniforms[kIndex].name, typeOf(kStatedUniforms[kIndex].type), false,
+                   [](S s, D) { return statedValue(s, kStatedUniforms[kIndex]); }}),
    ...);
 }
 
@@ -124,30 +179,22 @@ std::vector<UniformRow> makeTable() {
     FRAME("previousCameraPositionInt", IVec3, valueOf(floorOf(s.previousCameraPosition))),
     FRAME("previousCameraPositionFract", Vec3, valueOf(fractOf(s.previousCameraPosition))),
     FRAME("eyeAltitude", Float, valueOf(static_cast<float>(s.cameraPosition.y))),
-    FRAME("eyePosition", Vec3, valueOf(glm::vec3(s.cameraPosition))),
-    FRAME("relativeEyePosition", Vec3, valueOf(glm::vec3(0))),
+    FRAME("eyePosition", Vec3, valueOf(glm::vec3(s.cameraPosition - glm::dvec3(statedVector(s, "relativeEyePosition"))))),
     FRAME("playerLookVector", Vec3, valueOf(lookVector(s))),
     FRAME("playerBodyVector", Vec3, valueOf(lookVector(s))),
-    FRAME("vehicleLookVector", Vec3, valueOf(glm::vec3(0))),
-    FRAME("relativeVehiclePosition", Vec3, valueOf(glm::vec3(0))),
     FRAME("upPosition", Vec3, valueOf(s.upPosition)),
     FRAME("eyeBrightness", IVec2, valueOf(s.eyeBrightness)),
     FRAME("eyeBrightnessSmooth", IVec2, valueOf(glm::ivec2(s.eyeBrightnessSmooth))),
     FRAME("centerDepthSmooth", Float, valueOf(s.centerDepthSmooth)),
-    FRAME("firstPersonCamera", Bool, Value::ofBool(true)),
     // Screen and time
     FRAME("viewWidth", Float, valueOf(static_cast<float>(s.width))),
     FRAME("viewHeight", Float, valueOf(static_cast<float>(s.height))),
     FRAME("aspectRatio", Float, valueOf(static_cast<float>(s.width) / static_cast<float>(s.height))),
     FRAME("screenBrightness", Float, valueOf(s.environment.player.brightness)),
-    FRAME("currentColorSpace", Int, Value::ofInt(0)),
     FRAME("frameCounter", Int, Value::ofInt(s.frameCounter)),
     FRAME("frameTime", Float, valueOf(s.frameTime)),
     FRAME("frameTimeCounter", Float, valueOf(s.frameTimeCounter)),
-    // Fixed, so that the same command gives the same bytes on any day.
-    FRAME("currentDate", IVec3, valueOf(glm::ivec3(2024, 1, 1))),
-    FRAME("currentTime", IVec3, valueOf(glm::ivec3(12, 0, 0))),
-    FRAME("currentYearTime", IVec2, valueOf(glm::ivec2(43200, 366 * 86400 - 43200))),
+    FRAME("currentYearTime", IVec2, valueOf(yearTimeOf(s))),
     // World
     FRAME("sunPosition", Vec3, valueOf(s.sunPosition)),
     FRAME("moonPosition", Vec3, valueOf(s.moonPosition)),
@@ -170,15 +217,14 @@ std::vector<UniformRow> makeTable() {
     FRAME("biome_precipitation", Int, Value::ofInt(s.environment.temperature < 0.15f ? 2 : s.environment.rainfall > 0 ? 1 : 0)),
     FRAME("rainfall", Float, valueOf(s.environment.rainfall)),
     FRAME("temperature", Float, valueOf(s.environment.temperature)),
-    FRAME("ambientLight", Float, valueOf(isNether(s) ? 0.1f : 0.0f)),
+    FRAME("ambientLight", Float, valueOf(ambientLightOf(s.environment.dimension))),
     FRAME("bedrockLevel", Int, Value::ofInt(isNether(s) || isEnd(s) ? 0 : -64)),
     FRAME("cloudHeight", Float, valueOf(192.0f)),
     FRAME("hasCeiling", Bool, Value::ofBool(isNether(s))),
-    FRAME("hasSkylight", Bool, Value::ofBool(!isNether(s) && !isEnd(s))),
+    FRAME("hasSkylight", Bool, Value::ofBool(hasSkylight(s.environment.dimension))),
     FRAME("heightLimit", Int, Value::ofInt(384)),
     FRAME("logicalHeightLimit", Int, Value::ofInt(384)),
     FRAME("seaLevel", Int, Value::ofInt(isNether(s) ? 32 : isEnd(s) ? 0 : 63)),
-    FRAME("heavyFog", Bool, Value::ofBool(false)),  // that of a boss
     // Rendering
     FRAME("near", Float, valueOf(0.05f)),
     FRAME("far", Float, valueOf(static_cast<float>(s.environment.renderDistance))),
@@ -188,7 +234,7 @@ std::vector<UniformRow> makeTable() {
     DRAW("fogEnd", Float, valueOf(static_cast<float>(s.environment.renderDistance))),
     DRAW("fogDensity", Float, valueOf(fogDensityOf(s))),
     DRAW("fogMode", Int, Value::ofInt(d.fullscreen ? 0 : fogDensityOf(s) > 0 ? kExp2Fog : kLinearFog)),
-    DRAW("fogShape", Int, Value::ofInt(d.fullscreen ? -1 : 1)),
+    DRAW("fogShape", Int, Value::ofInt(d.fullscreen ? -1 : fogShapeOf(s))),
     DRAW("alphaTestRef", Float, valueOf(d.alphaTestRef)),
     DRAW("chunkOffset", Vec3, valueOf(d.chunkOffset)),
     DRAW("entityColor", Vec4, valueOf(d.entityColor)),
@@ -198,9 +244,6 @@ std::vector<UniformRow> makeTable() {
     DRAW("gtextureId", Int, Value::ofInt(d.gtextureId)),
     DRAW("textureReloadCount", Int, Value::ofInt(0)),  // the atlas is made once
     DRAW("renderStage", Int, Value::ofInt(d.renderStage)),
-    FRAME("textureFilteringMode", Int, Value::ofInt(0)),
-    FRAME("anisotropicFiltering", Int, Value::ofInt(0)),
-    FRAME("chunkFadeTimeInv", Float, valueOf(1 / kChunkFadeTime)),
     // Player
     FRAME("isEyeInWater", Int, Value::ofInt(s.isEyeInWater)),
     FRAME("feetInWater", Bool, Value::ofBool(s.feetInWater)),
@@ -208,18 +251,8 @@ std::vector<UniformRow> makeTable() {
     FRAME("nightVision", Float, valueOf(s.environment.player.nightVision)),
     FRAME("darknessFactor", Float, valueOf(s.environment.player.darkness)),
     FRAME("darknessLightFactor", Float, valueOf(s.environment.player.darknessLight)),
-    FRAME("playerMood", Float, valueOf(0.0f)),
-    FRAME("constantMood", Float, valueOf(0.0f)),
     FRAME("hideGUI", Bool, Value::ofBool(s.environment.player.hideGui)),
-    FRAME("isSpectator", Bool, Value::ofBool(false)),
-    FRAME("isRightHanded", Bool, Value::ofBool(true)),
-    FRAME("currentPlayerAir", Float, valueOf(-1.0f)),
-    FRAME("maxPlayerAir", Float, valueOf(-1.0f)),
-    FRAME("currentPlayerArmor", Float, valueOf(-1.0f)),
     FRAME("maxPlayerArmor", Float, valueOf(50.0f)),
-    FRAME("currentPlayerHealth", Float, valueOf(-1.0f)),
-    FRAME("maxPlayerHealth", Float, valueOf(-1.0f)),
-    FRAME("currentPlayerHunger", Float, valueOf(-1.0f)),
     FRAME("maxPlayerHunger", Float, valueOf(20.0f)),
     FRAME("is_on_ground", Bool, Value::ofBool(s.environment.player.onGround)),
     FRAME("is_alive", Bool, Value::ofBool(true)),
@@ -233,16 +266,13 @@ std::vector<UniformRow> makeTable() {
     FRAME("heldItemId2", Int, Value::ofInt(s.heldItemId2)),
     FRAME("heldBlockLightValue", Int, Value::ofInt(s.environment.player.heldLight)),
     FRAME("heldBlockLightValue2", Int, Value::ofInt(s.environment.player.heldLight2)),
-    FRAME("heldBlockLightColor", Vec3, valueOf(glm::vec3(1))),
-    FRAME("heldBlockLightColor2", Vec3, valueOf(glm::vec3(1))),
     DRAW("entityId", Int, Value::ofInt(d.entityId)),
     DRAW("blockEntityId", Int, Value::ofInt(d.blockEntityId)),
     DRAW("currentRenderedItemId", Int, Value::ofInt(d.itemId)),
-    FRAME("vehicleId", Int, Value::ofInt(0)),
     FRAME("currentSelectedBlockId", Int, Value::ofInt(s.selectedBlockId)),
     FRAME("currentSelectedBlockPos", Vec3, valueOf(s.selectedBlockPos)),
     FRAME("pi", Float, valueOf(3.14159265f)),
-    FRAME("cloudTime", Float, valueOf(0.0f)),
+    FRAME("cloudTime", Float, valueOf(cloudTimeOf(s))),
     FRAME("dhNearPlane", Float, valueOf(0.05f)),
     FRAME("dhFarPlane", Float, valueOf(static_cast<float>(s.environment.renderDistance) * 4)),
     FRAME("dhRenderDistance", Int, Value::ofInt(s.environment.renderDistance)),
@@ -262,8 +292,8 @@ std::vector<UniformRow> makeTable() {
     FRAME("vivecraftRelativeOffHandRot", Mat4, valueOf(glm::mat4(1))),
   };
   addVolumeLights(rows, std::make_index_sequence<kMostVolumeLights>());
-  for (const char* name : {"vehicleInWater", "isRiding", "inSwimmingAnimation",
-                           "isElytraFlying", "is_child", "is_glowing", "is_in_lava", "is_in_water",
+  addStated(rows, std::make_index_sequence<kStatedUniforms.size()>());
+  for (const char* name : {"is_child", "is_glowing", "is_in_lava", "is_in_water",
                            "is_ridden", "is_riding", "is_wet", "vivecraftIsVR"})
     rows.push_back(FRAME(name, Bool, Value::ofBool(false)));
   std::sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.name < b.name; });

@@ -11,9 +11,22 @@ namespace {
 
 using G = Geometry;
 
+/// Those that its model shows.
+std::vector<std::string> shownItems(const Entity& entity) {
+  const EntityModel* model = findEntityModel(entity.model);
+  if (model == nullptr) return {};
+  std::vector<std::string> items;
+  if (model->carriesItem) items.push_back(entity.item);
+  if (model->arms[0] >= 0) items.push_back(entity.mainHand);
+  if (model->arms[1] >= 0) items.push_back(entity.offHand);
+  std::erase(items, "");
+  return items;
+}
+
 std::set<std::string> itemsOf(const World& world) {
   std::set<std::string> items;
-  for (const Entity& entity : world.content.entities) items.insert(entity.item);
+  for (const Entity& entity : world.content.entities)
+    for (const std::string& item : shownItems(entity)) items.insert(item);
   for (const std::string& item :
        {world.environment.player.mainHand, world.environment.player.offHand})
     items.insert(item);
@@ -31,9 +44,11 @@ GeometrySet kindsOf(const Entity& entity, const ContentScene& scene) {
     kinds |= bitOf(box.layer == ModelLayer::Eyes          ? G::Eyes
                    : box.layer == ModelLayer::Translucent ? G::EntitiesTranslucent
                                                           : G::Entities);
-  if (!model->carriesItem || entity.item.empty()) return kinds;
-  const bool translucent = scene.items.at(entity.item).layer == RenderLayer::Translucent;
-  return kinds | bitOf(translucent ? G::EntitiesTranslucent : G::Entities);
+  for (const std::string& item : shownItems(entity)) {
+    const bool translucent = scene.items.at(item).layer == RenderLayer::Translucent;
+    kinds |= bitOf(translucent ? G::EntitiesTranslucent : G::Entities);
+  }
+  return kinds;
 }
 
 GeometrySet kindsOf(const World& world, const ContentScene& scene) {
@@ -91,7 +106,7 @@ std::map<std::string, ItemUse> itemUses(const World& world, const ContentScene& 
   std::map<std::string, ItemUse> uses;
   for (const auto& [name, facts] : scene.items) uses[name] = {&facts, 2};  // both hands
   for (const Entity& entity : world.content.entities)
-    if (!entity.item.empty()) ++uses.at(entity.item).times;
+    for (const std::string& item : shownItems(entity)) ++uses.at(item).times;
   return uses;
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <vector>
 
 #include <orris/plan/lists/list_writer.h>
 #include <orris/world/content/entity_models.h>
@@ -185,6 +186,45 @@ glm::mat4 itemMatrix(const ListWriter& writer, const Entity& entity) {
   return glm::translate(glm::scale(m, glm::vec3(size)), glm::vec3(-0.5f));
 }
 
+/// How a third person holds an item that no resource pack draws.
+DisplayPose ownPose(const BlockFacts& facts) {
+  // The game's block/block and item/generated.
+  if (!facts.boxes.empty()) return {{75, 45, 0}, {0, 2.5f, 0}, glm::vec3(0.375f)};
+  return {{0, 0, 0}, {0, 3, 1}, glm::vec3(0.55f)};
+}
+
+/// Where an arm holds an item, as a cube 0..1. The game: ItemInHandLayer, whose models look to -z with y down.
+glm::mat4 thirdPersonMatrix(const ListWriter& writer, const ModelBox& arm, const std::string& item, bool left,
+                     const glm::mat4& place, float step) {
+  const float side = left ? -1.0f : 1.0f;
+  const glm::vec3 inHand(side, 2, -10);
+  glm::mat4 m = place * boxMatrix(arm, step);
+  m = glm::translate(m, {side, 0, 0});  // the game's arm hangs from its inner side
+  m = glm::rotate(m, glm::radians(90.0f), glm::vec3(1, 0, 0));
+  m = glm::rotate(m, glm::radians(180.0f), glm::vec3(0, 1, 0));
+  m = glm::scale(glm::translate(m, inHand), glm::vec3(kModelTexels));
+  const DisplayPlace hand = left ? DisplayPlace::ThirdLeft : DisplayPlace::ThirdRight;
+  if (const ItemLook* look = writer.scene.content.lookOf(item)) return m * look->posed(hand);
+  const DisplayPose pose = ownPose(writer.scene.content.items.at(item));
+  return m * poseMatrix(left ? mirroredPose(pose) : pose);
+}
+
+struct HeldItem {
+  const std::string* item = nullptr;
+  glm::mat4 place{1};
+};
+std::vector<HeldItem> heldItems(const ListWriter& writer, const EntityModel& model, const Entity& entity,
+                                const glm::mat4& place, float step) {
+  std::vector<HeldItem> held;
+  const std::string* items[] = {&entity.mainHand, &entity.offHand};
+  for (std::size_t i = 0; i < model.arms.size(); ++i) {
+    if (model.arms[i] < 0 || items[i]->empty()) continue;
+    const ModelBox& arm = model.boxes[std::size_t(model.arms[i])];
+    held.push_back({items[i], thirdPersonMatrix(writer, arm, *items[i], i == 1, place, step)});
+  }
+  return held;
+}
+
 /// What a layer of an entity's model is drawn as, with the uniforms of that entity.
 ContentDraw drawOf(const ListWriter& writer, Geometry geometry, const Entity& entity) {
   ContentDraw draw;
@@ -213,6 +253,7 @@ void addTag(ListWriter& writer, const Entity& entity, float height, glm::ivec2 l
   const glm::mat4 place =
       glm::scale(glm::translate(glm::mat4(1), middle) * towards, glm::vec3(kCapital));
   ContentDraw draw = drawOf(writer, Geometry::EntitiesTranslucent, entity);
+  draw.entity = "minecraft:name_tag";  // as Iris names it
   draw.entityColor = glm::vec4(0);  // the name of what is hurt is not red
   writer.begin(draw);
   ContentQuad square;
@@ -248,7 +289,15 @@ void addEntity(ListWriter& writer, const Entity& entity) {
         drawOf(writer, translucent ? Geometry::EntitiesTranslucent : Geometry::Entities, entity);
     draw.item = entity.item;
     writer.begin(draw);
-    addItem(writer, entity.item, itemMatrix(writer, entity), light);
+    addItem(writer, entity.item, itemMatrix(writer, entity), light, entity.dye);
+  }
+  for (const HeldItem& held : heldItems(writer, *model, entity, place, step)) {
+    const bool translucent = isTranslucentItem(writer.scene, *held.item);
+    ContentDraw draw =
+        drawOf(writer, translucent ? Geometry::EntitiesTranslucent : Geometry::Entities, entity);
+    draw.item = *held.item;
+    writer.begin(draw);
+    addItem(writer, *held.item, held.place, light, entity.dye);
   }
   if (!entity.tag.empty()) addTag(writer, entity, heightOf(*model) * entity.scale, light);
   if (!entity.glint) return;
@@ -256,6 +305,7 @@ void addEntity(ListWriter& writer, const Entity& entity) {
   if (entity.armour) addArmourGlint(writer, *model, place, step);
   if (model->carriesItem && !entity.item.empty())
     addItem(writer, entity.item, itemMatrix(writer, entity), light);
+  for (const HeldItem& held : heldItems(writer, *model, entity, place, step)) addItem(writer, *held.item, held.place, light);
 }
 
 /// Two ribbons that cross, hanging through.
@@ -311,7 +361,8 @@ void addSprite(ListWriter& writer, const glm::mat4& place, glm::ivec2 light) {
 }
 
 /// An item by its model of a resource pack.
-void addModel(ListWriter& writer, const ItemLook& look, const glm::mat4& place, glm::ivec2 light) {
+void addModel(ListWriter& writer, const ItemLook& look, const glm::mat4& place, glm::ivec2 light,
+              const std::optional<glm::vec3>& dye) {
   for (const ModelFace& face : *look.faces) {
     const AtlasTile tile = writer.scene.content.atlas.tile(face.texture);
     ContentQuad quad;
@@ -320,7 +371,7 @@ void addModel(ListWriter& writer, const ItemLook& look, const glm::mat4& place, 
       quad.uv[i] = tile.min + face.uv[i] * (tile.max - tile.min);
     }
     quad.light = light;
-    quad.color = glm::vec4(look.tintOf(face.tintIndex), 1);
+    quad.color = glm::vec4(look.tintOf(face.tintIndex, dye), 1);
     writer.quad(quad);
   }
 }
@@ -332,9 +383,9 @@ bool isTranslucentItem(const SceneData& scene, const std::string& item) {
 }
 
 void addItem(ListWriter& writer, const std::string& item, const glm::mat4& place,
-             glm::ivec2 light) {
+             glm::ivec2 light, const std::optional<glm::vec3>& dye) {
   if (const ItemLook* look = writer.scene.content.lookOf(item))
-    return addModel(writer, *look, place, light);
+    return addModel(writer, *look, place, light, dye);
   const BlockFacts& facts = writer.scene.content.items.at(item);
   if (facts.boxes.empty()) return addSprite(writer, place, light);
   for (const BlockFace& face : makeBlockFaces(facts, writer.scene.content.atlas).faces) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <glm/glm.hpp>
+#include <optional>
 
 #include <orris/plan/lists/draw_lists.h>
 
@@ -51,8 +52,9 @@ void addParticles(ListWriter& writer);
 void addWeather(ListWriter& writer);
 void addHands(ListWriter& writer);
 
-/// The faces of an item, a block or a sprite, in a cube 0..1, moved by `place`.
-void addItem(ListWriter& writer, const std::string& item, const glm::mat4& place, glm::ivec2 light);
+/// The faces of an item, a block or a sprite, in a cube 0..1, moved by `place`; `dye`: its colour, where it takes one.
+void addItem(ListWriter& writer, const std::string& item, const glm::mat4& place, glm::ivec2 light,
+             const std::optional<glm::vec3>& dye = {});
 /// A line of glyphs around the origin of `place`, in its xy plane, capitals one unit high; `square` gives all
 /// but the corners.
 void addGlyphs(ListWriter& writer, std::string_view text, const glm::mat4& place,

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <orris/world/blocks/block_data.h>
+#include <orris/world/dimension_look.h>
 
 namespace orris {
 namespace {
@@ -30,7 +31,8 @@ SceneContents SceneData::contents() const {
   contents.clouds = world.environment.clouds;
   contents.content =
       submitted ? *submitted & contentSet() : content.kinds | weatherOf(world.environment);
-  contents.sky = world.environment.dimension != "minecraft:the_nether";
+  contents.sky = hasSkylight(world.environment.dimension);
+  contents.endSky = world.environment.dimension == "minecraft:the_end";
   return contents;
 }
 
@@ -53,14 +55,15 @@ MeshStyle meshStyleOf(const ShaderPack& pack) {
 }
 
 void rebuildMesh(SceneData& scene, const MeshStyle& style) {
-  scene.light = std::make_unique<LightLevels>(scene.world.blocks, scene.facts);
+  scene.light = std::make_unique<LightLevels>(scene.world.blocks, scene.facts,
+                                              hasSkylight(scene.world.environment.dimension));
   std::vector<BlockFacts> facts = scene.facts;
   for (size_t i = 0; i < facts.size(); ++i) {
     const auto layer = style.renderLayers.find(scene.world.blocks.palette()[i].name);
     if (layer != style.renderLayers.end()) facts[i].layer = layerNamed(layer->second);
   }
   scene.mesh = buildMesh({scene.world.blocks, facts, *scene.light, scene.atlas,
-                          style.ambientOcclusionLevel, scene.look.get()});
+                          style.ambientOcclusionLevel, scene.look.get(), scene.tints.get()});
 }
 
 namespace {
@@ -72,6 +75,8 @@ void setLook(SceneData& scene, const ResourceStack* resources, Diagnostics& diag
   if (!resources) {
     scene.facts = factsOfPalette(table, blocks, diagnostics);
     scene.atlas = buildAtlas(texturesOf(scene.facts));
+    if (scene.world.biomes || scene.world.environment.biome != Environment().biome)
+      scene.tints = std::make_unique<const BiomeTints>(tintsOf(scene.world, {}));
     return;
   }
   Diagnostics unknown;  // the packs may know them

@@ -23,6 +23,7 @@ struct SceneData {
   std::vector<BlockFacts> facts;  ///< by palette index
   BlockAtlas atlas;
   std::unique_ptr<const BlockLook> look;  ///< of the world's resource packs; nullptr: our own
+  std::unique_ptr<const BiomeTints> tints;  ///< of our own look; nullptr: those of the plains
   std::unique_ptr<LightLevels> light;
   BlockMesh mesh;
   ContentScene content;

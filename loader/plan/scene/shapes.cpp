@@ -100,6 +100,42 @@ QuadRange addCelestialQuad(ShapeList& shapes, float y, float size, float u0) {
   return shapes.since(start);
 }
 
+QuadRange addEndCube(ShapeList& shapes) {
+  constexpr float kHalf = 100, kRepeats = 16;
+  const std::array<glm::vec2, 4> uv = {{{0, 0}, {0, kRepeats}, {kRepeats, kRepeats}, {kRepeats, 0}}};
+  const size_t start = shapes.vertices.size();
+  for (int axis = 0; axis < 3; ++axis)
+    for (const float side : {-kHalf, kHalf}) {
+      // Seen from inside.
+      const auto corner = [&](float u, float v) {
+        glm::vec3 place;
+        place[axis] = side;
+        place[(axis + 1) % 3] = side < 0 ? u : v;
+        place[(axis + 2) % 3] = side < 0 ? v : u;
+        return place;
+      };
+      shapes.quad({{corner(-kHalf, -kHalf), corner(kHalf, -kHalf), corner(kHalf, kHalf), corner(-kHalf, kHalf)}}, uv);
+    }
+  return shapes.since(start);
+}
+
+Image8 endSkyImage() {
+  constexpr int kSide = 128;
+  Image8 image(kSide, kSide, 4);
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x) {
+      const auto fine = mixBits(static_cast<std::uint32_t>(y * kSide + x)) % 64;
+      const auto coarse = mixBits(static_cast<std::uint32_t>(y / 8 * 64 + x / 8) + 977) % 96;
+      const auto tone = static_cast<std::uint8_t>(60 + fine + coarse);
+      std::uint8_t* texel = image.at(x, y);
+      texel[0] = tone;
+      texel[1] = static_cast<std::uint8_t>(tone * 3 / 4);
+      texel[2] = tone;
+      texel[3] = 255;
+    }
+  return image;
+}
+
 // A white square for the sun and a dimmer, blotched one for the moon; each fills the middle quarter
 // of its half, as in the game.
 Image8 celestialImage() {

@@ -37,6 +37,10 @@ QuadRange addSkyDisc(ShapeList& shapes);
 QuadRange addStars(ShapeList& shapes);
 /// A square of half width `size` at height `y`, whose texture starts at `u0`.
 QuadRange addCelestialQuad(ShapeList& shapes, float y, float size, float u0);
+/// The cube around the eye that is the sky of the End; its texture repeats 16 times a side.
+QuadRange addEndCube(ShapeList& shapes);
+/// The texture of that cube.
+Image8 endSkyImage();
 /// Sun in the left half, moon in the right one.
 Image8 celestialImage();
 

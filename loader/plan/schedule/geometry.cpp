@@ -51,7 +51,8 @@ constexpr ContentKind kKinds[] = {
 }  // namespace
 
 bool isSky(Geometry geometry) {
-  return geometry == Geometry::Sky || geometry == Geometry::Stars || geometry == Geometry::SunMoon;
+  return geometry == Geometry::Sky || geometry == Geometry::Stars || geometry == Geometry::SunMoon ||
+         geometry == Geometry::EndSky;
 }
 
 bool isClouds(Geometry geometry) {

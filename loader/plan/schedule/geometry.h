@@ -13,6 +13,7 @@ enum class Geometry {
   Sky,
   Stars,
   SunMoon,
+  EndSky,
   Solid,
   Cutout,
   BlockEntity,

@@ -21,7 +21,8 @@ constexpr GeometryPass content(Geometry geometry) { return {"", geometry}; }
 inline constexpr GeometryPass kSky[] = {
     {"gbuffers_skybasic", Geometry::Sky, &SceneContents::sky},
     {"gbuffers_skybasic", Geometry::Stars, &SceneContents::sky},
-    {"gbuffers_skytextured", Geometry::SunMoon, &SceneContents::sky}};
+    {"gbuffers_skytextured", Geometry::SunMoon, &SceneContents::sky},
+    {"gbuffers_skytextured", Geometry::EndSky, &SceneContents::endSky}};
 // Entities that blend and particles are before or after the deferred programs, as the pack wants.
 inline constexpr GeometryPass kOpaque[] = {
     {"gbuffers_terrain_solid", Geometry::Solid, &SceneContents::solid},

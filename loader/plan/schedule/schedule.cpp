@@ -229,6 +229,7 @@ class Builder {
     const bool shadow = kind == Kind::DrawShadow;
     switch (pass.geometry) {
       case Geometry::Sky:
+      case Geometry::EndSky:
         return p.flag("sky", true);
       case Geometry::Stars:
         return p.flag("stars", true);
@@ -238,6 +239,7 @@ class Builder {
       case Geometry::Cutout:
         return !shadow || p.flag("shadowTerrain", true);
       case Geometry::BlockEntity:
+        return !shadow || p.flag("shadowBlockEntities", true) || p.flag("shadowLightBlockEntities", false);
       case Geometry::BlockText:
       case Geometry::BeamCore:
       case Geometry::BeamGlow:

@@ -84,6 +84,7 @@ struct Schedule {
 struct SceneContents {
   bool solid = true, cutout = true, blockEntities = true, translucent = true;
   bool sky = true;
+  bool endSky = false;          ///< that of the End in its place
   bool cloudPlane = true;       ///< the dimension has clouds, which a pack may switch on
   Clouds clouds = Clouds::Off;  ///< what the world asks for
   GeometrySet content = 0;      ///< kinds besides blocks, sky and clouds

@@ -16,7 +16,7 @@ namespace orris {
 void FrameRenderer::drawSky(const Step& step, const GpuProgram& program, const FrameState& state,
                             DrawState& draw) {
   const GpuScene& scene = *loaded_->scene;
-  const bool turning = step.geometry != Geometry::Sky;
+  const bool turning = step.geometry == Geometry::Stars || step.geometry == Geometry::SunMoon;
   const float night =
       std::clamp(1 - (std::cos(state.skyAngle * 6.2831853f) * 2 + 0.25f), 0.0f, 1.0f);
   const float starlight = night * night * 0.5f;
@@ -41,6 +41,10 @@ void FrameRenderer::drawSky(const Step& step, const GpuProgram& program, const F
     scene.drawQuads(scene.horizon, program.patches);
     setConstantColor(program.program, glm::vec4(state.environment.skyColor, 1));
     scene.drawQuads(scene.skyDisc, program.patches);
+  } else if (step.geometry == Geometry::EndSky) {
+    constexpr float kDark = 0x28 / 255.0f;
+    setConstantColor(program.program, {kDark, kDark, kDark, 1});
+    scene.drawQuads(scene.endCube, program.patches);
   } else if (step.geometry == Geometry::Stars) {
     setConstantColor(program.program, glm::vec4(starlight));
     scene.drawQuads(scene.stars, program.patches);

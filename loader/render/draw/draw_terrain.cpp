@@ -124,6 +124,8 @@ void FrameRenderer::drawTerrain(const Step& step, const GpuProgram& program,
                               return shadow ? distanceTo(lo, hi) <= reach
                                             : !frustum.outside(lo - 1.0f, hi + 1.0f);
                             });
+  if (shadow && step.geometry == Geometry::BlockEntity && !pack_->properties.flag("shadowBlockEntities", true))
+    std::erase_if(visible, [&](const auto& entry) { return !scene.emits(entry.second->state); });
   const bool sorted = step.geometry == Geometry::Translucent && !shadow;
   if (sorted) {
     loaded_->scene->sortTranslucent(state.cameraPosition);

@@ -170,6 +170,7 @@ int renderStageOf(Geometry geometry) {
   if (const ContentKind* kind = findContentKind(geometry)) return kind->renderStage;
   switch (geometry) {
     case Geometry::Sky:
+    case Geometry::EndSky:
       return 1;
     case Geometry::SunMoon:
       return 4;

@@ -124,6 +124,8 @@ SamplerBinder::Choice SamplerBinder::chooseFallback(const Step& step) {
       return {&scene_.white(), {}};
     case Geometry::SunMoon:
       return {&scene_.celestial(), {}};
+    case Geometry::EndSky:
+      return {&scene_.endSky(), {false, true, false, false, false}};
     case Geometry::CloudsFast:
     case Geometry::CloudsFancy:
       return {&scene_.white(), {}};

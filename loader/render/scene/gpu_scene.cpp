@@ -11,6 +11,7 @@
 #include <orris/plan/scene/snow_sheet.h>
 #include <orris/plan/scene/vertex_packer.h>
 #include <orris/world/atlas/atlas_levels.h>
+#include <orris/world/dimension_look.h>
 
 namespace orris {
 namespace {
@@ -59,10 +60,17 @@ void appendQuad(std::uint32_t first, std::vector<std::uint32_t>& indices) {
   for (const std::uint32_t corner : {0u, 1u, 2u, 2u, 3u, 0u}) indices.push_back(first + corner);
 }
 
-// The game's brightness curve of a light level 0..15.
-float levelBrightness(int level) {
+// The game's brightness curve of a light level 0..15; `ambient` is where it begins.
+float levelBrightness(int level, float ambient) {
   const float f = static_cast<float>(level) / 15;
-  return f / (4 - 3 * f);
+  return glm::mix(f / (4 - 3 * f), 1.0f, ambient);
+}
+
+// The game: LightTexture. The End is never dark.
+glm::vec3 brightened(glm::vec3 color, const Environment& environment) {
+  constexpr glm::vec3 kEnd(0.99f, 1.12f, 1.0f);
+  constexpr float kShare = 0.25f;
+  return environment.dimension == "minecraft:the_end" ? glm::mix(color, kEnd, kShare) : color;
 }
 
 }  // namespace
@@ -79,6 +87,7 @@ GpuScene::GpuScene(const SceneData& scene, const std::vector<int>& blockIds,
   white_ = uploadImage(white, 1, "white");
   celestial_ = uploadImage(celestialImage(), 1, "celestial");
   gl::setParameters(celestial_, {.linear = false});
+  if (scene.contents().endSky) endSky_ = uploadImage(endSkyImage(), 1, "sky of the End");
   buildShapes();
   buildContent(scene.content, scene.contents().content);
   uploadMesh(scene, blockIds, style);
@@ -106,6 +115,7 @@ void GpuScene::buildContent(const ContentScene& content, GeometrySet kinds) {
   contentAtlas_ = uploadColors(atlas.albedo, "content atlas");
   contentNormals_ = uploadData(atlas.normal, "content normals");
   contentSpecular_ = uploadData(atlas.specular, "content specular");
+  animatedContent_ = AnimatedTiles(atlas.animations);
 }
 
 const gl::Texture& GpuScene::sheet(Sheet sheet) const {
@@ -129,6 +139,7 @@ void GpuScene::buildShapes() {
   stars = addStars(shapes);
   sun = addCelestialQuad(shapes, 100, 30, 0);
   moon = addCelestialQuad(shapes, -100, 20, 0.5f);
+  endCube = addEndCube(shapes);
   shapes_ = gl::createBuffer(shapes.vertices.size() * sizeof(GpuVertex), shapes.vertices.data(),
                              "shapes");
 }
@@ -174,6 +185,8 @@ void GpuScene::uploadMesh(const SceneData& scene, const std::vector<int>& blockI
     first = end;
   }
   blockIds_ = blockIds;
+  emits_.clear();
+  for (const BlockFacts& facts : scene.facts) emits_.push_back(facts.emission > 0);
   unsigned most = stars.quads;
   for (const MeshSection& section : sections_) most = std::max(most, section.count / 4);
   needIndices(most);
@@ -230,19 +243,23 @@ void GpuScene::drawSection(const MeshSection& section, bool patches) const {
 }
 
 void GpuScene::animate(const FrameState& state) {
-  animated_.show(double(state.frameTimeCounter), atlas_, normals_, specular_);
+  const auto seconds = double(state.frameTimeCounter);
+  animated_.show(seconds, atlas_, normals_, specular_);
+  animatedContent_.show(seconds, contentAtlas_, contentNormals_, contentSpecular_);
 }
 
 void GpuScene::updateLightmap(const FrameState& state) {
   const float height = std::cos(state.skyAngle * 2 * 3.14159265f) * 2 + 0.5f;
   const float day = std::clamp(height, 0.0f, 1.0f) * 0.95f + 0.05f;
+  const float ambient = ambientLightOf(state.environment.dimension);
   std::array<std::uint8_t, 16 * 16 * 4> pixels{};
   for (int sky = 0; sky < 16; ++sky)
     for (int block = 0; block < 16; ++block) {
-      const float s = levelBrightness(sky) * day, b = levelBrightness(block) * 1.4f;
+      const float s = levelBrightness(sky, ambient) * day, b = levelBrightness(block, ambient) * 1.4f;
       // Torches are warm: green and blue fall faster than red, as in the game.
-      const float rgb[3] = {b + s, b * ((b * 0.6f + 0.4f) * 0.6f + 0.4f) + s,
-                            b * (b * b * 0.6f + 0.4f) + s};
+      const glm::vec3 rgb = brightened(
+          {b + s, b * ((b * 0.6f + 0.4f) * 0.6f + 0.4f) + s, b * (b * b * 0.6f + 0.4f) + s},
+          state.environment);
       for (int c = 0; c < 3; ++c)
         pixels[(sky * 16 + block) * 4 + c] = static_cast<std::uint8_t>(
             std::lround(std::clamp(rgb[c] * 0.96f + 0.03f, 0.0f, 1.0f) * 255));

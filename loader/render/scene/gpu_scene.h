@@ -42,6 +42,7 @@ class GpuScene {
   const gl::Texture& specular() const { return specular_; }
   const gl::Texture& lightmap() const { return lightmap_; }
   const gl::Texture& white() const { return white_; }
+  const gl::Texture& endSky() const { return endSky_; }        ///< of the End alone
   const gl::Texture& celestial() const { return celestial_; }  ///< sun left half, moon right half
   /// Of content (plan/lists/): made only of what the scene has; 1x1 white where there is none.
   const gl::Texture& sheet(Sheet sheet) const;
@@ -59,6 +60,9 @@ class GpuScene {
   int blockId(std::uint16_t state) const {
     return state < blockIds_.size() ? blockIds_[state] : -1;
   }
+
+  /// Does a palette index give light?
+  bool emits(std::uint16_t state) const { return state < emits_.size() && emits_[state]; }
 
   void updateLightmap(const FrameState& state);
   /// Shows animated textures as they are at that time.
@@ -80,7 +84,7 @@ class GpuScene {
   /// Draws quads of the bound buffer; `patches` for tessellation.
   void drawQuads(const QuadRange& range, bool patches) const;
 
-  QuadRange fullscreen, horizon, skyDisc, stars, sun, moon;
+  QuadRange fullscreen, horizon, skyDisc, stars, sun, moon, endCube;
 
  private:
   void buildShapes();
@@ -90,14 +94,15 @@ class GpuScene {
   void collectTranslucent(const BlockMesh& mesh);
   gl::Texture contentAtlas_, contentNormals_, contentSpecular_;
   std::map<Sheet, gl::Texture> sheets_;
-  gl::Texture atlas_, normals_, specular_, lightmap_, white_, celestial_;
+  gl::Texture atlas_, normals_, specular_, lightmap_, white_, celestial_, endSky_;
   gl::Buffer shapes_, lists_, indices_, sortedIndices_;
   std::vector<TerrainPart> parts_;
   std::vector<gl::Buffer> terrain_;  ///< of each part
   unsigned indexedQuads_ = 0;
   std::optional<CloudLayer> clouds_;
-  AnimatedTiles animated_;
+  AnimatedTiles animated_, animatedContent_;
   std::vector<int> blockIds_;
+  std::vector<bool> emits_;
   std::vector<MeshSection> sections_;
   std::vector<glm::vec3>
       translucentCenters_;         ///< of each translucent quad, relative to its section

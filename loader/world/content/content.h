@@ -28,6 +28,8 @@ struct Entity {
   std::string item;                 ///< dropped or framed, with namespace; "" for none
   float itemTurn = 0;               ///< degrees, of one that is framed: clockwise
   std::optional<glm::dvec3> leash;  ///< where the leash ends, world blocks
+  std::string mainHand, offHand;    ///< held items of a model with hands, with namespace; "" for none
+  std::optional<glm::vec3> dye;     ///< of what takes a dye among its items
 };
 
 enum class ParticleKind { Flame, Smoke, Spark };

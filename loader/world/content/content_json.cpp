@@ -58,7 +58,8 @@ Entity readEntity(JsonReader& reader, const JsonNode& node) {
   const char* what = "an entity";
   if (!reader.object(
           node, what,
-          {"kind", "name", "position", "yaw", "walking", "hurt", "glint", "tag", "item", "leash"}))
+          {"kind", "name", "position", "yaw", "walking", "hurt", "glint", "tag", "item", "mainHand", "offHand", "dye",
+           "leash"}))
     return entity;
   const JsonNode* kind = reader.required(node, "kind", what);
   reader.optional(node, "kind", entity.kind);
@@ -78,6 +79,9 @@ Entity readEntity(JsonReader& reader, const JsonNode& node) {
     checkGlyphs(reader, *tag, entity.tag);
   }
   entity.item = readItem(reader, node, "item");
+  entity.mainHand = readItem(reader, node, "mainHand");
+  entity.offHand = readItem(reader, node, "offHand");
+  if (node.find("dye") != nullptr) reader.optional(node, "dye", RealRange{0, 1}, entity.dye.emplace());
   if (node.find("leash") != nullptr) entity.leash = readPlace(reader, node, "leash", what);
   return entity;
 }

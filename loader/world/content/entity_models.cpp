@@ -163,7 +163,7 @@ constexpr std::array<EntityModel, 8> kModels{{{"armor_stand", 1, kStand, false, 
                                               {"cow", 1, kCow, false, kCowSkin},
                                               {"item", 1, {}, true},
                                               {"item_frame", 1, kFrame, true},
-                                              {"player", 0.9375f, kPlayer, false, kPlayerSkin},
+                                              {"player", 0.9375f, kPlayer, false, kPlayerSkin, {3, 4}},
                                               {"slime", 1.5f, kSlime, false, kSlimeSkin},
                                               {"spider", 1, kSpider, false, kSpiderSkin}}};
 

@@ -55,6 +55,7 @@ struct EntityModel {
   std::span<const ModelBox> boxes;
   bool carriesItem = false;          ///< shows Entity::item: dropped items and frames
   std::span<const BoxSkin> skins{};  ///< one for each box, or none
+  std::array<int, 2> arms = {-1, -1};  ///< boxes of the right and the left arm that hold items; -1: none
 };
 
 /// nullptr for a kind without a model.

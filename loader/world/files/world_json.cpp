@@ -8,6 +8,8 @@
 
 #include <orris/core/limits.h>
 #include <orris/world/content/content_json.h>
+#include <orris/world/content/stated_json.h>
+#include <orris/world/dimension_look.h>
 #include <orris/world/files/world_json_blocks.h>
 
 namespace orris {
@@ -118,13 +120,15 @@ Environment readEnvironment(JsonReader& reader, const JsonNode& root) {
   if (!node) return environment;
   reader.object(*node, "\"environment\"",
                 {"time", "day", "rain", "thunder", "biome", "dimension", "renderDistance",
-                 "temperature", "rainfall", "fogColor", "skyColor", "clouds", "player"});
+                 "temperature", "rainfall", "fogColor", "skyColor", "clouds", "player", "uniforms"});
   reader.optional(*node, "time", kTimeRange, environment.time);
   reader.optional(*node, "day", IntegerRange{0, 1000000}, environment.day);
   reader.optional(*node, "rain", RealRange{0, 1}, environment.rain);
   reader.optional(*node, "thunder", RealRange{0, 1}, environment.thunder);
+  std::string dimension = environment.dimension;
+  reader.optional(*node, "dimension", dimension);
+  setDimension(dimension, environment);
   reader.optional(*node, "biome", environment.biome);
-  reader.optional(*node, "dimension", environment.dimension);
   reader.optional(*node, "renderDistance", IntegerRange{16, 1024}, environment.renderDistance);
   reader.optional(*node, "temperature", RealRange{-2, 2}, environment.temperature);
   reader.optional(*node, "rainfall", RealRange{0, 1}, environment.rainfall);
@@ -132,6 +136,7 @@ Environment readEnvironment(JsonReader& reader, const JsonNode& root) {
   reader.optional(*node, "skyColor", RealRange{0, 1}, environment.skyColor);
   environment.clouds = readClouds(reader, *node);
   environment.player = readPlayer(reader, *node);
+  environment.stated = readStatedValues(reader, *node);
   return environment;
 }
 

@@ -1,5 +1,7 @@
 #include <orris/world/items/flat_item.h>
 
+#include <algorithm>
+
 namespace orris {
 namespace {
 
@@ -55,17 +57,20 @@ ModelFace faceOf(const std::string& texture, FaceDirection direction, const Texe
 }
 
 /// Edges along rows and columns, each as long as it goes on.
-void addEdges(const std::string& texture, const Image8& image, FaceDirection direction,
+void addEdges(const std::string& texture, const std::vector<const Image8*>& frames, FaceDirection direction,
               std::vector<ModelFace>& faces) {
   const glm::ivec3 out = normalOf(direction);
   const bool rows = out.x == 0;
-  const int lines = rows ? image.height : image.width, length = rows ? image.width : image.height;
-  const glm::vec2 texel = 1.0f / glm::vec2(image.width, image.height);
+  const Image8& first = *frames.front();
+  const int lines = rows ? first.height : first.width, length = rows ? first.width : first.height;
+  const glm::vec2 texel = 1.0f / glm::vec2(first.width, first.height);
   for (int line = 0; line < lines; ++line) {
     int from = -1;
     for (int i = 0; i <= length; ++i) {
       const int x = rows ? i : line, y = rows ? line : i;
-      const bool edge = isThere(image, x, y) && !isThere(image, x + out.x, y - out.y);
+      const bool edge = std::ranges::any_of(frames, [&](const Image8* frame) {
+        return isThere(*frame, x, y) && !isThere(*frame, x + out.x, y - out.y);
+      });
       if (edge && from < 0) from = i;
       if (edge || from < 0) continue;
       const glm::vec2 low = rows ? glm::vec2(from, line) : glm::vec2(line, from);
@@ -78,13 +83,13 @@ void addEdges(const std::string& texture, const Image8& image, FaceDirection dir
 
 }  // namespace
 
-std::vector<ModelFace> flatItemFaces(const std::string& texture, const Image8& colours) {
+std::vector<ModelFace> flatItemFaces(const std::string& texture, const std::vector<const Image8*>& frames) {
   std::vector<ModelFace> faces = {faceOf(texture, FaceDirection::South, {}),
                                   faceOf(texture, FaceDirection::North, {})};
-  if (colours.width > kMostEdgeTexels || colours.height > kMostEdgeTexels) return faces;
+  if (frames.front()->width > kMostEdgeTexels || frames.front()->height > kMostEdgeTexels) return faces;
   for (const FaceDirection direction :
        {FaceDirection::Up, FaceDirection::Down, FaceDirection::West, FaceDirection::East})
-    addEdges(texture, colours, direction, faces);
+    addEdges(texture, frames, direction, faces);
   return faces;
 }
 

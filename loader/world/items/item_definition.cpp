@@ -24,10 +24,10 @@ const JsonNode* innerModel(const JsonNode& node) {
   return parts && !parts->items.empty() ? &parts->items.front() : nullptr;
 }
 
-std::vector<glm::u8vec3> parseTints(const JsonNode& node, JsonReader& reader) {
+std::vector<ItemTint> parseTints(const JsonNode& node, JsonReader& reader) {
   const JsonNode* list = node.find("tints");
   if (!list || !reader.array(*list, "\"tints\"")) return {};
-  std::vector<glm::u8vec3> tints;
+  std::vector<ItemTint> tints;
   for (const JsonNode& entry : list->items) tints.push_back(parseItemTint(entry, reader));
   return tints;
 }

@@ -6,13 +6,14 @@
 #include <string>
 #include <vector>
 
+#include <orris/world/items/item_tints.h>
 #include <orris/world/resources/resource_stack.h>
 
 namespace orris {
 
 struct ItemDefinition {
   std::string model;
-  std::vector<glm::u8vec3> tints;  ///< by tint index; those beyond are white
+  std::vector<ItemTint> tints;  ///< by tint index; those beyond are white
 };
 
 /// Those of an item that nobody uses: of conditions and choices what they are otherwise. nullopt: the item is drawn by

@@ -65,9 +65,9 @@ class ItemReader {
     return parseItemDefinition(*file, diagnostics_).value_or(ItemDefinition{});
   }
 
-  static glm::u8vec3 tintOf(const ItemDefinition& definition, int index) {
+  static ItemTint tintOf(const ItemDefinition& definition, int index) {
     return std::size_t(index) < definition.tints.size() ? definition.tints[std::size_t(index)]
-                                                        : glm::u8vec3(255);
+                                                        : ItemTint{};
   }
 
   std::optional<ItemLook> uncolored(const ResourceName& name,
@@ -111,8 +111,8 @@ class ItemReader {
     std::vector<ModelFace> faces;
     for (const ResourceName& layer : layers) {
       const std::string name = layer.text();
-      if (!resources_.contains(layer, kTextures) || !textures_.addStill(name, layer)) continue;
-      for (ModelFace& face : flatItemFaces(name, *textures_.colours(name))) {
+      if (!resources_.contains(layer, kTextures) || !textures_.addOf(name, layer)) continue;
+      for (ModelFace& face : flatItemFaces(name, textures_.framesOf(name))) {
         face.tintIndex = int(&layer - layers.data());
         moveOut(face, face.tintIndex);
         faces.push_back(std::move(face));
@@ -159,23 +159,28 @@ class ItemReader {
 
 }  // namespace
 
-glm::vec3 ItemLook::tintOf(int tintIndex) const {
+glm::vec3 ItemLook::tintOf(int tintIndex, const std::optional<glm::vec3>& dye) const {
   const auto found = tints.find(tintIndex);
-  return found == tints.end() ? glm::vec3(1) : glm::vec3(found->second) / 255.0f;
+  if (found == tints.end()) return glm::vec3(1);
+  return dye && found->second.takesDye ? *dye : glm::vec3(found->second.color) / 255.0f;
 }
 
 DisplayPose ItemLook::poseOf(DisplayPlace place) const {
-  DisplayPose pose = poses[std::size_t(place)].value_or(DisplayPose{});
+  const DisplayPose pose = poses[std::size_t(place)].value_or(DisplayPose{});
   // The game mirrors what it is given for the left hand, too.
-  if (place == DisplayPlace::FirstLeft) {
-    pose.translation.x = -pose.translation.x;
-    pose.degrees *= glm::vec3(1, -1, -1);
-  }
+  const bool left = place == DisplayPlace::FirstLeft || place == DisplayPlace::ThirdLeft;
+  return left ? mirroredPose(pose) : pose;
+}
+
+glm::mat4 ItemLook::posed(DisplayPlace place) const { return poseMatrix(poseOf(place)); }
+
+DisplayPose mirroredPose(DisplayPose pose) {
+  pose.translation.x = -pose.translation.x;
+  pose.degrees *= glm::vec3(1, -1, -1);
   return pose;
 }
 
-glm::mat4 ItemLook::posed(DisplayPlace place) const {
-  const DisplayPose pose = poseOf(place);
+glm::mat4 poseMatrix(const DisplayPose& pose) {
   glm::mat4 m = glm::translate(glm::mat4(1), pose.translation / 16.0f);
   for (const int axis : {0, 1, 2}) {
     glm::vec3 around(0);

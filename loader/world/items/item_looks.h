@@ -3,9 +3,11 @@
 
 #include <glm/glm.hpp>
 #include <map>
+#include <optional>
 #include <string>
 
 #include <orris/world/blocks/block_facts.h>
+#include <orris/world/items/item_tints.h>
 #include <orris/world/resources/block_model.h>
 #include <orris/world/resources/model_json.h>
 #include <orris/world/resources/look_textures.h>
@@ -16,14 +18,19 @@ namespace orris {
 struct ItemLook {
   ModelFaces faces;
   DisplayPoses poses{};
-  std::map<int, glm::u8vec3> tints{};  ///< by tint index of the faces
+  std::map<int, ItemTint> tints{};  ///< by tint index of the faces
 
-  /// What a texture is multiplied with: white below 0.
-  glm::vec3 tintOf(int tintIndex) const;
+  /// What a texture is multiplied with: white below 0. `dye`: of the item, where it has one.
+  glm::vec3 tintOf(int tintIndex, const std::optional<glm::vec3>& dye = {}) const;
   DisplayPose poseOf(DisplayPlace place) const;
   /// Puts the cube to its place, whose middle is the origin.
   glm::mat4 posed(DisplayPlace place) const;
 };
+
+/// The same pose for the other hand.
+DisplayPose mirroredPose(DisplayPose pose);
+/// Puts a cube 0..1 to its place, whose middle is the origin.
+glm::mat4 poseMatrix(const DisplayPose& pose);
 
 /// An item that the world shows.
 struct ItemUse {

@@ -1,6 +1,7 @@
 #include <orris/world/items/item_tints.h>
 
 #include <array>
+#include <string_view>
 
 #include <orris/world/resources/biome_tint.h>
 
@@ -26,7 +27,7 @@ glm::u8vec3 parseColor(const JsonNode& node, const std::string& what, JsonReader
 
 struct NamedTint {
   const char* item;
-  int index;
+  int index;  ///< those of 0 take a dye
   std::int64_t rgb;
 };
 constexpr std::int64_t kLeather = 0xA06540, kWaterBottle = 0x385DC6;
@@ -46,26 +47,32 @@ constexpr std::array<NamedTint, 11> kNamedTints = {{
 
 }  // namespace
 
-glm::u8vec3 parseItemTint(const JsonNode& node, JsonReader& reader) {
+ItemTint parseItemTint(const JsonNode& node, JsonReader& reader) {
   const JsonNode* type = node.find("type");
   if (!type) {
     reader.expected(node, "an entry of \"tints\"", "an object with \"type\"");
-    return kWhite;
+    return {};
   }
-  const auto name = reader.string(*type, "\"type\"");
-  if (name == "minecraft:grass" || name == "grass") return plainsTint(Tint::Grass);
-  for (const char* key : {"value", "default"})
-    if (const JsonNode* color = node.find(key))
-      return parseColor(*color, "\"" + std::string(key) + "\"", reader);
-  return kWhite;
+  constexpr std::string_view kGame = "minecraft:";
+  std::string name = reader.string(*type, "\"type\"").value_or("");
+  if (name.starts_with(kGame)) name.erase(0, kGame.size());
+  if (name == "grass") return {plainsTint(Tint::Grass)};
+  ItemTint tint{kWhite, name == "dye" || name == "potion"};
+  for (const char* key : {"value", "default"}) {
+    const JsonNode* color = node.find(key);
+    if (!color) continue;
+    tint.color = parseColor(*color, "\"" + std::string(key) + "\"", reader);
+    break;
+  }
+  return tint;
 }
 
-glm::u8vec3 itemTintByName(const std::string& item, const BlockFacts& facts, int index) {
+ItemTint itemTintByName(const std::string& item, const BlockFacts& facts, int index) {
   for (const NamedTint& tint : kNamedTints)
-    if (item == tint.item && index == tint.index) return colorOf(tint.rgb);
+    if (item == tint.item && index == tint.index) return {colorOf(tint.rgb), tint.index == 0};
   constexpr float kTemperature = 0.8f, kRainfall = 0.4f;
-  return modelTint({item, {}}, facts, index,
-                   biomeTint("minecraft:plains", kTemperature, kRainfall, ColorMaps{}));
+  return {modelTint({item, {}}, facts, index,
+                    biomeTint("minecraft:plains", kTemperature, kRainfall, ColorMaps{}))};
 }
 
 }  // namespace orris

@@ -10,6 +10,8 @@
 #include <orris/core/files/read_file.h>
 #include <orris/core/limits.h>
 #include <orris/core/printable.h>
+#include <orris/world/blocks/neighbour_joins.h>
+#include <orris/world/dimension_look.h>
 #include <orris/world/luanti/luanti_columns.h>
 #include <orris/world/luanti/luanti_files.h>
 #include <orris/world/standing_camera.h>
@@ -113,6 +115,7 @@ std::optional<World> loadLuantiWorld(const std::filesystem::path& path, const Sa
   }
   auto blocks = joinChunks(chunks, kSeaLevel, problem);
   if (!blocks) return noWorld(files.map, problem, "", diagnostics);
+  joinSides(*blocks);
 
   World world;
   world.name = printable(files.name);
@@ -121,7 +124,8 @@ std::optional<World> loadLuantiWorld(const std::filesystem::path& path, const Sa
   world.environment.time = files.time.value_or(world.environment.time);
   world.environment.day = files.day.value_or(world.environment.day);
   world.environment.renderDistance = std::clamp(radius * kSectionSize, 16, 1024);
-  if (!part.dimension.empty()) world.environment.dimension = part.dimension;
+  world.environment.clouds = Clouds::Fancy;
+  if (!part.dimension.empty()) setDimension(part.dimension, world.environment);
   if (auto camera = surfaceCamera(world, {place->x, mirroredZ(place->y)})) world.cameras.push_back(*camera);
   world.cameras.push_back(outsideCamera(world.blocks, "overview"));
   return world;

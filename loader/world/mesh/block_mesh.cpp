@@ -199,8 +199,9 @@ class SectionMesher {
   glm::u8vec3 colourOf(const BlockFace& face, const BlockFacts& facts, std::uint32_t index,
                        glm::ivec3 cell) const {
     if (!face.tinted) return glm::u8vec3(255);
-    if (!input_.look) return plainsTint(facts.tint);
-    return modelTint(input_.blocks.palette()[index], facts, face.tintIndex, input_.look->tintAt(cell));
+    if (input_.look)
+      return modelTint(input_.blocks.palette()[index], facts, face.tintIndex, input_.look->tints.at(cell));
+    return input_.tints ? biomeColor(facts.tint, input_.tints->at(cell)) : plainsTint(facts.tint);
   }
 
   static RenderLayer layerOf(const BlockFace& face, const BlockFacts& facts) {

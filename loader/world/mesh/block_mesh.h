@@ -15,6 +15,7 @@
 namespace orris {
 
 struct BlockLook;
+struct BiomeTints;
 
 /// One vertex of a face; faces have four, counter-clockwise seen from outside, (0,1,2)(2,3,0).
 struct BlockVertex {
@@ -78,7 +79,8 @@ struct MeshInput {
   const LightLevels& light;
   const BlockAtlas& atlas;
   float ambientOcclusionLevel = 1;
-  const BlockLook* look = nullptr;  ///< of resource packs
+  const BlockLook* look = nullptr;    ///< of resource packs
+  const BiomeTints* tints = nullptr;  ///< of our own look; nullptr: those of the plains
 };
 
 /// Faces between opaque neighbours are culled. Deterministic order.

@@ -197,15 +197,17 @@ class LightField {
 
 }  // namespace
 
-LightLevels::LightLevels(const BlockWorld& blocks, const std::vector<BlockFacts>& factsByPalette)
+LightLevels::LightLevels(const BlockWorld& blocks, const std::vector<BlockFacts>& factsByPalette,
+                         bool skylight)
     : origin_(blocks.origin() - 1),
       size_(blocks.size() + 2),
       block_(origin_, size_),
-      sky_(origin_, size_) {
+      sky_(origin_, size_),
+      outsideSky_(skylight ? kFull : 0) {
   const Medium medium(blocks, factsByPalette);
   forEachInParallel(2, [&](std::size_t kind) {
     if (kind == 0) LightField(block_, origin_, size_, medium).spreadBlockLight();
-    if (kind == 1) LightField(sky_, origin_, size_, medium).spreadSkyLight();
+    if (kind == 1 && skylight) LightField(sky_, origin_, size_, medium).spreadSkyLight();
   });
 }
 

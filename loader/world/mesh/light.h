@@ -9,12 +9,12 @@
 
 namespace orris {
 
-/// Levels of the world's box grown by one block on each side; outside it sky is 15 and block 0.
+/// Levels of the world's box grown by one block on each side; outside it sky is 15, or 0 without skylight, and block 0.
 class LightLevels {
  public:
-  LightLevels(const BlockWorld& blocks, const std::vector<BlockFacts>& factsByPalette);
+  LightLevels(const BlockWorld& blocks, const std::vector<BlockFacts>& factsByPalette, bool skylight = true);
   int block(glm::ivec3 p) const { return inside(p) ? block_.at(p) : 0; }
-  int sky(glm::ivec3 p) const { return inside(p) ? sky_.at(p) : 15; }
+  int sky(glm::ivec3 p) const { return inside(p) ? sky_.at(p) : outsideSky_; }
 
  private:
   bool inside(glm::ivec3 p) const {
@@ -24,6 +24,7 @@ class LightLevels {
   }
   glm::ivec3 origin_, size_;
   LevelGrid block_, sky_;
+  int outsideSky_;
 };
 
 }  // namespace orris

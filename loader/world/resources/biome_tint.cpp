@@ -5,6 +5,8 @@
 #include <cmath>
 #include <string_view>
 
+#include <orris/world/saves/biome_climate.h>
+
 namespace orris {
 namespace {
 
@@ -31,12 +33,22 @@ constexpr OwnColors kOwnColors[] = {
 };
 constexpr unsigned kUsualWater = 0x3f76e4;
 
+/// What the game's maps are painted by: a colour where it is hot and dry, cold, hot and wet. The plains keep their own.
+glm::u8vec3 blended(float warm, float wet, Tint tint) {
+  constexpr glm::vec3 kCorners[2][3] = {{{191, 183, 85}, {128, 180, 151}, {71, 205, 51}},
+                                        {{174, 164, 42}, {96, 161, 123}, {26, 191, 0}}};
+  constexpr float kPlainsWarm = 0.8f, kPlainsWet = 0.32f, kNear = 1e-3f;
+  if (std::abs(warm - kPlainsWarm) < kNear && std::abs(wet - kPlainsWet) < kNear) return plainsTint(tint);
+  const glm::vec3* corners = kCorners[tint == Tint::Grass ? 0 : 1];
+  return glm::u8vec3(corners[0] * (warm - wet) + corners[1] * (1 - warm) + corners[2] * wet);
+}
+
 glm::u8vec3 fromMap(const std::optional<Image8>& map, float temperature, float rainfall,
                     Tint tint) {
   constexpr int kSide = 256;
-  if (!map || map->width != kSide || map->height != kSide) return plainsTint(tint);
   const float warm = std::clamp(temperature, 0.0f, 1.0f);
   const float wet = std::clamp(rainfall, 0.0f, 1.0f) * warm;
+  if (!map || map->width != kSide || map->height != kSide) return blended(warm, wet, tint);
   const std::uint8_t* texel = map->at(int((1 - warm) * 255), int((1 - wet) * 255));
   return {texel[0], texel[1], texel[2]};
 }
@@ -121,6 +133,51 @@ BiomeTint biomeTint(const std::string& biome, float temperature, float rainfall,
   return tint;
 }
 
+glm::u8vec3 biomeColor(Tint tint, const BiomeTint& biome) {
+  return tint == Tint::Grass     ? biome.grass
+         : tint == Tint::Foliage ? biome.foliage
+         : tint == Tint::Water   ? biome.water
+                                 : glm::u8vec3(255);
+}
+
+BiomeTint BiomeTints::at(glm::ivec3 block) const {
+  constexpr int kBlend = 2;  // blocks, the game's default
+  if (!grid) return byBiome[0];
+  const std::uint8_t here = grid->at(block);
+  bool one = true;
+  glm::ivec3 grass(0), foliage(0), dry(0), water(0);
+  for (int z = -kBlend; z <= kBlend; ++z) {
+    for (int x = -kBlend; x <= kBlend; ++x) {
+      const std::uint8_t biome = grid->at(block + glm::ivec3(x, 0, z));
+      const BiomeTint& tint = byBiome[biome];
+      one &= biome == here;
+      grass += glm::ivec3(tint.grass);
+      foliage += glm::ivec3(tint.foliage);
+      dry += glm::ivec3(tint.dryFoliage);
+      water += glm::ivec3(tint.water);
+    }
+  }
+  constexpr int kPlaces = (2 * kBlend + 1) * (2 * kBlend + 1);
+  if (one) return byBiome[here];
+  return {glm::u8vec3(grass / kPlaces), glm::u8vec3(foliage / kPlaces), glm::u8vec3(dry / kPlaces),
+          glm::u8vec3(water / kPlaces)};
+}
+
+BiomeTints tintsOf(const World& world, const ColorMaps& maps) {
+  const Environment& environment = world.environment;
+  BiomeTints tints;
+  tints.grid = world.biomes;
+  if (!tints.grid) {
+    tints.byBiome = {biomeTint(environment.biome, environment.temperature, environment.rainfall, maps)};
+    return tints;
+  }
+  for (const std::string& biome : tints.grid->names) {
+    const BiomeClimate climate = climateOf(biome);
+    tints.byBiome.push_back(biomeTint(biome, climate.temperature, climate.rainfall, maps));
+  }
+  return tints;
+}
+
 glm::u8vec3 modelTint(const BlockState& state, const BlockFacts& facts, int tintIndex,
                       const BiomeTint& biome) {
   const std::string_view name = state.name;
@@ -130,10 +187,7 @@ glm::u8vec3 modelTint(const BlockState& state, const BlockFacts& facts, int tint
     return !word.empty() && r.blocks.find(word) != std::string_view::npos;
   });
   if (row == std::end(kModelTints))
-    return facts.tint == Tint::Grass     ? biome.grass
-           : facts.tint == Tint::Foliage ? biome.foliage
-           : facts.tint == Tint::Water   ? biome.water
-                                         : glm::u8vec3(255);
+    return biomeColor(facts.tint, biome);
   switch (row->kind) {
     case ModelTintKind::Grass:
       return biome.grass;

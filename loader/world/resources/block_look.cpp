@@ -12,7 +12,6 @@
 #include <orris/world/resources/block_models.h>
 #include <orris/world/resources/look_textures.h>
 #include <orris/world/resources/texture_files.h>
-#include <orris/world/saves/biome_climate.h>
 
 namespace orris {
 namespace {
@@ -93,23 +92,6 @@ void readModels(const ResourceStack& resources, const BlockWorld& blocks,
   dropTooManyFaces(blocks, look, diagnostics);
 }
 
-void readTints(const ResourceStack& resources, const World& world, BlockLook& look,
-               Diagnostics& diagnostics) {
-  const ColorMaps maps{readPicture(resources, {"minecraft", "colormap/grass"}, diagnostics),
-                       readPicture(resources, {"minecraft", "colormap/foliage"}, diagnostics)};
-  const Environment& environment = world.environment;
-  look.biomes = world.biomes;
-  if (!look.biomes) {
-    look.tints = {
-        biomeTint(environment.biome, environment.temperature, environment.rainfall, maps)};
-    return;
-  }
-  for (const std::string& biome : look.biomes->names) {
-    const BiomeClimate climate = climateOf(biome);
-    look.tints.push_back(biomeTint(biome, climate.temperature, climate.rainfall, maps));
-  }
-}
-
 }  // namespace
 
 BlockLook makeBlockLook(const ResourceStack& resources, const World& world,
@@ -142,31 +124,9 @@ BlockLook makeBlockLook(const ResourceStack& resources, const World& world,
   look.flowing = textures.flowing();
   look.seeThrough = textures.seeThrough();
   look.textures = textures.ofPacks();
-  readTints(resources, world, look, diagnostics);
+  look.tints = tintsOf(world, {readPicture(resources, {"minecraft", "colormap/grass"}, diagnostics),
+                               readPicture(resources, {"minecraft", "colormap/foliage"}, diagnostics)});
   return look;
-}
-
-BiomeTint BlockLook::tintAt(glm::ivec3 block) const {
-  constexpr int kBlend = 2;  // blocks, the game's default
-  if (!biomes) return tints[0];
-  const std::uint8_t here = biomes->at(block);
-  bool one = true;
-  glm::ivec3 grass(0), foliage(0), dry(0), water(0);
-  for (int z = -kBlend; z <= kBlend; ++z) {
-    for (int x = -kBlend; x <= kBlend; ++x) {
-      const std::uint8_t biome = biomes->at(block + glm::ivec3(x, 0, z));
-      const BiomeTint& tint = tints[biome];
-      one &= biome == here;
-      grass += glm::ivec3(tint.grass);
-      foliage += glm::ivec3(tint.foliage);
-      dry += glm::ivec3(tint.dryFoliage);
-      water += glm::ivec3(tint.water);
-    }
-  }
-  constexpr int kPlaces = (2 * kBlend + 1) * (2 * kBlend + 1);
-  if (one) return tints[here];
-  return {glm::u8vec3(grass / kPlaces), glm::u8vec3(foliage / kPlaces), glm::u8vec3(dry / kPlaces),
-          glm::u8vec3(water / kPlaces)};
 }
 
 }  // namespace orris

@@ -19,14 +19,10 @@ struct BlockLook {
   std::vector<BlockModel> models;    ///< by palette index; without parts: the facts' own boxes
   std::map<std::string, std::string> flowing;  ///< texture of a still fluid -> of the flowing one
   std::set<std::string> seeThrough;  ///< textures with texels that are not opaque
-  std::shared_ptr<const BiomeGrid> biomes;  ///< nullptr: the world has one
-  std::vector<BiomeTint> tints;             ///< by biome of the grid; without one, of the world's
+  BiomeTints tints;
   std::size_t modelled = 0;                 ///< states that have a model
   std::size_t textures = 0;                 ///< that are of the packs
   std::vector<std::string> ownLook;         ///< blocks without a model, by name, sorted
-
-  /// The mean of the biomes around a block, as the game blends them.
-  BiomeTint tintAt(glm::ivec3 block) const;
 };
 
 /// `facts`, by palette index: those of blocks that only the packs know are replaced. `atlas`: the models' textures

@@ -13,14 +13,18 @@ constexpr std::array<std::string_view, 6> kSides = {"down", "up", "north", "sout
 // The game's poses of these.
 constexpr const char* kGenerated = R"({"parent": "builtin/generated", "display": {
   "firstperson_righthand": {"rotation": [0, -90, 25], "translation": [1.13, 3.2, 1.13], "scale": [0.68, 0.68, 0.68]},
+  "thirdperson_righthand": {"translation": [0, 3, 1], "scale": [0.55, 0.55, 0.55]},
   "ground": {"translation": [0, 2, 0], "scale": [0.5, 0.5, 0.5]},
   "fixed": {"rotation": [0, 180, 0]}}})";
 constexpr const char* kHandheld = R"({"parent": "item/generated", "display": {
   "firstperson_righthand": {"rotation": [0, -90, 25], "translation": [1.13, 3.2, 1.13], "scale": [0.68, 0.68, 0.68]},
-  "firstperson_lefthand": {"rotation": [0, 90, -25], "translation": [1.13, 3.2, 1.13], "scale": [0.68, 0.68, 0.68]}}})";
+  "firstperson_lefthand": {"rotation": [0, 90, -25], "translation": [1.13, 3.2, 1.13], "scale": [0.68, 0.68, 0.68]},
+  "thirdperson_righthand": {"rotation": [0, -90, 55], "translation": [0, 4, 0.5], "scale": [0.85, 0.85, 0.85]},
+  "thirdperson_lefthand": {"rotation": [0, 90, -55], "translation": [0, 4, 0.5], "scale": [0.85, 0.85, 0.85]}}})";
 constexpr const char* kBlock = R"({"display": {
   "firstperson_righthand": {"rotation": [0, 45, 0], "scale": [0.4, 0.4, 0.4]},
   "firstperson_lefthand": {"rotation": [0, 225, 0], "scale": [0.4, 0.4, 0.4]},
+  "thirdperson_righthand": {"rotation": [75, 45, 0], "translation": [0, 2.5, 0], "scale": [0.375, 0.375, 0.375]},
   "ground": {"translation": [0, 3, 0], "scale": [0.25, 0.25, 0.25]},
   "fixed": {"scale": [0.5, 0.5, 0.5]}}})";
 

@@ -68,6 +68,15 @@ void LookTextures::addFlowing(const std::string& still) {
   addOfPack(name, *std::move(texture));
 }
 
+bool LookTextures::addOf(const std::string& name, const ResourceName& file) {
+  if (names_.contains(name)) return true;
+  auto texture = readTexture(resources_, file, budget_, diagnostics_);
+  if (!texture) return false;
+  names_.insert(name);
+  addOfPack(name, *std::move(texture));
+  return true;
+}
+
 bool LookTextures::addStill(const std::string& name, const ResourceName& file) {
   if (names_.contains(name)) return true;
   AnimationBudget unused;
@@ -108,10 +117,14 @@ void LookTextures::warnOfMissingTextures() {
       "give the game's .jar as the last --resources");
 }
 
-const Image8* LookTextures::colours(const std::string& name) const {
+std::vector<const Image8*> LookTextures::framesOf(const std::string& name) const {
   const auto found =
       std::find_if(tiles_.begin(), tiles_.end(), [&](const NamedTile& tile) { return tile.name == name; });
-  return found == tiles_.end() ? nullptr : &found->images.albedo;
+  if (found == tiles_.end()) return {};
+  std::vector<const Image8*> frames = {&found->images.albedo};
+  if (found->animation)
+    for (const TileImages& frame : found->animation->frames) frames.push_back(&frame.albedo);
+  return frames;
 }
 
 void LookTextures::add(const std::string& name, PackTexture texture) {

@@ -23,7 +23,9 @@ class LookTextures {
   void addOwn(const std::string& name);
   /// The texture of a fluid that flows, where a pack has one beside that of the still fluid.
   void addFlowing(const std::string& still);
-  /// As `name`, without its animation. False: no pack has the texture, or (warnings) it cannot be used.
+  /// As `name`. False: no pack has the texture, or (warnings) it cannot be used.
+  bool addOf(const std::string& name, const ResourceName& file);
+  /// The same without its animation.
   bool addStill(const std::string& name, const ResourceName& file);
   /// All that was added, and "missing".
   void finish(BlockAtlas& atlas);
@@ -35,8 +37,8 @@ class LookTextures {
   const std::map<std::string, std::string>& flowing() const { return flowing_; }
   /// How many are of the packs.
   std::size_t ofPacks() const { return ofPacks_; }
-  /// The colours of one that was added; nullptr: there is none.
-  const Image8* colours(const std::string& name) const;
+  /// The colours of one that was added, of each frame; none: there is no such texture. Of use until the next is added.
+  std::vector<const Image8*> framesOf(const std::string& name) const;
 
  private:
   void add(const std::string& name, PackTexture texture);

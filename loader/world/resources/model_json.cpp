@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <utility>
 
 #include <orris/core/limits.h>
 #include <orris/world/files/json_reader.h>
@@ -18,7 +19,7 @@ constexpr std::array<std::string_view, 6> kDirectionNames = {"down",  "up",   "n
 constexpr RealRange kUv{-4096, 4096}, kPlace{-16, 32}, kOrigin{-256, 256}, kDegrees{-180, 180};
 // In the order of DisplayPlace. The rest of "display" is of no use here.
 constexpr std::array<const char*, kDisplayPlaces> kPlaceNames = {
-    "firstperson_righthand", "firstperson_lefthand", "ground", "fixed"};
+    "firstperson_righthand", "firstperson_lefthand", "thirdperson_righthand", "thirdperson_lefthand", "ground", "fixed"};
 // The game takes any number and keeps the moves and sizes within these.
 constexpr RealRange kPose{-1e6, 1e6};
 constexpr float kMostMoved = 80, kMostScaled = 4;
@@ -90,8 +91,10 @@ class ModelReader {
     for (std::size_t i = 0; i < kDisplayPlaces; ++i)
       if (const JsonNode* pose = node.find(kPlaceNames[i])) display[i] = readPose(*pose);
     // The left hand mirrors the right one, before a parent is asked.
-    auto& left = display[std::size_t(DisplayPlace::FirstLeft)];
-    if (!left) left = display[std::size_t(DisplayPlace::FirstRight)];
+    constexpr std::pair<DisplayPlace, DisplayPlace> kHands[] = {{DisplayPlace::FirstLeft, DisplayPlace::FirstRight},
+                                                               {DisplayPlace::ThirdLeft, DisplayPlace::ThirdRight}};
+    for (const auto& [left, right] : kHands)
+      if (!display[std::size_t(left)]) display[std::size_t(left)] = display[std::size_t(right)];
   }
 
   DisplayPose readPose(const JsonNode& node) {

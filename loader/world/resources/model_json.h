@@ -37,8 +37,8 @@ struct ElementTemplate {
 };
 
 /// Where an item is seen as its model's "display" says.
-enum class DisplayPlace { FirstRight, FirstLeft, Ground, Fixed };
-inline constexpr std::size_t kDisplayPlaces = 4;
+enum class DisplayPlace { FirstRight, FirstLeft, ThirdRight, ThirdLeft, Ground, Fixed };
+inline constexpr std::size_t kDisplayPlaces = 6;
 
 /// How the model is put there: made larger about its middle, turned about z, then y, then x, and moved.
 struct DisplayPose {

@@ -55,6 +55,44 @@ bool isEnchanted(const NbtTag& item) {
   return found && !found->empty();
 }
 
+glm::vec3 rgbColor(std::int64_t rgb) {
+  return glm::vec3(float(rgb >> 16 & 255), float(rgb >> 8 & 255), float(rgb & 255)) / 255.0f;
+}
+
+/// Of leather, and of what somebody has brewed.
+std::optional<glm::vec3> dyeOf(const NbtTag& item) {
+  const auto integerIn = [](const NbtTag* tag, const char* name) -> std::optional<std::int64_t> {
+    const NbtTag* member = tag ? tag->find(name) : nullptr;
+    return member && member->integer() ? std::optional(*member->integer()) : std::nullopt;
+  };
+  // Since 1.20.5, where a dye was an object at first, and before.
+  const NbtTag *components = item.find("components"), *tag = item.find("tag");
+  const auto among = [](const NbtTag* holder, const char* name) { return holder ? holder->find(name) : nullptr; };
+  for (const auto& rgb : {integerIn(components, "minecraft:dyed_color"),
+                          integerIn(among(components, "minecraft:dyed_color"), "rgb"),
+                          integerIn(among(components, "minecraft:potion_contents"), "custom_color"),
+                          integerIn(among(tag, "display"), "color"), integerIn(tag, "CustomPotionColor")})
+    if (rgb) return rgbColor(*rgb);
+  return std::nullopt;
+}
+
+/// What somebody holds in both hands.
+void setHands(const NbtTag& tag, Entity& entity) {
+  std::string* hands[] = {&entity.mainHand, &entity.offHand};
+  const auto hold = [&](std::size_t hand, const NbtTag& item) {
+    *hands[hand] = itemIn(item);
+    entity.glint = entity.glint || (!hands[hand]->empty() && isEnchanted(item));
+  };
+  // 1.9 to 1.21.4, since, and before.
+  if (const NbtList* items = tag.listAt("HandItems"))
+    for (std::size_t i = 0; i < std::min<std::size_t>(items->size(), 2); ++i) hold(i, (*items)[i]);
+  if (const NbtTag* equipment = tag.find("equipment")) {
+    if (const NbtTag* item = equipment->find("mainhand")) hold(0, *item);
+    if (const NbtTag* item = equipment->find("offhand")) hold(1, *item);
+  }
+  if (const NbtList* items = tag.listAt("Equipment"); items && !items->empty()) hold(0, items->front());
+}
+
 /// Pieces that an armour stand wears, as far as its figure has them.
 std::vector<const NbtTag*> armourOf(const NbtTag& tag) {
   std::vector<const NbtTag*> worn;
@@ -111,6 +149,7 @@ void setItem(const NbtTag& tag, Entity& entity) {
   if (!item) return;
   entity.item = itemIn(*item);
   entity.glint = isEnchanted(*item);
+  entity.dye = dyeOf(*item);
   entity.itemTurn = float(tag.integerAt("ItemRotation") & 7) * 45;
 }
 
@@ -138,6 +177,8 @@ Entity entityOf(const NbtTag& tag, const std::string& kind, const EntityFigure& 
     // The game's arrows measure both angles the other way round.
     entity.yaw = -angles.x;
     entity.pitch = -angles.y;
+  } else if (figure.model == "player") {
+    setHands(tag, entity);
   } else if (figure.model == "armor_stand") {
     const std::vector<const NbtTag*> worn = armourOf(tag);
     entity.armour = !worn.empty();

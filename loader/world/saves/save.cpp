@@ -12,6 +12,8 @@
 #include <orris/core/limits.h>
 #include <orris/core/printable.h>
 #include <orris/core/files/read_file.h>
+#include <orris/world/blocks/neighbour_joins.h>
+#include <orris/world/dimension_look.h>
 #include <orris/world/saves/biome_climate.h>
 #include <orris/world/saves/chunk_grid.h>
 #include <orris/world/saves/level_data.h>
@@ -168,16 +170,10 @@ void failWithoutChunks(const SaveFiles& files, glm::ivec2 middle, int radius,
                 : "");
 }
 
-/// Fog and sky of the dimensions where they depend on no biome's weather.
-void setDimension(const std::string& dimension, Environment& environment) {
-  environment.dimension = dimension;
-  if (dimension == "minecraft:the_nether") {
-    environment.biome = "minecraft:nether_wastes";
-    environment.fogColor = {0x33 / 255.0f, 0x08 / 255.0f, 0x08 / 255.0f};
-  } else if (dimension == "minecraft:the_end") {
-    environment.biome = "minecraft:the_end";
-    environment.fogColor = glm::vec3(0xa0, 0x80, 0xa0) * (0.15f / 255);
-  }
+/// Of the game 1.12 and before?
+bool hasNumericIds(const PlacedChunk& placed) {
+  constexpr int kFirstWithNames = 1451;
+  return placed.state == PlacedChunk::State::Read && placed.chunk.dataVersion < kFirstWithNames;
 }
 
 void setEnvironment(const LevelData& level, const std::string& biome, int radius,
@@ -187,6 +183,7 @@ void setEnvironment(const LevelData& level, const std::string& biome, int radius
   environment.rain = level.rain ? 1 : 0;
   environment.thunder = level.thunder ? 1 : 0;
   environment.renderDistance = std::clamp(radius * kBlocksOfChunk, 16, 1024);
+  environment.clouds = Clouds::Fancy;
   if (!biome.empty()) environment.biome = biome;
   const BiomeClimate climate = climateOf(environment.biome);
   environment.temperature = climate.temperature;
@@ -229,6 +226,10 @@ std::optional<World> loadSave(const std::filesystem::path& path, const SavePart&
   if (!blocks) {
     addError(diagnostics, "world-unreadable", {files.region.string()}, problem);
     return std::nullopt;
+  }
+  if (std::any_of(chunks.begin(), chunks.end(), hasNumericIds)) {
+    completeParts(*blocks);
+    joinSides(*blocks);
   }
   World world;
   world.name = level.name.empty() ? files.name : printable(level.name);

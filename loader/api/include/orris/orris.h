@@ -235,6 +235,12 @@ typedef struct OrrisFrame {
  *  move, or of the frame before. `size` is sizeof(OrrisFrame). The strings live until the next frame. */
 ORRIS_API OrrisStatus orris_renderer_frame_init(OrrisRenderer* renderer, OrrisFrame* frame, size_t size);
 
+/** States a uniform of what Orris cannot know, "currentPlayerHealth" or "currentTime", from the next frame on;
+ *  docs/world-format.md lists them. `count` is 1, or 3 of a vector; 0 or 1 of a bool, whole numbers of an int.
+ *  Errors: NOT_FOUND for another name, ARGUMENT for numbers that it cannot have. */
+ORRIS_API OrrisStatus orris_renderer_set_uniform(OrrisRenderer* renderer, const char* name, const float* values,
+                                                 size_t count);
+
 /** Draws a frame of what was submitted, or of the world; NULL: as orris_renderer_frame_init() gives it.
  *  What was submitted is used up. Errors: ARGUMENT for a number out of its range or not finite, and then
  *  nothing is drawn; PACK when programs that the frame needs cannot be made: it is drawn without them. */

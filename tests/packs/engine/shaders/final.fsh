@@ -10,6 +10,7 @@ uniform int isEyeInWater;
 uniform int currentSelectedBlockId;
 uniform vec3 currentSelectedBlockPos;
 uniform vec4 lightningBoltPosition;
+uniform float currentPlayerHealth;
 
 in vec2 uv;
 
@@ -24,5 +25,6 @@ void main() {
   if (heldItemId == 3) color.g = 1.0;
   if (isEyeInWater == 1) color.b = 1.0;
   if (currentSelectedBlockId == 7) color.r = -currentSelectedBlockPos.z / 10.0;
+  if (currentPlayerHealth >= 0.0) color.rgb = vec3(currentPlayerHealth);
   if (lightningBoltPosition.w > 0.5) color.rgb = lightningBoltPosition.yyy / 10.0;
 }
