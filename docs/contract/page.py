@@ -14,9 +14,9 @@ FOLDER = Path(__file__).resolve().parent
 PAGE = FOLDER.parent / "contract.md"
 HEAD = """# The contract
 
-Which parts of the shader-pack contract this host supports, row by row. **works**: as the game does it.
-**constant**: accepted, with an honest constant where the game feature does not exist here. **not**: not
-offered, and the note says why. The tier says how common a row is: 1 nearly every pack, 2 common, 3 rare
+Which parts of the shader-pack contract this host supports, row by row. **works**: as the game with Iris does it,
+which ignores some of OptiFine's. **constant**: a constant, as the other mod that it belongs to is never there.
+**not**: not offered, and the note says why. The tier says how common a row is: 1 nearly every pack, 2 common, 3 rare
 or tied to the game. "test" names a GoogleTest case, or a row of `tests/app/cases.py`.
 
 The tables of the contract itself, with meaning, unit and source of each row: [contract/](contract/README.md).
