@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include <orris/core/add_diagnostic.h>
+#include <orris/world/dimension_look.h>
 #include <orris/world/world.h>
 
 namespace orris::api {
@@ -126,7 +127,7 @@ OrrisStatus orris_renderer_create(OrrisContext* context, const OrrisRendererRequ
     if (request.world == nullptr)
       renderer->geometry = std::make_unique<SubmittedGeometry>(geometrySetOf(request.kinds));
     orris::World world = worldOf(*renderer, request);
-    if (request.dimension != nullptr) world.environment.dimension = request.dimension;
+    if (request.dimension != nullptr) setDimension(request.dimension, world.environment);
     const orris::SessionRequest session = sessionRequest(*renderer, request, world);
     const Current current(*context);
     orris::Diagnostics diagnostics;

@@ -4,6 +4,7 @@
 
 #include <orris/render/session/render_session.h>
 #include <orris/validate/driver_check.h>
+#include <orris/world/dimension_look.h>
 #include <orris/world/files/world_json.h>
 
 namespace orris {
@@ -18,7 +19,7 @@ constexpr int kDrawnWidth = 64, kDrawnHeight = 36;
 std::optional<World> everything(const std::string& dimension, Diagnostics& diagnostics) {
   std::optional<World> world =
       parseWorldJson({kEverythingWorld, "everything", "everything", 0, nullptr}, diagnostics);
-  if (world) world->environment.dimension = dimension;
+  if (world) setDimension(dimension, world->environment);
   return world;
 }
 

@@ -25,6 +25,8 @@ MUTANTS = {
         ("animation: ten ticks a second", "AnimatedTilesGL.*", "kTicksPerSecond = 20", "kTicksPerSecond = 10"),
     ],
     "loader/render/scene/gpu_scene.cpp": [
+        ("light: a dark Nether", "FrameRendererGL.*", "ambientLightOf(state.environment.dimension)", "0.0f"),
+        ("light: a dark End", "FrameRendererGL.*", "== \"minecraft:the_end\" ? glm::mix", "== \"\" ? glm::mix"),
         ("animation: items stand still", "AnimatedTilesGL.*", "  animatedContent_ = AnimatedTiles(atlas.animations);\n", ""),
     ],
     "loader/render/draw/draw_terrain.cpp": [

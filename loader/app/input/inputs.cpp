@@ -14,6 +14,7 @@
 #include "app/input/shipped_worlds.h"
 #include <orris/core/files/named_file.h>
 #include <orris/pack/files/text.h>
+#include <orris/world/dimension_look.h>
 #include <orris/world/resources/resource_stack.h>
 
 namespace orris {
@@ -92,7 +93,8 @@ std::optional<World> loadScene(const SceneOptions& options, const std::string& d
   if (!opened) return std::nullopt;
   world->resourcePacks = options.resources;
   if (options.time) world->environment.time = *options.time;
-  if (!dimension.empty()) world->environment.dimension = fullDimensionName(dimension);
+  if (const std::string asked = fullDimensionName(dimension); !dimension.empty() && asked != world->environment.dimension)
+    setDimension(asked, world->environment);
   return world;
 }
 

@@ -127,7 +127,12 @@ void main() {
     vec3 albedo = to_linear(color.rgb);
 
     vec3 v = -normalize(player);
+#if defined PROGRAM_CLOUDS
+    // Light goes through them: sides differ by the shades that the game gives them.
+    vec3 n = vec3(0.0, 1.0, 0.0);
+#else
     vec3 n = dot(normal, v) < 0.0 ? -normal : normal;
+#endif
     vec3 l = light_direction();
     float level = emission / 15.0;
     vec3 radiance = albedo * (EMISSION_STRENGTH * level * level + indirect_radiance(n));
