@@ -1,7 +1,8 @@
+#include <orris/world/standing_camera.h>
+
 #include <cmath>
 #include <limits>
-
-#include <orris/world/standing_camera.h>
+#include <utility>
 
 namespace orris {
 namespace {
@@ -34,6 +35,28 @@ std::optional<glm::ivec3> freeSpot(const BlockWorld& blocks) {
   return best;
 }
 
+/// The corners of what is no air in a box, or of the box where all is air.
+std::pair<glm::ivec3, glm::ivec3> filledBox(const BlockWorld& blocks) {
+  const glm::ivec3 origin = blocks.origin(), end = origin + blocks.size(),
+                   first = sectionOrigin(origin);
+  glm::ivec3 low = end, high = origin;
+  for (int y = first.y; y < end.y; y += kSectionSize)
+    for (int z = first.z; z < end.z; z += kSectionSize)
+      for (int x = first.x; x < end.x; x += kSectionSize) {
+        const glm::ivec3 from = glm::max(origin, {x, y, z}),
+                         to = glm::min(end, glm::ivec3(x, y, z) + kSectionSize);
+        if (blocks.uniformSection(from) == 0u) continue;
+        for (glm::ivec3 p = from; p.y < to.y; ++p.y)
+          for (p.z = from.z; p.z < to.z; ++p.z)
+            for (p.x = from.x; p.x < to.x; ++p.x) {
+              if (blocks.indexAt(p) == 0) continue;
+              low = glm::min(low, p);
+              high = glm::max(high, p + 1);
+            }
+      }
+  return low.x < high.x ? std::pair(low, high) : std::pair(origin, end);
+}
+
 }  // namespace
 
 Camera outsideCamera(const BlockWorld& blocks, const std::string& name) {
@@ -42,7 +65,8 @@ Camera outsideCamera(const BlockWorld& blocks, const std::string& name) {
   const glm::dvec3 right(std::sqrt(0.5), 0, std::sqrt(0.5));
   const glm::dvec3 forward(right.x * cosine, -sine, -right.z * cosine);
   const glm::dvec3 up = glm::cross(right, forward);
-  const glm::dvec3 half = glm::dvec3(blocks.size()) * 0.5;
+  const auto [low, high] = filledBox(blocks);
+  const glm::dvec3 half = glm::dvec3(high - low) * 0.5;
   const double slope = std::tan(glm::radians(double(kFov)) / 2) * 0.95;  // a small margin
   double distance = 1;
   for (int i = 0; i < 8; ++i) {
@@ -51,13 +75,14 @@ Camera outsideCamera(const BlockWorld& blocks, const std::string& name) {
         std::max(std::abs(glm::dot(corner, right)), std::abs(glm::dot(corner, up)));
     distance = std::max(distance, aside / slope - glm::dot(corner, forward));
   }
-  const glm::dvec3 middle = glm::dvec3(blocks.origin()) + half;
+  const glm::dvec3 middle = glm::dvec3(low) + half;
   return {name, middle - forward * distance, 225, float(kPitch), kFov};
 }
 
 std::vector<Camera> defaultCameras(const BlockWorld& blocks) {
   std::vector<Camera> cameras{outsideCamera(blocks, "default")};
-  if (const auto spot = freeSpot(blocks)) cameras.push_back(standingCamera(blocks, *spot, "inside"));
+  if (const auto spot = freeSpot(blocks))
+    cameras.push_back(standingCamera(blocks, *spot, "inside"));
   return cameras;
 }
 

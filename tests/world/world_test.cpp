@@ -6,6 +6,8 @@
 
 #include "support/folder_test.h"
 #include <orris/world/world_summary.h>
+#include <orris/world/standing_camera.h>
+
 #include "world_helpers.h"
 
 namespace orris {
@@ -55,6 +57,13 @@ std::string blockSeen(const World& world, const Camera& camera, float x, float y
     if (state.name != "minecraft:air") return state.name;
   }
   return "sky";
+}
+
+TEST(Worlds, a_camera_outside_is_as_near_as_what_is_there_allows) {
+  BlockWorld wide({0, 0, 0}, {64, 64, 64}), narrow({20, 24, 28}, {8, 8, 8});
+  for (BlockWorld* blocks : {&wide, &narrow})
+    blocks->fill({20, 24, 28}, {27, 31, 35}, blocks->paletteIndex(blockState("stone")));
+  EXPECT_EQ(outsideCamera(wide, "a").position, outsideCamera(narrow, "a").position);
 }
 
 TEST(Worlds, cornell_camera_sees_both_walls_the_blocks_and_the_lamp) {
