@@ -5,9 +5,8 @@
 #include <filesystem>
 
 #include "support/folder_test.h"
-#include <orris/world/world_summary.h>
 #include <orris/world/standing_camera.h>
-
+#include <orris/world/world_summary.h>
 #include "world_helpers.h"
 
 namespace orris {
