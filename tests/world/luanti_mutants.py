@@ -46,6 +46,7 @@ MUTANTS = {
         ("time: midnight is sunrise", "LuantiWorlds.*", "*time % kTicksOfDay + kTicksOfDay - kSixInTheMorning", "*time"),
     ],
     "loader/world/luanti/luanti_world.cpp": [
+        ("joins: fences stand alone", "LuantiWorlds.*", "  joinSides(*blocks);\n", ""),
         ("files: links lead out", "LuantiWorlds.*", "if (!liesBelow(files.folder.string(), files.map.string()))", "if (false)"),
         ("place: always the middle", "LuantiWorlds.*", "&& !atMiddle.empty()", "&& false"),
         ("cameras: on the other side", "LuantiWorlds.*", "{place->x, mirroredZ(place->y)}", "{place->x, place->y}"),

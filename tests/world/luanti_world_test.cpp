@@ -65,6 +65,17 @@ TEST_F(LuantiWorlds, every_format_and_both_schemas_give_the_same_blocks) {
   }
 }
 
+TEST_F(LuantiWorlds, fences_join_across_map_blocks) {
+  MapBlockParts west, east;
+  west.set(15, 0, 0, "default:fence_wood");
+  east.set(0, 0, 0, "default:stone");
+  writeMap({{{0, 0, 0}, west.bytes(29)}, {{1, 0, 0}, east.bytes(29)}});
+  const auto world = load({.at = glm::ivec2(15, 0), .radius = 1});
+  ASSERT_TRUE(world) << joined(diagnostics_);
+  EXPECT_EQ(world->blocks.at({15, 0, -1}).property("east"), "true");
+  EXPECT_EQ(world->blocks.at({15, 0, -1}).property("west"), "false");
+}
+
 TEST_F(LuantiWorlds, north_is_minus_z) {
   MapBlockParts south, north;
   south.set(3, 0, 2, "default:cobble");
