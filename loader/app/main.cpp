@@ -10,6 +10,7 @@
 #include <new>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/commands/commands.h"
@@ -69,14 +70,26 @@ int reportUsage(const CLI::App& app, const CLI::ParseError& error) {
   return kUsage;
 }
 
-/// The file of the working folder, unless the command line says which file to read, or none.
+/// What --config names; "" with --no-config, nullopt without either.
+std::optional<std::string> chosenConfig(const std::vector<std::string>& arguments) {
+  constexpr std::string_view kFlag = "--config", kAssigned = "--config=";
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    if (arguments[i] == "--no-config") return "";
+    if (arguments[i] == kFlag) return i + 1 < arguments.size() ? arguments[i + 1] : "";
+    if (arguments[i].starts_with(kAssigned)) return arguments[i].substr(kAssigned.size());
+  }
+  return std::nullopt;
+}
+
+/// The file of the working folder, unless the command line says which file to read, or none. nullopt: reported.
 std::optional<FolderConfig> unaskedConfig(const std::vector<std::string>& arguments) {
-  const bool chosen = std::ranges::any_of(arguments, [](const std::string& word) {
-    return word == "--config" || word == "--no-config" || word.starts_with("--config=");
-  });
-  if (chosen) return FolderConfig{};
+  const std::optional<std::string> chosen = chosenConfig(arguments);
   Diagnostics diagnostics;
-  auto config = readFolderConfig(".", diagnostics);
+  std::optional<FolderConfig> config = FolderConfig{};
+  if (!chosen)
+    config = readFolderConfig(".", diagnostics);
+  else if (!chosen->empty() && !isBoundedConfig(*chosen, diagnostics))
+    config = std::nullopt;
   for (const Diagnostic& diagnostic : diagnostics)
     std::cerr << formatDiagnostic(diagnostic) << '\n';
   return config;

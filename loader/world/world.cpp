@@ -152,7 +152,7 @@ std::optional<World> loadWorld(const std::string& path, unsigned seed, Diagnosti
   const std::string extension = given.extension().string();
   if (kSchematics.count(extension) != 0) return loadSchematic(given, diagnostics);
   if (extension == ".json") {
-    const auto text = readFile(path, kMaxFileBytes, fault);
+    const auto text = readQuotedFile(path, kMaxFileBytes, fault);
     return loadJson(given, text, fault, seed, diagnostics);
   }
   addError(diagnostics, "world-unreadable", {path},

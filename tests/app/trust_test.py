@@ -69,6 +69,13 @@ class FolderConfig(Checkout):
         self.orris("validate", "pack", "--config", "orris.toml", status=0)
         self.assertTrue((self.path / "out.txt").exists())
 
+    def test_of_the_command_line_ends(self):
+        (self.path / "zero.toml").symlink_to("/dev/zero")
+        os.mkfifo(self.path / "pipe.toml")
+        for word in (["--config", "zero.toml"], ["--config=pipe.toml"]):
+            self.assertRegex(self.orris("validate", "pack", *word, status=2, timeout=20).stderr,
+                             r"^(zero|pipe)\.toml: error: is a folder, device or pipe")
+
     def test_may_be_left_out(self):
         self.config('output = "out.txt"')
         self.orris("validate", "pack", "--no-config", status=0)
@@ -118,6 +125,28 @@ class Links(Checkout):
         self.assertIn("other/shaders: error: this symbolic link leads out of the pack", errors)
         (self.path / "linked").symlink_to("pack")
         self.orris("validate", "linked", status=0)
+
+    def test_what_is_named_is_not_read_through_one(self):
+        for words in (["validate", "pack", "--settings", "f"], ["validate", "pack", "--baseline", "f"],
+                      ["validate", "pack", "--explain-log", "f"], ["gallery", "pack", "--set-file", "f", "-o", "o.html"],
+                      ["world", "f.json"]):
+            with self.subTest(words=words):
+                link = self.path / (words[-1] if words[0] == "world" else "f")
+                link.symlink_to("../secret/file")
+                self.assertIn("is a symbolic link that leads out of its folder", self.orris(*words, status=2).stderr)
+                link.unlink()
+
+    def test_nothing_hidden_is_read(self):
+        token = f"{SECRET}\n"
+        self.write({".git/config": token, "world/world.json": "", "shaders/.git/config": token,
+                    "shaders/final.vsh": FINAL_VERTEX,
+                    "shaders/final.fsh": VERSION + '#include "/.git/config"\n#include "/lib.glsl"\nvoid main() {}\n'})
+        (self.path / "shaders/lib.glsl").symlink_to(".git/config")
+        self.orris("validate", "shaders", status=1)
+        (self.path / "world/world.json").unlink()
+        (self.path / "world/world.json").symlink_to("../.git/config")
+        self.orris("world", "world", status=2)
+        self.orris("world", ".", status=2)
 
     def test_pipes_and_devices_are_no_files(self):
         os.mkfifo(self.path / "pipe")

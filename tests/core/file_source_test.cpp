@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include <orris/core/files/read_places.h>
 #include "support/folder_test.h"
 
 namespace orris {
@@ -12,6 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::ElementsAre;
+using testing::UnorderedElementsAre;
 
 const fs::path kData = fs::path(ORRIS_TEST_DIR) / "core" / "data";
 
@@ -103,8 +105,44 @@ TEST_F(FileSourceTest, symbolic_links_stay_inside) {
   EXPECT_EQ(source->read("/in.glsl"), "a");
   EXPECT_EQ(
       message(),
-      "/out.glsl: warning: this symbolic link leads nowhere or out of the pack; it is ignored\n"
+      "/out.glsl: warning: this symbolic link leads nowhere, out of the pack or to what is hidden; it is ignored\n"
       "  hint: put the file itself into the pack");
+}
+
+// A checkout may itself be the root: the repository may have the name "shaders".
+TEST_F(FileSourceTest, nothing_hidden_is_of_the_pack) {
+  write("shaders/final.fsh", "a");
+  write("shaders/.git/config", "token");
+  write(".git/config", "token");
+  write("assets/noise.png", "noise");
+  fs::create_symlink(".git/config", folder_ / "shaders/link.glsl");
+  fs::create_symlink("../.git/config", folder_ / "assets/link.png");
+  const auto source = open(folder_.string());
+  ASSERT_TRUE(source) << message();
+  EXPECT_THAT(source->files(), ElementsAre("/final.fsh"));
+  EXPECT_EQ(diagnostics_.front().at.file, "/link.glsl");
+  for (const char* hidden : {"/.git/config", "/link.glsl", "/../.git/config", "/../assets/link.png"})
+    EXPECT_EQ(source->readResource(hidden), std::nullopt) << hidden;
+  EXPECT_EQ(source->readResource("/../assets/noise.png"), "noise");
+  fs::rename(folder_ / "shaders", folder_ / "other");
+  fs::create_directory_symlink(".git", folder_ / "shaders");
+  EXPECT_FALSE(open(folder_.string()));
+  EXPECT_EQ(diagnostics_.front().id, "pack-unreadable");
+}
+
+TEST_F(FileSourceTest, workers_may_read_the_pack_and_nothing_hidden) {
+  write("pack/shaders/final.fsh", "a");
+  write("pack/assets/noise.png", "noise");
+  write("pack/.git/config", "token");
+  write("secret/file", "secret");
+  fs::create_directory_symlink("../secret", folder_ / "pack/link");
+  ASSERT_TRUE(open(path("pack")));
+  std::vector<std::string> allowed;
+  for (const std::string& place : readPlaces()) {
+    const fs::path below = fs::path(place).lexically_relative(folder_ / "pack");
+    if (!below.native().starts_with("..")) allowed.push_back(below.string());
+  }
+  EXPECT_THAT(allowed, UnorderedElementsAre("shaders", "assets"));
 }
 
 TEST_F(FileSourceTest, endless_links_end_at_the_depth_limit) {

@@ -46,6 +46,31 @@ TEST_F(ReadFile, a_link_is_followed_inside_its_folder_only) {
     EXPECT_EQ(below(name), describe(ReadFault::Outside)) << name;
 }
 
+TEST_F(ReadFile, nothing_hidden_is_read) {
+  write("in/.git/config", "token");
+  fs::create_symlink(".git/config", folder_ / "in/link");
+  fs::create_directory_symlink(".git", folder_ / "in/folder");
+  for (const char* name : {".git/config", "side/../.git/config", "link", "folder/config"})
+    EXPECT_EQ(below(name), describe(ReadFault::Hidden)) << name;
+  EXPECT_EQ(readFileBelow((folder_ / "in/.git").string(), "config", 9, fault_), "token");
+}
+
+TEST_F(ReadFile, what_is_quoted_is_not_read_through_a_link_out_of_its_folder) {
+  write("in/.hidden", "token");
+  fs::create_symlink("../out.txt", folder_ / "in/outside");
+  fs::create_symlink(".hidden", folder_ / "in/secret");
+  fs::create_symlink("a.txt", folder_ / "in/inside");
+  const auto quoted = [&](const char* name) {
+    return readQuotedFile(path(std::string("in/") + name), 9, fault_).value_or(describe(fault_));
+  };
+  EXPECT_EQ(quoted("outside"), describe(ReadFault::Outside));
+  EXPECT_EQ(quoted("secret"), describe(ReadFault::Hidden));
+  EXPECT_EQ(quoted("inside"), "abc");
+  EXPECT_EQ(quoted(".hidden"), "token");  // a person named it
+  EXPECT_EQ(quoted("none"), describe(ReadFault::Missing));
+  EXPECT_EQ(readQuotedFile("/dev/null", 9, fault_), "");
+}
+
 TEST_F(ReadFile, the_folder_itself_may_be_a_link) {
   fs::create_directory_symlink("in", folder_ / "link");
   EXPECT_EQ(readFileBelow((folder_ / "link").string(), "a.txt", 9, fault_), "abc");

@@ -20,9 +20,9 @@ bool isFolderKey(const CLI::ConfigItem& item) {
   return sectionEdge || std::find(keys.begin(), keys.end(), item.name) != keys.end();
 }
 
-Diagnostic configProblem(std::string message, std::string hint) {
+Diagnostic configProblem(std::string message, std::string hint, std::string file = kFolderConfig) {
   return {.id = "config-refused",
-          .at = {.file = kFolderConfig},
+          .at = {.file = std::move(file)},
           .message = std::move(message),
           .hint = std::move(hint)};
 }
@@ -95,6 +95,13 @@ std::optional<FolderConfig> readFolderConfig(const std::string& folder, Diagnost
     addSilenced(item, config.silenced);
   }
   return diagnostics.empty() ? std::optional(std::move(config)) : std::nullopt;
+}
+
+bool isBoundedConfig(const std::string& path, Diagnostics& diagnostics) {
+  ReadFault fault{};
+  if (path.starts_with("/dev/") || readFile(path, kMaxConfigBytes, fault) || fault == ReadFault::Missing) return true;
+  diagnostics.push_back(configProblem(describe(fault), "name a file of flags", path));
+  return false;
 }
 
 }  // namespace orris

@@ -25,4 +25,8 @@ const std::vector<std::string>& folderConfigKeys();
 /// no regular file of the folder, is too large, or names what only a file given by --config may name.
 std::optional<FolderConfig> readFolderConfig(const std::string& folder, Diagnostics& diagnostics);
 
+/// Can the file that --config names be read to its end? A device, pipe or too large file is refused, one below /dev
+/// left to its reader, a missing one, too. false: with a diagnostic.
+bool isBoundedConfig(const std::string& path, Diagnostics& diagnostics);
+
 }  // namespace orris

@@ -73,7 +73,7 @@ std::span<const Rule> hostRules() {
       {"shard-mismatch", Severity::Error, "the shards of --merge are not of one picture", kUsage},
       {"shard-missing", Severity::Error, "--merge lacks a shard of the picture", kUsage},
       {"show-unknown", Severity::Error, "--show names nothing that the frame holds", kUsage},
-      {"symlink-outside", Severity::Warning, "a symbolic link leads nowhere or out of the pack"},
+      {"symlink-outside", Severity::Warning, "a symbolic link leads nowhere, out of the pack or to what is hidden"},
       {"unknown-block", Severity::Warning, "the world has a block that this host does not know"},
       {"world-json-syntax", Severity::Error, "world.json is no JSON", kUsage},
       {"world-json-value", Severity::Error,

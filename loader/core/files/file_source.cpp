@@ -112,9 +112,9 @@ std::unique_ptr<FileSource> openPack(const std::string& path, Diagnostics& diagn
   const auto root = rootInside(path);
   if (!root) return refuseFolder(path, diagnostics);
   // A path that the user wrote may be a link to anywhere; what a pack brings along may not.
-  if (!liesBelow(path, root->string())) {
+  if (!liesBelow(path, root->string()) || isHiddenBelow(path, root->string())) {
     return refuse((fs::path(path) / "shaders").string(),
-                  "this symbolic link leads out of the pack; it is not followed",
+                  "this symbolic link leads out of the pack or to what is hidden; it is not followed",
                   "put the folder itself into the pack, or give the folder that it leads to",
                   diagnostics);
   }

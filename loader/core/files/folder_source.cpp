@@ -24,8 +24,8 @@ class FolderSource : public FileSource {
       : root_(fs::canonical(root)),
         pack_(pack.empty() ? pack : fs::canonical(pack)),
         limits_(limits) {
-    addReadPlace(root_.string());
-    addPlacesBeside();
+    addVisiblePlaces(root_);
+    if (!pack_.empty()) addVisiblePlaces(pack_);
   }
 
   /// Lists all files; false and a diagnostic when a limit is passed.
@@ -54,13 +54,19 @@ class FolderSource : public FileSource {
   const std::vector<std::string>& files() const override { return paths_; }
 
  private:
-  /// What textures may name beside `root_`; not what is hidden: a checkout keeps tokens in .git.
-  void addPlacesBeside() const {
+  /// All of a folder but what is hidden. A link in it leads to what is in the list by itself, or not to the pack.
+  static void addVisiblePlaces(const fs::path& folder) {
+    std::vector<std::string> places;
+    bool whole = true;
     std::error_code error;
-    if (pack_.empty()) return;
-    for (fs::directory_iterator it(pack_, error), end; !error && it != end; it.increment(error)) {
-      if (!it->path().filename().string().starts_with('.')) addReadPlace(it->path().string());
+    for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+      if (isHiddenName(it->path().filename().native()))
+        whole = false;
+      else if (!it->is_symlink(error))
+        places.push_back(it->path().string());
     }
+    if (whole) places = {folder.string()};
+    for (const std::string& place : places) addReadPlace(place);
   }
 
   bool scanFolder(const std::string& folder, int depth, Diagnostics& diagnostics) {
@@ -91,12 +97,13 @@ class FolderSource : public FileSource {
   bool scanEntry(const std::string& path, const fs::directory_entry& entry, int depth,
                  Diagnostics& diagnostics) {
     std::error_code error;
-    if (entry.is_symlink(error) && !liesBelow(root_.string(), entry.path().string())) {
+    if (isHiddenName(entry.path().filename().native())) return true;
+    if (entry.is_symlink(error) && !isOfPack(entry.path().string())) {
       diagnostics.push_back(
           {.severity = Severity::Warning,
            .id = "symlink-outside",
            .at = {.file = path},
-           .message = "this symbolic link leads nowhere or out of the pack; it is ignored",
+           .message = "this symbolic link leads nowhere, out of the pack or to what is hidden; it is ignored",
            .hint = "put the file itself into the pack"});
       return true;
     }
@@ -111,6 +118,10 @@ class FolderSource : public FileSource {
     paths_.push_back(path);
     return paths_.size() <= limits_.files ||
            tooLarge(path, "more than {} files", limits_.files, diagnostics);
+  }
+
+  bool isOfPack(const std::string& path) const {
+    return liesBelow(root_.string(), path) && !isHiddenBelow(root_.string(), path);
   }
 
   template <typename Limit>

@@ -23,7 +23,7 @@ void reportUnwritable(const std::string& path, Diagnostics& diagnostics) {
 
 std::optional<std::string> readNamedFile(const std::string& path, Diagnostics& diagnostics) {
   ReadFault fault{};
-  std::optional<std::string> text = readFile(path, kMaxTextBytes, fault);
+  std::optional<std::string> text = readQuotedFile(path, kMaxTextBytes, fault);
   if (!text) reportUnreadable(path, fault, diagnostics);
   return text;
 }

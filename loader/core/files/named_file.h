@@ -8,7 +8,7 @@
 
 namespace orris {
 
-/// Reads a whole file of at most kMaxTextBytes; nullopt: file-unreadable.
+/// Reads a whole file of at most kMaxTextBytes, no link out of its folder; nullopt: file-unreadable.
 std::optional<std::string> readNamedFile(const std::string& path, Diagnostics& diagnostics);
 /// The same for a file of a folder, which no link may lead out of.
 std::optional<std::string> readNamedFileBelow(const std::string& folder, const std::string& name,

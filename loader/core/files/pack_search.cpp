@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include <orris/core/files/read_file.h>
 #include <orris/core/files/zip_source.h>
 
 namespace orris {
@@ -12,8 +13,6 @@ namespace fs = std::filesystem;
 
 constexpr int kPackLevels = 4;
 constexpr int kPackEntries = 20000;
-
-bool isHidden(const fs::path& path) { return path.filename().string().starts_with('.'); }
 
 }  // namespace
 
@@ -32,7 +31,7 @@ std::vector<std::string> findPacks(const std::string& folder) {
       continue;
     }
     if (path.filename() == "shaders") packs.push_back(path.parent_path().string());
-    if (path.filename() == "shaders" || isHidden(path) || entry.depth() + 1 >= kPackLevels)
+    if (path.filename() == "shaders" || isHiddenName(path.filename().native()) || entry.depth() + 1 >= kPackLevels)
       entry.disable_recursion_pending();
   }
   std::sort(packs.begin(), packs.end());

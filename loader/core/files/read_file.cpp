@@ -33,6 +33,8 @@ std::optional<std::string> readAll(int file, std::size_t limit, ReadFault& fault
   }
 }
 
+bool isBelowDev(const std::string& path) { return path.starts_with("/dev/"); }
+
 FileOpener openedElsewhere;
 
 int openToRead(const std::string& path, int flags) {
@@ -72,6 +74,8 @@ const char* describe(ReadFault fault) {
       return "is too large";
     case ReadFault::Outside:
       return "is a symbolic link that leads out of its folder; it is not followed";
+    case ReadFault::Hidden:
+      return "is hidden or lies in a hidden folder; such files are not read";
     case ReadFault::Unreadable:
       break;
   }
@@ -79,8 +83,15 @@ const char* describe(ReadFault fault) {
 }
 
 std::optional<std::string> readFile(const std::string& path, std::size_t limit, ReadFault& fault) {
-  const bool any = path.starts_with("/dev/");
+  const bool any = isBelowDev(path);
   return readOpened(path, any ? 0 : O_NONBLOCK, any, limit, fault);
+}
+
+std::optional<std::string> readQuotedFile(const std::string& path, std::size_t limit, ReadFault& fault) {
+  std::error_code error;
+  if (isBelowDev(path) || !fs::is_symlink(path, error)) return readFile(path, limit, fault);
+  const fs::path folder = fs::path(path).parent_path();
+  return readFileBelow(folder.empty() ? "." : folder.string(), fs::path(path).filename(), limit, fault);
 }
 
 std::optional<std::string> readFileBelow(const std::string& folder, const std::string& path,
@@ -91,6 +102,7 @@ std::optional<std::string> readFileBelow(const std::string& folder, const std::s
     return refuseFile(ReadFault::Missing, fault);
   const fs::path file = fs::canonical(named, error);
   if (error || !liesBelow(folder, file)) return refuseFile(ReadFault::Outside, fault);
+  if (isHiddenBelow(folder, file)) return refuseFile(ReadFault::Hidden, fault);
   return readOpened(file.string(), O_NONBLOCK | O_NOFOLLOW, false, limit, fault);
 }
 
@@ -103,6 +115,14 @@ bool liesBelow(const std::string& folder, const std::string& path) {
   const fs::path place = fs::canonical(path, error);
   if (error) return false;
   return std::mismatch(root.begin(), root.end(), place.begin(), place.end()).first == root.end();
+}
+
+bool isHiddenName(std::string_view name) { return name.starts_with('.'); }
+
+bool isHiddenBelow(const std::string& folder, const std::string& path) {
+  std::error_code error;
+  const fs::path below = fs::canonical(path, error).lexically_relative(fs::canonical(folder, error));
+  return below != "." && std::ranges::any_of(below, [](const fs::path& part) { return isHiddenName(part.native()); });
 }
 
 }  // namespace orris

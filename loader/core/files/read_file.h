@@ -6,13 +6,14 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace orris {
 
 /// Enough for every text that a person names: option files, baselines, logs, results.
 constexpr std::size_t kMaxTextBytes = std::size_t{64} << 20;
 
-enum class ReadFault { Missing, Unreadable, NoFile, TooLarge, Outside };
+enum class ReadFault { Missing, Unreadable, NoFile, TooLarge, Outside, Hidden };
 /// "is a folder, device or pipe", to be put behind the name of the file.
 const char* describe(ReadFault fault);
 
@@ -20,12 +21,21 @@ const char* describe(ReadFault fault);
 /// are followed. Below /dev, which no checkout can fill, pipes and devices are read, too.
 std::optional<std::string> readFile(const std::string& path, std::size_t limit, ReadFault& fault);
 
-/// The same for `path` seen from `folder`. Neither it nor a folder of it may be a link out of `folder`.
+/// The same where messages will quote what is read: if `path` is a link, it may lead neither out of its folder nor to
+/// what is hidden there. A stranger may have put one where a person expects a file.
+std::optional<std::string> readQuotedFile(const std::string& path, std::size_t limit, ReadFault& fault);
+
+/// The same for `path` seen from `folder`. Neither it nor a folder of it may be a link out of `folder` or be hidden.
 std::optional<std::string> readFileBelow(const std::string& folder, const std::string& path,
                                          std::size_t limit, ReadFault& fault);
 
 /// Whether `path`, which exists, lies in `folder` after all links are resolved.
 bool liesBelow(const std::string& folder, const std::string& path);
+
+/// Is a file or folder of this name (".git") hidden? A checkout keeps tokens in one, which are not the author's.
+bool isHiddenName(std::string_view name);
+/// Whether `path`, which lies in `folder`, is hidden there or is in a hidden folder, after all links are resolved.
+bool isHiddenBelow(const std::string& folder, const std::string& path);
 
 /// An open file, -1: it is not to be had.
 using FileOpener = std::function<int(const std::string& path)>;
