@@ -38,10 +38,7 @@ void limitDrawing(std::size_t memory) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   limitTo(RLIMIT_CORE, 0);
   limitTo(RLIMIT_FSIZE, kMostOutputBytes);
-#if defined(__SANITIZE_ADDRESS__)  // which reserves terabytes of addresses
-  memory = 0;
-#endif
-  if (memory != 0) limitTo(RLIMIT_AS, memory);
+  limitAddresses(memory);
 }
 
 /// Makes signals wait to be read from a file.

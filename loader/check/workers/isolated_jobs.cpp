@@ -32,14 +32,6 @@ constexpr int kOutOfMemory = 86;  // exit status of a worker whose job threw
 constexpr int kWallFactor = 10;
 constexpr auto kGrace = std::chrono::seconds(1);  // for starting a worker and sending its result
 
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool kLimitMemory = false;  // the sanitizer reserves terabytes of addresses
-#elif defined(__has_feature)
-constexpr bool kLimitMemory = !__has_feature(address_sanitizer);
-#else
-constexpr bool kLimitMemory = true;
-#endif
-
 rlim_t secondsUsed() {
   rusage used{};
   getrusage(RUSAGE_SELF, &used);
@@ -67,7 +59,7 @@ void limitProcess(const IsolatedJobs& jobs) {
   // The hard limit kills without a word: it comes after that of the last job.
   constexpr rlim_t kMore = 5;
   limitTo(RLIMIT_CPU, secondsUsed() + secondsOf(jobs) * static_cast<rlim_t>(jobs.count) + kMore);
-  if (kLimitMemory && jobs.memoryBytes != 0) limitTo(RLIMIT_AS, jobs.memoryBytes);
+  limitAddresses(jobs.memoryBytes);
 }
 
 /// A job has nothing to say but its result.
