@@ -63,7 +63,7 @@ glm::ivec3 placeOfNumber(std::int64_t number) {
 
 struct MapDatabase::Parts {
   struct CloseDatabase {
-    void operator()(sqlite3* database) const { sqlite3_close_v2(database); }
+    void operator()(sqlite3* opened) const { sqlite3_close_v2(opened); }
   };
   struct FinalizeQuery {
     void operator()(sqlite3_stmt* query) const { sqlite3_finalize(query); }
