@@ -1,21 +1,18 @@
 #include <orris/glsl/preprocess/line_code.h>
 
+#include <algorithm>
+
 namespace orris {
 
 std::string codeOfLine(std::string_view line, bool& inComment) {
+  constexpr std::size_t kMark = 2;  // characters of each of the three
   std::string code;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const std::string_view two = line.substr(i, 2);
-    if (inComment) {
-      if (two == "*/") inComment = false, ++i;
-    } else if (two == "/*") {
-      inComment = true;
-      ++i;
-    } else if (two == "//") {
-      break;
-    } else {
-      code += line[i];
-    }
+  while (!line.empty()) {
+    const std::size_t mark = inComment ? line.find("*/") : std::min(line.find("/*"), line.find("//"));
+    if (!inComment) code += line.substr(0, mark);
+    if (mark == std::string_view::npos || line.substr(mark, kMark) == "//") break;
+    inComment = !inComment;
+    line.remove_prefix(mark + kMark);
   }
   return code;
 }

@@ -214,16 +214,47 @@ class FileConditionals {
   bool inComment_ = false, sawCode_ = false;
 };
 
+/// Do as many conditionals of a file open as end? Nearly all files pair, and this is quickly seen.
+class FileBalance {
+ public:
+  void read(std::string_view line) {
+    if (!inComment_ && line.find_first_of("#/") == std::string_view::npos) return;
+    const std::string code = codeOfLine(line, inComment_);
+    const auto kind = kindOf(directiveOf(code));
+    open_ += kind == Kind::Open ? 1 : kind == Kind::Close ? -1 : 0;
+  }
+  bool isEven() const { return open_ == 0; }
+
+ private:
+  int open_ = 0;
+  bool inComment_ = false;
+};
+
+/// Calls `take` with the lines of each file, those of the first of its sites.
+template <typename Take>
+void forEachLineOnce(const FlatSource& source, Take take) {
+  constexpr int kUnknown = -1;
+  std::map<std::string_view, int> firstOfFile;
+  std::vector<int> first(source.sites.size(), kUnknown);
+  for (const FlatLine& line : source.lines) {
+    if (line.site < 0 || std::size_t(line.site) >= source.sites.size()) continue;
+    int& known = first[std::size_t(line.site)];
+    if (known == kUnknown)
+      known = firstOfFile.try_emplace(source.sites[std::size_t(line.site)].file, line.site).first->second;
+    if (known == line.site) take(line);
+  }
+}
+
 }  // namespace
 
 std::vector<UnbalancedConditional> findUnbalancedConditionals(const FlatSource& source) {
-  std::map<std::string, int> sites;  // the first of each file
+  std::vector<FileBalance> balances(source.sites.size());
+  forEachLineOnce(source, [&](const FlatLine& line) { balances[std::size_t(line.site)].read(line.text); });
   std::map<int, FileConditionals> files;
-  for (const FlatLine& line : source.lines) {
-    if (line.site < 0 || std::size_t(line.site) >= source.sites.size()) continue;
-    const std::string& file = source.sites[std::size_t(line.site)].file;
-    if (sites.try_emplace(file, line.site).first->second == line.site) files[line.site].read(line);
-  }
+  if (std::ranges::all_of(balances, &FileBalance::isEven)) return {};
+  forEachLineOnce(source, [&](const FlatLine& line) {
+    if (!balances[std::size_t(line.site)].isEven()) files[line.site].read(line);
+  });
   std::vector<UnbalancedConditional> found;
   for (const auto& [site, file] : files) {
     if (const auto unbalanced = file.unbalanced()) found.push_back(*unbalanced);
