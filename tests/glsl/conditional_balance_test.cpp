@@ -27,6 +27,10 @@ TEST(conditionalBalance, files_that_pair_are_quiet) {
       unbalanced({{"/a.glsl", "#ifdef A\n  #if B\n  #endif\n#else\n/*\n#if C\n*/\n#endif\n"}}), "");
 }
 
+TEST(conditionalBalance, an_endif_in_a_comment_closes_nothing) {
+  EXPECT_EQ(unbalanced({{"/a.glsl", "#ifdef A\nx\n/*\n#endif\n*/\n"}}), "/a.glsl:1 unclosed ifdef\n");
+}
+
 TEST(conditionalBalance, an_endif_is_missing_where_the_indentation_breaks) {
   EXPECT_EQ(
       unbalanced({{"/a.glsl",
