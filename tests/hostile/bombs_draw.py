@@ -52,6 +52,16 @@ def indirect(folder):
                          "iris.features.required=SSBO\nbufferObject.0=64\nindirect.composite=0 0\n"})
 
 
+def inlined(levels):
+    return drawn(f"x = f{levels}(x);", "float f0(float x) { return sin(x); }\n" + "".join(
+        f"float f{i}(float x) {{ return f{i - 1}(x) + f{i - 1}(x + 1.0); }}\n" for i in range(1, levels + 1)))
+
+
+def switch(cases):
+    return drawn("switch (int(x * 100.0)) {\n" + "".join(
+        f"case {i}: x += sin(x * {i}.5); break;\n" for i in range(cases)) + "}")
+
+
 LOOP = "for (int {0} = 0; {0} < 2000000000; ++{0}) "
 NESTED = "".join(LOOP.format(name) for name in "abcdef") + "x = sin(x + float(a + f));"
 
@@ -80,9 +90,12 @@ BOMBS = {
                                        declarations="shared uint s[64];\n"), None),
     "shared-memory-huge": lambda: (computed("s[gl_LocalInvocationIndex] = 1u; x = float(s[frameCounter]);",
                                             declarations="shared uint s[100000000];\n"), None),
-    "inlined-functions": lambda: (drawn("x = f19(x);", "float f0(float x) { return sin(x); }\n" + "".join(
-        f"float f{i}(float x) {{ return f{i - 1}(x) + f{i - 1}(x + 1.0); }}\n" for i in range(1, 20))), "stage-too-large"),
+    "inlined-functions": lambda: (inlined(19), "stage-too-large"),
+    # Within the limits of core/limits.h.
+    "array-at-limit": lambda: (array_of(8192, "vec4"), None),
+    "switch-at-limit": lambda: (switch(1000), None),
+    "inlined-at-limit": lambda: (inlined(14), None),
 }
 
-HEAVY = {"dispatch-65535-3", "loops-nested", "loops-nested-compute", "const-array-10-4",
+HEAVY = {"array-at-limit", "switch-at-limit", "inlined-at-limit", "dispatch-65535-3", "loops-nested", "loops-nested-compute", "const-array-10-4",
          "statements-20-000"}
