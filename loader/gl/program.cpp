@@ -119,58 +119,58 @@ void reflect(bool compute, Program& program) {
 struct OpaqueType {
   unsigned type;
   int dimensions;  // 0: no 1D, 2D or 3D texture fits (cube, array, buffer, multisample)
-  bool shadow, integer, image;
+  bool shadow, image;
 };
 constexpr bool kYes = true;
 constexpr bool kNo = false;
 constexpr OpaqueType kOpaqueTypes[] = {
-    {GL_SAMPLER_1D, 1, kNo, kNo, kNo},
-    {GL_SAMPLER_2D, 2, kNo, kNo, kNo},
-    {GL_SAMPLER_3D, 3, kNo, kNo, kNo},
-    {GL_SAMPLER_1D_SHADOW, 1, kYes, kNo, kNo},
-    {GL_SAMPLER_2D_SHADOW, 2, kYes, kNo, kNo},
-    {GL_INT_SAMPLER_1D, 1, kNo, kYes, kNo},
-    {GL_INT_SAMPLER_2D, 2, kNo, kYes, kNo},
-    {GL_INT_SAMPLER_3D, 3, kNo, kYes, kNo},
-    {GL_UNSIGNED_INT_SAMPLER_1D, 1, kNo, kYes, kNo},
-    {GL_UNSIGNED_INT_SAMPLER_2D, 2, kNo, kYes, kNo},
-    {GL_UNSIGNED_INT_SAMPLER_3D, 3, kNo, kYes, kNo},
-    {GL_SAMPLER_2D_RECT, 0, kNo, kNo, kNo},
-    {GL_SAMPLER_2D_RECT_SHADOW, 0, kYes, kNo, kNo},
-    {GL_INT_SAMPLER_2D_RECT, 0, kNo, kYes, kNo},
-    {GL_UNSIGNED_INT_SAMPLER_2D_RECT, 0, kNo, kYes, kNo},
-    {GL_SAMPLER_CUBE, 0, kNo, kNo, kNo},
-    {GL_SAMPLER_CUBE_SHADOW, 0, kYes, kNo, kNo},
-    {GL_INT_SAMPLER_CUBE, 0, kNo, kYes, kNo},
-    {GL_UNSIGNED_INT_SAMPLER_CUBE, 0, kNo, kYes, kNo},
-    {GL_SAMPLER_1D_ARRAY, 0, kNo, kNo, kNo},
-    {GL_SAMPLER_2D_ARRAY, 0, kNo, kNo, kNo},
-    {GL_SAMPLER_1D_ARRAY_SHADOW, 0, kYes, kNo, kNo},
-    {GL_SAMPLER_2D_ARRAY_SHADOW, 0, kYes, kNo, kNo},
-    {GL_INT_SAMPLER_2D_ARRAY, 0, kNo, kYes, kNo},
-    {GL_UNSIGNED_INT_SAMPLER_2D_ARRAY, 0, kNo, kYes, kNo},
-    {GL_SAMPLER_BUFFER, 0, kNo, kNo, kNo},
-    {GL_INT_SAMPLER_BUFFER, 0, kNo, kYes, kNo},
-    {GL_UNSIGNED_INT_SAMPLER_BUFFER, 0, kNo, kYes, kNo},
-    {GL_SAMPLER_2D_MULTISAMPLE, 0, kNo, kNo, kNo},
-    {GL_IMAGE_1D, 1, kNo, kNo, kYes},
-    {GL_IMAGE_2D, 2, kNo, kNo, kYes},
-    {GL_IMAGE_3D, 3, kNo, kNo, kYes},
-    {GL_INT_IMAGE_1D, 1, kNo, kYes, kYes},
-    {GL_INT_IMAGE_2D, 2, kNo, kYes, kYes},
-    {GL_INT_IMAGE_3D, 3, kNo, kYes, kYes},
-    {GL_UNSIGNED_INT_IMAGE_1D, 1, kNo, kYes, kYes},
-    {GL_UNSIGNED_INT_IMAGE_2D, 2, kNo, kYes, kYes},
-    {GL_UNSIGNED_INT_IMAGE_3D, 3, kNo, kYes, kYes},
-    {GL_IMAGE_2D_RECT, 0, kNo, kNo, kYes},
-    {GL_IMAGE_CUBE, 0, kNo, kNo, kYes},
-    {GL_IMAGE_BUFFER, 0, kNo, kNo, kYes},
-    {GL_IMAGE_1D_ARRAY, 0, kNo, kNo, kYes},
-    {GL_IMAGE_2D_ARRAY, 0, kNo, kNo, kYes},
-    {GL_INT_IMAGE_2D_ARRAY, 0, kNo, kYes, kYes},
-    {GL_UNSIGNED_INT_IMAGE_2D_ARRAY, 0, kNo, kYes, kYes},
-    {GL_INT_IMAGE_BUFFER, 0, kNo, kYes, kYes},
-    {GL_UNSIGNED_INT_IMAGE_BUFFER, 0, kNo, kYes, kYes},
+    {GL_SAMPLER_1D, 1, kNo, kNo},
+    {GL_SAMPLER_2D, 2, kNo, kNo},
+    {GL_SAMPLER_3D, 3, kNo, kNo},
+    {GL_SAMPLER_1D_SHADOW, 1, kYes, kNo},
+    {GL_SAMPLER_2D_SHADOW, 2, kYes, kNo},
+    {GL_INT_SAMPLER_1D, 1, kNo, kNo},
+    {GL_INT_SAMPLER_2D, 2, kNo, kNo},
+    {GL_INT_SAMPLER_3D, 3, kNo, kNo},
+    {GL_UNSIGNED_INT_SAMPLER_1D, 1, kNo, kNo},
+    {GL_UNSIGNED_INT_SAMPLER_2D, 2, kNo, kNo},
+    {GL_UNSIGNED_INT_SAMPLER_3D, 3, kNo, kNo},
+    {GL_SAMPLER_2D_RECT, 0, kNo, kNo},
+    {GL_SAMPLER_2D_RECT_SHADOW, 0, kYes, kNo},
+    {GL_INT_SAMPLER_2D_RECT, 0, kNo, kNo},
+    {GL_UNSIGNED_INT_SAMPLER_2D_RECT, 0, kNo, kNo},
+    {GL_SAMPLER_CUBE, 0, kNo, kNo},
+    {GL_SAMPLER_CUBE_SHADOW, 0, kYes, kNo},
+    {GL_INT_SAMPLER_CUBE, 0, kNo, kNo},
+    {GL_UNSIGNED_INT_SAMPLER_CUBE, 0, kNo, kNo},
+    {GL_SAMPLER_1D_ARRAY, 0, kNo, kNo},
+    {GL_SAMPLER_2D_ARRAY, 0, kNo, kNo},
+    {GL_SAMPLER_1D_ARRAY_SHADOW, 0, kYes, kNo},
+    {GL_SAMPLER_2D_ARRAY_SHADOW, 0, kYes, kNo},
+    {GL_INT_SAMPLER_2D_ARRAY, 0, kNo, kNo},
+    {GL_UNSIGNED_INT_SAMPLER_2D_ARRAY, 0, kNo, kNo},
+    {GL_SAMPLER_BUFFER, 0, kNo, kNo},
+    {GL_INT_SAMPLER_BUFFER, 0, kNo, kNo},
+    {GL_UNSIGNED_INT_SAMPLER_BUFFER, 0, kNo, kNo},
+    {GL_SAMPLER_2D_MULTISAMPLE, 0, kNo, kNo},
+    {GL_IMAGE_1D, 1, kNo, kYes},
+    {GL_IMAGE_2D, 2, kNo, kYes},
+    {GL_IMAGE_3D, 3, kNo, kYes},
+    {GL_INT_IMAGE_1D, 1, kNo, kYes},
+    {GL_INT_IMAGE_2D, 2, kNo, kYes},
+    {GL_INT_IMAGE_3D, 3, kNo, kYes},
+    {GL_UNSIGNED_INT_IMAGE_1D, 1, kNo, kYes},
+    {GL_UNSIGNED_INT_IMAGE_2D, 2, kNo, kYes},
+    {GL_UNSIGNED_INT_IMAGE_3D, 3, kNo, kYes},
+    {GL_IMAGE_2D_RECT, 0, kNo, kYes},
+    {GL_IMAGE_CUBE, 0, kNo, kYes},
+    {GL_IMAGE_BUFFER, 0, kNo, kYes},
+    {GL_IMAGE_1D_ARRAY, 0, kNo, kYes},
+    {GL_IMAGE_2D_ARRAY, 0, kNo, kYes},
+    {GL_INT_IMAGE_2D_ARRAY, 0, kNo, kYes},
+    {GL_UNSIGNED_INT_IMAGE_2D_ARRAY, 0, kNo, kYes},
+    {GL_INT_IMAGE_BUFFER, 0, kNo, kYes},
+    {GL_UNSIGNED_INT_IMAGE_BUFFER, 0, kNo, kYes},
 };
 
 const OpaqueType* findOpaque(unsigned type) {
@@ -211,11 +211,6 @@ bool isSampler(unsigned type) {
 bool isShadowSampler(unsigned type) {
   const OpaqueType* row = findOpaque(type);
   return row != nullptr && row->shadow;
-}
-
-bool isIntegerSampler(unsigned type) {
-  const OpaqueType* row = findOpaque(type);
-  return row != nullptr && !row->image && row->integer;
 }
 
 bool isImage(unsigned type) {

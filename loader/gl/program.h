@@ -45,7 +45,6 @@ Program buildProgram(const std::vector<StageSource>& sources,
 
 bool isSampler(unsigned type);
 bool isShadowSampler(unsigned type);
-bool isIntegerSampler(unsigned type);
 bool isImage(unsigned type);
 /// 1, 2 or 3 for sampler and image types; 0 where no texture of ours fits (cube, array, buffer).
 int dimensionsOf(unsigned type);

@@ -39,7 +39,6 @@ class PackResources {
   const ImageResource* image(const std::string& name) const;         ///< by image uniform name
   const ImageResource* imageSampler(const std::string& name) const;  ///< by its sampler name
   const std::vector<ImageResource>& images() const { return images_; }
-  bool hasBuffers() const { return !buffers_.empty(); }
   void bindBuffers() const;
   void clearImages(bool all) const;  ///< all: also those without clear=true (creation)
   /// Buffer object of a bufferObject index, 0 when absent.

@@ -156,10 +156,6 @@ TEST(OpaqueTypes, are_distinguished) {
   EXPECT_FALSE(isSampler(GL_FLOAT_VEC4));
   EXPECT_TRUE(isShadowSampler(GL_SAMPLER_2D_SHADOW));
   EXPECT_FALSE(isShadowSampler(GL_SAMPLER_2D));
-  EXPECT_TRUE(isIntegerSampler(GL_UNSIGNED_INT_SAMPLER_2D));
-  EXPECT_TRUE(isIntegerSampler(GL_INT_SAMPLER_3D));
-  EXPECT_FALSE(isIntegerSampler(GL_UNSIGNED_INT_IMAGE_2D));
-  EXPECT_FALSE(isIntegerSampler(GL_SAMPLER_2D));
   EXPECT_TRUE(isImage(GL_UNSIGNED_INT_IMAGE_3D));
   EXPECT_FALSE(isImage(GL_SAMPLER_2D));
   EXPECT_EQ(dimensionsOf(GL_SAMPLER_1D), 1);

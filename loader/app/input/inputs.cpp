@@ -117,14 +117,6 @@ std::optional<std::string> readWholeFile(const std::string& path, Report& report
   return text;
 }
 
-std::optional<std::string> readWholeFileBelow(const std::string& folder, const std::string& name,
-                                              Report& report) {
-  Diagnostics diagnostics;
-  std::optional<std::string> text = readNamedFileBelow(folder, name, diagnostics);
-  report.add(diagnostics);
-  return text;
-}
-
 bool checkWritable(const std::string& path, Report& report) {
   Diagnostics diagnostics;
   if (streamOf(path) != nullptr || canWriteNamedFile(path, diagnostics)) return true;

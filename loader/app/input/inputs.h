@@ -35,10 +35,6 @@ std::optional<Camera> chooseCamera(const World& world, const std::string& reques
 /// Reads a whole file; nullopt: reported.
 std::optional<std::string> readWholeFile(const std::string& path, Report& report);
 
-/// The same for a file of a folder, which no link may lead out of.
-std::optional<std::string> readWholeFileBelow(const std::string& folder, const std::string& name,
-                                              Report& report);
-
 /// Can a file be created at `path`? Nothing is changed there. Asked before long work, so that it is not lost. Otherwise
 /// reported.
 bool checkWritable(const std::string& path, Report& report);

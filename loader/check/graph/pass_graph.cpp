@@ -327,8 +327,4 @@ PassGraph passGraph(const ShaderPack& pack, const Schedule& schedule) {
   return GraphBuilder(pack, schedule).build();
 }
 
-std::string shortBuffer(const std::string& name) {
-  return name.starts_with("colortex") ? name.substr(8) : name;
-}
-
 }  // namespace orris

@@ -80,9 +80,6 @@ struct PassGraph {
 
 PassGraph passGraph(const ShaderPack& pack, const Schedule& schedule);
 
-/// "colortex3" without the word: "3"; other names unchanged.
-std::string shortBuffer(const std::string& name);
-
 std::string toJsonText(const PassGraph& graph);
 /// Tables in Markdown: buffers with writers and readers, then programs.
 std::string toMarkdown(const PassGraph& graph);

@@ -68,7 +68,6 @@ class RenderSession {
   /// Begins to take what `load` makes of a copy of loadRequest(), while frames go on: the pack that runs
   /// stays until advance() ends the change. One at a time; the functions above wait for it.
   void begin(const std::string& cause, PackLoader load);
-  bool changing() const { return change_ != nullptr; }
   /// Between frames: waits for the load for so many seconds at most; once it is there, builds programs for
   /// about as many, at least one.
   /// How the change ended, nullopt while it goes on and when there is none.
