@@ -11,6 +11,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 using testing::SizeIs;
+using testing::StartsWith;
 
 /// Settings A=0, A=1 ... of a given cost and error.
 class SomeChart : public testing::Test {
@@ -82,6 +83,7 @@ TEST_F(SomeChart, TablesHoldEverySettingWithItsNumbers) {
   add("0", 10, 0.5);
   add("x,\"y\"", 20, 0.25);
   const ChartData chart = make();
+  EXPECT_THAT(settingsCsv(chart), StartsWith("setting,size,pairs,ms,ms_low,ms_high,ratio,ratio_low,ratio_high,"));
   EXPECT_THAT(settingsCsv(chart),
               HasSubstr("\"A=x,\"\"y\"\"\",8x4,3,20.0000,20.0000,20.0000,2.0000,2.0000,2.0000,"
                         "20.0000,20.0000,,4,0.25,0,0,0,0,1,0.25,0.25,0.25,0,0,0,0.5,0,1,0\n"));

@@ -12,33 +12,78 @@ std::string quoted(const std::string& text) {
   return result + "\"";
 }
 
-std::string settingRow(const ChartPoint& point, int accumulated) {
-  const ErrorSummary& error = *point.result->error;
-  const AccumulatedError& after = error.after(accumulated);
-  const Estimate& time = point.milliseconds;
-  std::string row = fmt::format(
-      "{},{}x{},{},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{}",
-      quoted(point.setting->label), point.setting->size.width, point.setting->size.height,
-      point.cost.pairs, time.value, time.interval.low, time.interval.high, point.cost.ratio,
-      point.cost.ratioInterval.low, point.cost.ratioInterval.high, point.cost.median, point.p95,
-      point.publishedRatio ? fmt::format("{}", *point.publishedRatio) : "");
-  row +=
-      fmt::format(",{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{},{:.6g},{:.6g},{:.6g}", error.frames,
-                  error.bias, error.biasInterval.low, error.biasInterval.high, error.signedBias,
-                  error.noise, after.frames, after.error, after.interval.low, after.interval.high);
-  return row + fmt::format(",{:.6g},{:.6g},{:.6g},{:.6g},{},{},{}\n", error.relMse,
-                           error.relMseMedian, error.relMseTrimmed, point.result->ssim,
-                           error.notFinite, int(point.front), int(point.published));
+std::string places4(double value) { return fmt::format("{:.4f}", value); }
+std::string digits6(double value) { return fmt::format("{:.6g}", value); }
+std::string flag(bool value) { return value ? "1" : "0"; }
+
+/// A measured setting with what its columns ask for.
+struct SettingRow {
+  const ChartPoint& point;
+  const SettingResult& result;
+  const ErrorSummary& error;
+  const AccumulatedError& after;
+};
+
+struct SettingColumn {
+  const char* name;
+  std::string (*text)(const SettingRow& row);
+};
+
+/// Of settings.csv, in its order.
+constexpr SettingColumn kSettingColumns[] = {
+    {"setting", [](const SettingRow& row) { return quoted(row.point.setting->label); }},
+    {"size", [](const SettingRow& row) {
+       const ImageSize& size = row.point.setting->size;
+       return fmt::format("{}x{}", size.width, size.height);
+     }},
+    {"pairs", [](const SettingRow& row) { return std::to_string(row.point.cost.pairs); }},
+    {"ms", [](const SettingRow& row) { return places4(row.point.milliseconds.value); }},
+    {"ms_low", [](const SettingRow& row) { return places4(row.point.milliseconds.interval.low); }},
+    {"ms_high", [](const SettingRow& row) { return places4(row.point.milliseconds.interval.high); }},
+    {"ratio", [](const SettingRow& row) { return places4(row.point.cost.ratio); }},
+    {"ratio_low", [](const SettingRow& row) { return places4(row.point.cost.ratioInterval.low); }},
+    {"ratio_high", [](const SettingRow& row) { return places4(row.point.cost.ratioInterval.high); }},
+    {"ms_median", [](const SettingRow& row) { return places4(row.point.cost.median); }},
+    {"ms_p95", [](const SettingRow& row) { return places4(row.point.p95); }},
+    {"published_ratio", [](const SettingRow& row) {
+       return row.point.publishedRatio ? fmt::format("{}", *row.point.publishedRatio) : std::string();
+     }},
+    {"frames", [](const SettingRow& row) { return std::to_string(row.error.frames); }},
+    {"bias", [](const SettingRow& row) { return digits6(row.error.bias); }},
+    {"bias_low", [](const SettingRow& row) { return digits6(row.error.biasInterval.low); }},
+    {"bias_high", [](const SettingRow& row) { return digits6(row.error.biasInterval.high); }},
+    {"signed_bias", [](const SettingRow& row) { return digits6(row.error.signedBias); }},
+    {"noise", [](const SettingRow& row) { return digits6(row.error.noise); }},
+    {"accumulated", [](const SettingRow& row) { return std::to_string(row.after.frames); }},
+    {"error", [](const SettingRow& row) { return digits6(row.after.error); }},
+    {"error_low", [](const SettingRow& row) { return digits6(row.after.interval.low); }},
+    {"error_high", [](const SettingRow& row) { return digits6(row.after.interval.high); }},
+    {"relmse", [](const SettingRow& row) { return digits6(row.error.relMse); }},
+    {"relmse_median", [](const SettingRow& row) { return digits6(row.error.relMseMedian); }},
+    {"relmse_trimmed", [](const SettingRow& row) { return digits6(row.error.relMseTrimmed); }},
+    {"ssim", [](const SettingRow& row) { return digits6(row.result.ssim); }},
+    {"not_finite", [](const SettingRow& row) { return std::to_string(row.error.notFinite); }},
+    {"front", [](const SettingRow& row) { return flag(row.point.front); }},
+    {"published", [](const SettingRow& row) { return flag(row.point.published); }},
+};
+
+/// A line of the table: what `cell` says of each column.
+template <class Cell>
+std::string lineOf(Cell cell) {
+  std::string line;
+  for (const SettingColumn& column : kSettingColumns) line += (line.empty() ? "" : ",") + cell(column);
+  return line + "\n";
 }
 
 }  // namespace
 
 std::string settingsCsv(const ChartData& chart) {
-  std::string text =
-      "setting,size,pairs,ms,ms_low,ms_high,ratio,ratio_low,ratio_high,ms_median,ms_p95,"
-      "published_ratio,frames,bias,bias_low,bias_high,signed_bias,noise,accumulated,error,"
-      "error_low,error_high,relmse,relmse_median,relmse_trimmed,ssim,not_finite,front,published\n";
-  for (const ChartPoint& point : chart.points) text += settingRow(point, chart.request.accumulated);
+  std::string text = lineOf([](const SettingColumn& column) { return std::string(column.name); });
+  for (const ChartPoint& point : chart.points) {
+    const ErrorSummary& error = *point.result->error;
+    const SettingRow row{point, *point.result, error, error.after(chart.request.accumulated)};
+    text += lineOf([&row](const SettingColumn& column) { return column.text(row); });
+  }
   return text;
 }
 
