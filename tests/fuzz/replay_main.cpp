@@ -1,4 +1,4 @@
-// Feeds files, or the files of folders, to a fuzz target: the corpus as an ordinary test.
+// replay NAME PATH...: feeds files, or the files of folders, to a fuzz target: the corpus as an ordinary test.
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, size_t size);
+#include "replay_targets.h"
 
 namespace {
 
@@ -24,22 +24,27 @@ std::vector<fs::path> inputsOf(const fs::path& path) {
   return files;
 }
 
-void replay(const fs::path& path) {
+void replay(FuzzTarget target, const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
   const std::string bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
   // Named before it runs, so that a crash tells which input it was.
   std::printf("%s\n", path.c_str());
   std::fflush(stdout);
-  LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+  target(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  const FuzzTarget target = argc > 1 ? fuzzTarget(argv[1]) : nullptr;
+  if (!target) {
+    std::fprintf(stderr, "replay NAME PATH...: NAME is that of a *_fuzz.cpp\n");
+    return 2;
+  }
   int count = 0;
-  for (int i = 1; i < argc; ++i) {
+  for (int i = 2; i < argc; ++i) {
     for (const fs::path& path : inputsOf(argv[i])) {
-      replay(path);
+      replay(target, path);
       ++count;
     }
   }
