@@ -1,6 +1,7 @@
-# What nearly every source includes, compiled once for all targets that are compiled alike: with the same options and the
-# same definitions that those headers look at. Sources go on to include what they use: the preset `dev` and what
-# inherits it have no precompiled headers, and a test compiles each source alone (tests/compile_alone.py).
+# What nearly every source includes, compiled once for all targets that are compiled alike: with the same options and, where
+# both define a macro, with the same value (-Winvalid-pch says when they are not taken). Sources go on to include what they
+# use: the preset `dev` and what inherits it have no precompiled headers, and a test compiles each source alone
+# (tests/compile_alone.py).
 set(orris_headers <algorithm> <array> <cmath> <chrono> <filesystem> <functional> <map> <memory> <optional> <set> <span>
     <string> <vector> <fmt/format.h> <glm/glm.hpp>)
 
