@@ -103,7 +103,7 @@ TEST(ReferencePackProperties, images_have_the_size_of_the_volume) {
       return imageSizes(all);
     };
     const auto faces = with("FACE_CACHE"), flood = with("FLOODFILL");
-    EXPECT_EQ(faces.at("face_light"), (Size{9 * v, v, v}));
+    EXPECT_EQ(faces.at("face_light"), (Size{9 * v, v, 2 * v}));
     EXPECT_EQ(faces.at("face_seen"), (Size{v, v, v}));
     EXPECT_EQ(faces.at("voxel_bits"), (Size{2 * std::ceil(v / 32), v, v}));
     EXPECT_EQ(faces.at("voxel_distance"), (Size{v / 8, v, v}));
@@ -121,7 +121,7 @@ TEST(ReferencePackProperties, largest_volume_is_not_for_the_face_cache) {
   EXPECT_EQ(flood.at("voxel_bits"), (Size{16, 128, 256}));
   EXPECT_EQ(flood.at("flood_light"), (Size{264, 132, 512}));
   EXPECT_EQ(faces.at("voxel_distance"), (Size{16, 128, 128}));
-  EXPECT_EQ(faces.at("face_light"), (Size{1152, 128, 128}));
+  EXPECT_EQ(faces.at("face_light"), (Size{1152, 128, 256}));
 }
 
 TEST(ReferencePackProperties, methods_without_images_have_none) {

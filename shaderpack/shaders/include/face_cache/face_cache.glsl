@@ -6,9 +6,9 @@
 //                stairs, tops of slabs. A shape with octants looks one way along an axis there. Of full blocks they are
 //                the upper halves of faces beside a stained pane, which parts their light.
 //                Cells keep their place when the camera moves (store_cell), so nothing is copied.
-//   face_recent  as face_light, a mean of the last few updates. Updates look it up: what is reflected often, in bright
-//                rooms, comes to rest sooner by quick steps, whose noise the slow mean takes away (Polyak & Juditsky 1992,
-//                "Acceleration of Stochastic Approximation by Averaging").
+//                Behind them (recent_texel) lie means of the last few updates, which updates look up: what is reflected often,
+//                in bright rooms, comes to rest sooner by quick steps, whose noise the slow mean takes away (Polyak &
+//                Juditsky 1992, "Acceleration of Stochastic Approximation by Averaging").
 //   face_list    r32ui, the faces to update in this frame, then the faces of lamps; see pack_face
 //   face_fresh   rgba16f, the new samples of the faces of the list, as B / face_unit, and on how many updates the old light
 //                rests: all updates read the old light, so that the order in which they run does not matter
@@ -61,6 +61,8 @@ ivec3 face_texel(ivec3 cell, int face) {
     ivec3 place = store_cell(cell);
     return ivec3(place.x * face_places + place_of_face(face), place.yz);
 }
+
+ivec3 recent_texel(ivec3 texel) { return texel + ivec3(0, 0, VOLUME); }
 
 vec3 face_normal(int face) {
     int axis = (face & 7) >> 1;

@@ -11,7 +11,6 @@ layout(local_size_x = 64) in;
 const ivec3 workGroups = ivec3(16, 1, 1);
 
 layout(rgba16f) uniform image3D face_light;
-layout(rgba16f) uniform image3D face_recent;
 layout(rgba16f) uniform readonly image2D face_fresh;
 layout(r32ui) uniform readonly uimage2D face_list;
 layout(r32ui) uniform readonly uimage2D face_tally;
@@ -34,7 +33,8 @@ void add_sample(ivec3 texel, vec4 sampled) {
     vec2 at = vec2(chance.xy) * (1.0 / 16777216.0);
     float gain = max(1.0 / float(FACE_WINDOW), FACE_GAIN / (sampled.a + FACE_GAIN));
     imageStore(face_light, texel, mean_with(imageLoad(face_light, texel), sampled, gain, at.x));
-    imageStore(face_recent, texel, mean_with(imageLoad(face_recent, texel), sampled, max(gain, recent_gain), at.y));
+    texel = recent_texel(texel);
+    imageStore(face_light, texel, mean_with(imageLoad(face_light, texel), sampled, max(gain, recent_gain), at.y));
 }
 
 void commit_faces(uint first, uint stride) {
@@ -63,7 +63,7 @@ void empty_entered_cells(uint first, uint stride) {
         for (int face = 0; face < face_inner + 6; ++face)
             if (face != face_ball && face != 7 && !is_listed(listed, face)) {
                 imageStore(face_light, face_texel(cell, face), vec4(0.0));
-                imageStore(face_recent, face_texel(cell, face), vec4(0.0));
+                imageStore(face_light, recent_texel(face_texel(cell, face)), vec4(0.0));
             }
     }
 }

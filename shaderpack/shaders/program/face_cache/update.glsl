@@ -5,7 +5,7 @@
 layout(local_size_x = 64) in;
 const ivec3 workGroups = ivec3(16, 1, 1);  // idle threads cost as much as busy ones on some drivers
 
-layout(rgba16f) uniform readonly image3D face_recent;
+layout(rgba16f) uniform readonly image3D face_light;
 layout(rgba16f) uniform writeonly image2D face_fresh;
 layout(r32ui) uniform readonly uimage2D face_list;
 layout(r32ui) uniform readonly uimage2D face_tally;
@@ -25,7 +25,7 @@ struct Face {
 /// B and number of updates; nothing where the cell was elsewhere in the frame before.
 vec4 light_of(ivec3 cell, int face) {
     if (entered(cell)) return vec4(0.0);
-    return trusted(imageLoad(face_recent, face_texel(cell, face)));
+    return trusted(imageLoad(face_light, recent_texel(face_texel(cell, face))));
 }
 
 #include "/include/gi/leaves.glsl"
