@@ -76,7 +76,7 @@ MUTANTS = {
         ("item: edges of the first frame", "item_looks.*", "std::ranges::any_of(frames, [&]", "std::ranges::all_of(frames, [&]"),
         ("flat item: an edge for each texel", "item_looks.*", "if (edge || from < 0) continue;",
          "if (from < 0) continue;"),
-        ("flat item: edges inside", "item_looks.*", "&& !isThere(image, x + out.x, y - out.y)", ""),
+        ("flat item: edges inside", "item_looks.*", "&& !isThere(*frame, x + out.x, y - out.y)", ""),
         ("flat item: edges on the other side", "item_looks.*", "y - out.y)", "y + out.y)"),
         ("flat item: edges of any number of texels", "item_looks.*", "kMostEdgeTexels = 64", "kMostEdgeTexels = 4096"),
     ],
