@@ -44,7 +44,7 @@ MUTANTS = [
     ("sun behind stained glass white", GLASS, [(TINT, "blocks_below(texel, depth) > sheet_distance ?", "false ?")]),
     ("sun beside a stained window white", "*ReferenceWindow.*roof", [(TINT, "vec3 receiver = radius > 0 ?", "vec3 receiver = true ?")]),
     ("faces in stained glass are looked up", "*ReferenceWindow.*wall", [(HIT, "return hit.found && before.code == voxel_translucent", "return false && before.code == voxel_translucent")]),
-    ("updates look up the slow mean", "*ReferenceRoom.*wool", [(UPDATE, "imageLoad(face_recent, face_texel(cell, face))", "imageLoad(face_light, face_texel(cell, face))"), (UPDATE, "uniform readonly image3D face_recent", "uniform readonly image3D face_light")]),
+    ("updates look up the slow mean", "*ReferenceRoom.*wool", [(UPDATE, "recent_texel(face_texel(cell, face))", "face_texel(cell, face)")]),
     ("slow means rounded to the next step", "*ReferenceRoom.*", [("program/face_cache/commit.glsl", "dithered_half(mean, chance)", "dithered_half(mean, 0.0)")]),
     ("colours of voxels rounded alike", "*ReferenceRoom.*wool", [(SHADOW, "float(hash(place).y >> 8u) * (1.0 / 16777216.0)", "0.5")]),
     ("lava in a cell is not met from inside", "*ReferenceRoom.*lava*", [(HIT, "if (own.code == voxel_lava) met =", "if (false) met =")]),
