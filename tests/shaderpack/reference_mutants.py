@@ -49,6 +49,7 @@ MUTANTS = [
     ("colours of voxels rounded alike", "*ReferenceRoom.*wool", [(SHADOW, "float(hash(place).y >> 8u) * (1.0 / 16777216.0)", "0.5")]),
     ("lava in a cell is not met from inside", "*ReferenceRoom.*lava*", [(HIT, "if (own.code == voxel_lava) met =", "if (false) met =")]),
     ("faces beside lava lit as if they were whole", "*ReferenceRoom.*lava*", [(UPDATE, "if (code_before == voxel_lava) return", "if (false) return")]),
+    ("top of lava lit as if it were the cell's", "*ReferenceRoom.*lava*", [(UPDATE, "if (code == voxel_lava && face == face_up", "if (false && face == face_up")]),
     ("water fills what lies below its bottom", "ReferenceGlass.*water", [("program/voxels/lakes.glsl", "if (water.a > 0.0 && (kept_shape", "if (false && (kept_shape")]),
     ("sun behind water white", "ReferenceGlass.*water", [(SHADOW, "id == block_water ? water_height : 0.0", "0.0")]),
     ("glass is nothing to shadow volumes", GLASS, [(SUN, "lit *= open_share(player, normal, light);", "")]),
