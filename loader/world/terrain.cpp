@@ -43,7 +43,7 @@ double noise(std::uint32_t seed, double x, double z) {
 class TerrainGenerator {
  public:
   TerrainGenerator(BlockWorld& world, const TerrainSettings& settings)
-      : world_(world), settings_(settings), low_(world.origin()), size_(world.size()) {}
+      : world_(world), settings_(settings), low_(world.origin()), size_(world.size()), sea_(settings.seaLevel - low_.y) {}
 
   void run() {
     for (int z = 0; z < size_.z; ++z) {
@@ -70,11 +70,11 @@ class TerrainGenerator {
       weight *= 0.45;
       scale *= 2;
     }
-    const double height = settings_.seaLevel + settings_.relief * (2.4 * sum / weights - 1.05);
+    const double height = sea_ + settings_.relief * (2.4 * sum / weights - 1.05);
     return std::clamp(int(std::floor(height)), 1, std::max(1, size_.y - 1));
   }
 
-  bool isGrass(int height) const { return height > settings_.seaLevel + 1; }
+  bool isGrass(int height) const { return height > sea_ + 1; }
 
   void addColumn(int x, int z) {
     const int height = ground(x, z);
@@ -84,7 +84,7 @@ class TerrainGenerator {
     world_.fill(at(0), at(height), stone_);
     world_.fill(at(std::max(0, height - kSoil)), at(height), isGrass(height) ? dirt_ : sand_);
     if (isGrass(height)) world_.set(at(height), grass_);
-    if (height < settings_.seaLevel) world_.fill(at(height + 1), at(settings_.seaLevel), water_);
+    if (height < sea_) world_.fill(at(height + 1), at(sea_), water_);
     if (isGrass(height) && unitHash(settings_.seed + 101, p.x, p.z) < settings_.plants) {
       world_.set(at(height + 1), plants_[hash(settings_.seed + 102, p.x, p.z) % 3]);
     }
@@ -129,6 +129,7 @@ class TerrainGenerator {
   BlockWorld& world_;
   const TerrainSettings& settings_;
   const glm::ivec3 low_, size_;
+  const int sea_;  // above the box's lowest block, as every height here
   const std::uint32_t stone_ = block("stone"), dirt_ = block("dirt"), grass_ = block("grass_block"),
                       sand_ = block("sand"), water_ = block("water"), log_ = block("oak_log"),
                       leaves_ = block("oak_leaves");

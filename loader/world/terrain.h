@@ -7,7 +7,7 @@ namespace orris {
 
 struct TerrainSettings {
   unsigned seed = 1;
-  int seaLevel = 16;     ///< y of the highest water block, above the box's origin
+  int seaLevel = 63;     ///< y of the highest water block, within the box; the default is the game's
   int relief = 14;       ///< heights vary by about this much above and below the sea level
   double trees = 0.5;    ///< share of the 7x7 plots on grass that carry a tree
   double plants = 0.06;  ///< share of grass blocks with a flower or fern

@@ -116,6 +116,9 @@ TEST(WorldJsonErrors, wrong_operations) {
   EXPECT_EQ(
       operationMessage(R"({"generate": {"city": {}}})"),
       "world.json:2:15: error: unknown key \"city\" in \"generate\": expected one of terrain");
+  EXPECT_EQ(operationMessage(R"({"generate": {"terrain": {}}})"),
+            "world.json:2:26: error: the sea level 63 is outside of the box, whose heights are 0 to 3: set "
+            "\"seaLevel\" or \"origin\"");
 }
 
 TEST(WorldJsonErrors, files_stay_inside_the_folder_and_their_errors_are_reported) {

@@ -202,11 +202,11 @@ TEST(WorldJson, a_dimension_has_its_own_fog_sky_and_climate) {
 
 TEST(WorldJson, terrain_depends_on_both_seeds_only) {
   const std::string text =
-      R"({"size": [32, 40, 32], "blocks": [{"generate": {"terrain": {"seed": 3}}}]})";
+      R"({"origin": [0, 45, 0], "size": [32, 40, 32], "blocks": [{"generate": {"terrain": {"seed": 3}}}]})";
   const auto heights = [](const ParsedWorld& parsed) {
     std::string result;
     for (int i = 0; i < 32 * 32 * 40; ++i) {
-      result += char('a' + parsed.world->blocks.indexAt({i % 32, i / 1024, i / 32 % 32}));
+      result += char('a' + parsed.world->blocks.indexAt({i % 32, 45 + i / 1024, i / 32 % 32}));
     }
     return result;
   };

@@ -309,11 +309,18 @@ class BlockOperations {
     TerrainSettings settings;
     const RealRange share{0, 1};
     reader_.optional(*terrain, "seed", IntegerRange{0, 1 << 30}, seed);
-    reader_.optional(*terrain, "seaLevel", IntegerRange{0, kMaxWorldSize}, settings.seaLevel);
+    reader_.optional(*terrain, "seaLevel", kCellRange, settings.seaLevel);
     reader_.optional(*terrain, "relief", IntegerRange{0, kMaxWorldSize}, settings.relief);
     reader_.optional(*terrain, "trees", share, settings.trees);
     reader_.optional(*terrain, "plants", share, settings.plants);
     settings.seed = unsigned(seed) + json_.seed;
+    const int low = world.origin().y, high = low + world.size().y - 1;
+    if (settings.seaLevel < low || settings.seaLevel > high) {
+      reader_.error(terrain->offset,
+                    fmt::format("the sea level {} is outside of the box, whose heights are {} to {}: set "
+                                "\"seaLevel\" or \"origin\"", settings.seaLevel, low, high));
+      return;
+    }
     if (spend(node, volume(world.size()) * kGeneratorWork)) generateTerrain(world, settings);
   }
 
