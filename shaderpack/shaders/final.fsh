@@ -1,4 +1,4 @@
 #version 330 compatibility
 // Exposure and tone map: radiance to the screen.
 #define FRAGMENT_STAGE
-#include "/program/final.glsl"
+#include "/program/post/final.glsl"

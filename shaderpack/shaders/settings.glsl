@@ -74,6 +74,8 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 #define TEMPORAL_FRAMES 64 // [10 16 32 64 128 256 1024]
 
 // Picture
+#define WATER_WAVES // Waves on open water, and the sun that they mirror
+#define AUTO_EXPOSURE // Follows how bright the picture is, as eyes do
 #define TONE_MAP ACES // [NONE REINHARD ACES]
 #define EXPOSURE 1.0 // [0.25 0.5 0.7 1.0 1.4 2.0 4.0]
 

@@ -102,6 +102,8 @@ PackSession::PackSession(World world, const SessionSetup& setup, std::size_t cam
     : options_(setup.options) {
   // What AtlasLayout says, whatever the world's size.
   options_.emplace("VOXEL_SIZE", "64");
+  // To the reference water is flat, and tests read radiance.
+  for (const char* option : {"WATER_WAVES", "AUTO_EXPOSURE"}) options_.emplace(option, "false");
   Diagnostics diagnostics;
   SessionRequest request;
   request.openPack = [change = setup.change](Diagnostics& problems) {

@@ -3,12 +3,18 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "pack_session.h"
 #include <orris/render/inspect/counters.h>
 
 namespace orris::test {
 namespace {
+
+bool mentions(const Schedule& schedule, const ShaderPack& pack, const std::string& program) {
+  return std::any_of(schedule.programs.begin(), schedule.programs.end(),
+                     [&](int index) { return pack.programs[index].name == program; });
+}
 
 // Middles of two faces of the cornell world's blocks and of eyes that see them: the tall block's face
 // toward the red wall and the short one's toward the green wall.
@@ -165,9 +171,125 @@ TEST(PackPicture, largest_volume_is_wider_than_high) {
   EXPECT_EQ(seen(smaller, east), glm::dvec3(0));
 }
 
-bool mentions(const Schedule& schedule, const ShaderPack& pack, const std::string& program) {
-  return std::any_of(schedule.programs.begin(), schedule.programs.end(),
-                     [&](int index) { return pack.programs[index].name == program; });
+/// A wall of concrete in the noon sun, of which the camera sees nothing else.
+constexpr const char* kWall = R"({
+  "size": [64, 16, 8],
+  "blocks": [{"box": "white_concrete", "min": [0, 0, 0], "max": [31, 15, 0]},
+             {"box": "black_concrete", "min": [32, 0, 0], "max": [63, 15, 0]}],
+  "cameras": [{"name": "eye", "position": [16, 8, 4], "yaw": 180, "fov": 30}],
+  "environment": {"time": 6000}
+})";
+const glm::dvec3 kBeforeWhite(16, 8, 4), kWhite(16, 8, 1), kBeforeBlack(48, 8, 4), kBlack(48, 8, 1);
+
+PackSession adaptingWall() {
+  return {kWall, {{"GI_METHOD", "NONE"}, {"AUTO_EXPOSURE", "true"}}};
+}
+
+/// Of the pack, for a picture of one luminance: the power .6 of how much darker it is than .45 (include/post/exposure.glsl).
+double exposureFor(PackSession& pack) {
+  return std::clamp(std::pow(.45 / glm::dot(pack.meanRadiance(), {.2126, .7152, .0722}), .6), .5, 4.);
+}
+
+double exposureOf(PackSession& pack) { return pack.dump("colortex9").pixels.at(0); }
+
+TEST(AutoExposure, first_frame_has_what_its_luminance_asks_for) {
+  PackSession pack = adaptingWall();
+  pack.look(kBeforeWhite, kWhite);
+  pack.renderFrames(1);
+  EXPECT_LT(exposureFor(pack), .9);
+  EXPECT_NEAR(exposureOf(pack), exposureFor(pack), .01);
+}
+
+// Frames last a sixtieth of a second, and after .4 s 1/e of the step is left.
+TEST(AutoExposure, follows_a_step_of_the_luminance_exponentially) {
+  PackSession pack = adaptingWall();
+  pack.look(kBeforeWhite, kWhite);
+  pack.renderFrames(2);
+  const double bright = exposureOf(pack);
+  pack.look(kBeforeBlack, kBlack);
+  pack.renderFrames(1);
+  const double dark = exposureFor(pack);
+  ASSERT_GT(dark, 1.5 * bright);
+  EXPECT_NEAR((dark - exposureOf(pack)) / (dark - bright), std::exp(-1 / 24.), .005);
+  pack.renderFrames(23);
+  EXPECT_NEAR((dark - exposureOf(pack)) / (dark - bright), std::exp(-1.), .01);
+}
+
+TEST(AutoExposure, exposes_the_screen) {
+  const auto screenOf = [](const char* adapts) {
+    PackSession pack(kWall, {{"GI_METHOD", "NONE"}, {"AUTO_EXPOSURE", adapts}, {"TONE_MAP", "NONE"}, {"SUN_STRENGTH", "0.0"},
+                             {"SKY_STRENGTH", "0.25"}});
+    pack.look(kBeforeWhite, kWhite);
+    pack.renderFrames(2);
+    return std::pair(pack.session().renderer().screenshot(), adapts == std::string("true") ? exposureOf(pack) : 1);
+  };
+  const auto linear = [](const Image8& screen) { return std::pow((screen.pixels.at(1) / 255. + .055) / 1.055, 2.4); };
+  const auto [plain, one] = screenOf("false");
+  const auto [adapted, exposure] = screenOf("true");
+  ASSERT_GT(exposure, 1.5);
+  EXPECT_NEAR(linear(adapted) / linear(plain) / exposure, 1, .06) << "of bytes, and one pixel of a textured wall";
+}
+
+TEST(AutoExposure, costs_nothing_without) {
+  for (const char* adapts : {"true", "false"}) {
+    PackSession pack(kWall, {{"GI_METHOD", "NONE"}, {"AUTO_EXPOSURE", adapts}});
+    const FrameRenderer& renderer = pack.session().renderer();
+    EXPECT_EQ(mentions(renderer.schedule(), renderer.pack(), "composite"), adapts == std::string("true"));
+    EXPECT_EQ(bool(renderer.schedule().target(false, 9)), adapts == std::string("true"));
+  }
+  PackSession view(kWall, {{"GI_METHOD", "NONE"}, {"AUTO_EXPOSURE", "true"}, {"SHADOW_VIEW", "true"}});
+  EXPECT_FALSE(view.session().renderer().schedule().target(false, 9)) << "a view of shadows is no picture";
+}
+
+/// A lake at noon, seen from above at a slant.
+constexpr const char* kLake = R"({
+  "size": [64, 8, 64],
+  "blocks": [{"box": "sand", "min": [0, 0, 0], "max": [63, 3, 63]}, {"box": "water", "min": [0, 2, 0], "max": [63, 3, 31]}],
+  "cameras": [{"name": "eye", "position": [32, 8, 40]}],
+  "environment": {"time": 6000}
+})";
+
+/// What two frames half a second apart show of a place of the lake.
+std::pair<ImageF, ImageF> lakeAt(const char* waves, glm::dvec3 eye, glm::dvec3 place) {
+  PackSession pack(kLake, {{"GI_METHOD", "NONE"}, {"WATER_WAVES", waves}});
+  pack.look(eye, place);
+  pack.renderFrames(1);
+  ImageF first = pack.dump("colortex0");
+  pack.renderFrames(30);
+  return {std::move(first), pack.dump("colortex0")};
+}
+
+TEST(WaterWaves, move_on_water_and_nowhere_else) {
+  const glm::dvec3 eye(32, 8, 40), water(32, 4, 24), sand(32, 4, 44);
+  const auto [first, later] = lakeAt("true", eye, water);
+  EXPECT_NE(first.pixels, later.pixels);
+  const auto [calm, calmLater] = lakeAt("false", eye, water);
+  EXPECT_EQ(calm.pixels, calmLater.pixels);
+  const auto [shore, shoreLater] = lakeAt("true", eye, sand);
+  EXPECT_EQ(shore.pixels, shoreLater.pixels);
+  EXPECT_EQ(shore.pixels, lakeAt("false", eye, sand).first.pixels);
+}
+
+/// Standard deviation over the mean of what is green.
+double contrast(const ImageF& image) {
+  double sum = 0, squares = 0;
+  const double n = image.width * image.height;
+  for (int i = 0; i < int(n); ++i) {
+    const double green = image.pixels[std::size_t(i) * image.channels + 1];
+    sum += green;
+    squares += green * green;
+  }
+  return std::sqrt(std::max(0., squares / n - sum / n * sum / n)) / (sum / n);
+}
+
+// In the mirror image of the sun, waves that no pixel can show become a wider highlight: less noise far away.
+TEST(WaterWaves, far_ones_do_not_flicker) {
+  const auto spread = [](glm::dvec3 eye, glm::dvec3 place) { return contrast(lakeAt("true", eye, place).first); };
+  const glm::dvec3 place(32, 4, 16);
+  const glm::dvec3 toward(0, 8, -4.6);
+  const double near = spread(place + toward, place);
+  EXPECT_GT(near, .7);
+  EXPECT_LT(spread(place + 15. * toward, place), .6 * near);
 }
 
 TEST(PackCost, without_lights_and_shadows_no_voxels_floodfill_or_shadow_map_exist) {

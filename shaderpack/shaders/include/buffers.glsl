@@ -30,11 +30,13 @@
 // colortex8    RGBA16F   window  keep   deferred                      deferred (next frame), deferred4
 //   with GI_GLOSSY: rgb what polished blocks and metals mirror, a number of frames in it; RGBA32F
 //   where colortex3 is
+// colortex9    R32F      1x1     keep   composite                     composite (next frame), final
+//   with AUTO_EXPOSURE: the exposure
 //
 // The images of the lamps are described in include/lights, those of the face cache in
 // include/face_cache/face_cache.glsl, those that are made of the voxels in include/voxels/: changes, distance,
 // flood_image, active_bricks.
-// colortex3..8 and the shadow targets exist only while an option uses them.
+// colortex3..9 and the shadow targets exist only while an option uses them.
 #if !defined INCLUDED_BUFFERS
 #define INCLUDED_BUFFERS
 
@@ -84,6 +86,13 @@ const int colortex8Format = RGBA16F;
 #endif
 /*
 const bool colortex8Clear = false;
+*/
+#endif
+
+#if HAS_AUTO_EXPOSURE
+/*
+const int colortex9Format = R32F;
+const bool colortex9Clear = false;
 */
 #endif
 

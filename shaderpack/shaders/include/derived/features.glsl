@@ -72,6 +72,28 @@
 #define HAS_COUNTERS 0
 #endif
 
+// Weather and clouds share the program with water.
+#ifdef WATER_WAVES
+#if !defined PROGRAM_WEATHER && !defined PROGRAM_CLOUDS
+#define HAS_WATER_WAVES 1
+#else
+#define HAS_WATER_WAVES 0
+#endif
+#else
+#define HAS_WATER_WAVES 0
+#endif
+
+// Not for views of what is no picture.
+#ifdef AUTO_EXPOSURE
+#if !defined SHADOW_VIEW
+#define HAS_AUTO_EXPOSURE (!HAS_VOXEL_VIEW && !HAS_LIGHT_DEBUG)
+#else
+#define HAS_AUTO_EXPOSURE 0
+#endif
+#else
+#define HAS_AUTO_EXPOSURE 0
+#endif
+
 // Shadow volumes where the host has them; elsewhere the map. Rays of global illumination ask for the
 // sun at places that no pixel shows, so with them there is a map as well. AUTO, a lower number, is a map here.
 #define HAS_SHADOW_VOLUMES (HAS_STENCIL && SHADOW_METHOD >= SHADOW_METHOD_VOLUME_ZPASS)

@@ -39,6 +39,9 @@ void main() {
 #include "/include/gi/ambient.glsl"
 #include "/include/brdf/direct.glsl"
 #include "/include/shadow/shadow.glsl"
+#if HAS_WATER_WAVES
+#include "/include/water/waves.glsl"
+#endif
 #if HAS_LAMPS
 #include "/include/lights/lit_by_lamps.glsl"
 #endif
@@ -134,19 +137,33 @@ void main() {
     vec3 n = dot(normal, v) < 0.0 ? -normal : normal;
 #endif
     vec3 l = light_direction();
+    vec3 mirror = n;  // normal of what mirrors
+#if HAS_WATER_WAVES
+    Waves waves = waves_at(player);
+    bool has_waves = is_water > 0.0 && abs(n.y) > 0.5;
+    if (has_waves) mirror = n.y > 0.0 ? waves.normal : -waves.normal;
+#endif
     float level = emission / 15.0;
     vec3 radiance = albedo * (EMISSION_STRENGTH * level * level + indirect_radiance(n));
 #if DIRECT_LIGHT != NONE
-    radiance += light_irradiance() * light_visibility(player, n, l, shadow_radius, light.y) *
-                reflect_direct(albedo, n, v, l);
+    vec3 sun = light_irradiance() * light_visibility(player, n, l, shadow_radius, light.y);
+    radiance += sun * reflect_direct(albedo, n, v, l);
 #endif
 #if HAS_LAMPS
     radiance += lamps_radiance(player, n, 0.0, albedo);
 #endif
 
     // Fresnel: Schlick, reflectance 0.02.
-    float fresnel = is_water * (0.02 + 0.98 * pow(1.0 - clamp(dot(n, v), 0.0, 1.0), 5.0));
-    if (fresnel > 0.0) radiance = mix(radiance, mirrored_radiance(n, reflect(-v, n), l), fresnel);
+    float fresnel = is_water * (0.02 + 0.98 * pow(1.0 - clamp(dot(mirror, v), 0.0, 1.0), 5.0));
+    if (fresnel > 0.0) {
+        vec3 direction = reflect(-v, mirror);
+        // Waves that turn away from the eye would mirror what is below.
+        direction -= 2.0 * min(dot(direction, n), 0.0) * n;
+        radiance = mix(radiance, mirrored_radiance(n, direction, l), fresnel);
+    }
+#if HAS_WATER_WAVES && DIRECT_LIGHT != NONE
+    if (has_waves) radiance += sun * wave_highlight(mirror, waves.variance, v, l);
+#endif
     out_color = vec4(radiance, mix(color.a, 1.0, fresnel));
 }
 

@@ -12,11 +12,17 @@ void main() { gl_Position = ftransform(); }
 #include "/include/post/tone_map.glsl"
 
 uniform sampler2D colortex0;
+#if HAS_AUTO_EXPOSURE
+uniform sampler2D colortex9;
+#endif
 
 layout(location = 0) out vec4 out_color;
 
 void main() {
     vec3 color = texelFetch(colortex0, ivec2(gl_FragCoord.xy), 0).rgb;
+#if HAS_AUTO_EXPOSURE
+    color *= texelFetch(colortex9, ivec2(0), 0).r;
+#endif
     out_color = vec4(to_display(tone_map(color * EXPOSURE)), 1.0);
 }
 
