@@ -174,6 +174,23 @@ class Outputs(Checkout):
             self.assertTrue(link.is_symlink())
             link.unlink()
 
+    def test_are_not_written_through_folders_that_are_links(self):
+        (self.path / "out").symlink_to("../secret")
+        before = sorted(self.secret.iterdir())
+        for words in (["validate", "pack", "--report", "sarif=out/file"],
+                      ["validate", "pack", "--write-baseline", "out/file"],
+                      ["options", "pack", "--graph", str(self.path / "out/new.md")]):
+            self.assertIn("lies behind the symbolic link out; outputs are not written through links",
+                          self.orris(*words, status=2).stderr)
+        self.assertEqual(sorted(self.secret.iterdir()), before)
+        self.assertEqual((self.secret / "file").read_text(), SECRET + "\n")
+
+    def test_are_written_where_the_folder_itself_is_named(self):
+        (self.path / "out").mkdir()
+        for name in ("out/report", "./out/../out/report", str(self.path / "out/report")):
+            self.orris("validate", "pack", "--report", "sarif=" + name, status=0)
+            (self.path / "out/report").unlink()
+
     def test_names_of_temporary_files_cannot_be_taken(self):
         (self.path / "out.part").symlink_to("../secret/file")
         # The number of the process could be foreseen in a container: its program and its shell.

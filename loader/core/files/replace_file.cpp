@@ -22,6 +22,21 @@ fs::path folderOf(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
+/// The first folder on the way to a file that a symbolic link stands for, below the current one: what is checked out there
+/// is not ours. "" for none; links of the machine's own (/tmp, /var/run) are above it, or elsewhere.
+std::string linkOnTheWay(const fs::path& path) {
+  std::error_code error;
+  const fs::path here = fs::current_path(error);
+  const fs::path inside = fs::absolute(path, error).lexically_normal().lexically_relative(here);
+  if (error || inside.empty() || *inside.begin() == "..") return "";
+  fs::path folder = here;
+  for (const fs::path& part : inside.parent_path()) {
+    folder /= part;
+    if (fs::is_symlink(folder, error)) return folder.lexically_relative(here).string();
+  }
+  return "";
+}
+
 /// A file that nobody could have put there before, removed at the end.
 class Partial {
  public:
@@ -90,6 +105,8 @@ std::string outputProblem(const std::string& path) {
     if (S_ISDIR(facts.st_mode)) return "is a folder";
     if (!S_ISREG(facts.st_mode)) return "is a device or pipe, not a file";
   }
+  if (const std::string link = linkOnTheWay(path); !link.empty())
+    return fmt::format("lies behind the symbolic link {}; outputs are not written through links: name the folder itself", link);
   std::error_code error;
   const fs::path folder = folderOf(path);
   if (!fs::is_directory(folder, error)) return "cannot be written: there is no such folder";

@@ -9,7 +9,8 @@
 namespace orris {
 
 /// Why no file can be written at `path`, to be put behind its name; "" when one can. What is there must
-/// be a regular file or nothing: a link that somebody left is not written through, a device not replaced.
+/// be a regular file or nothing: a link that somebody left is not written through, nor one on the way to it below the
+/// current folder, a device not replaced.
 std::string outputProblem(const std::string& path);
 
 /// Lets `write` fill a file beside `path` and then puts that in its place, so that whoever reads sees
