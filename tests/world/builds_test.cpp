@@ -1,4 +1,5 @@
 // Structures, Litematica's files and schematics of numeric ids.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "region_builder.h"
@@ -8,6 +9,9 @@
 
 namespace orris {
 namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
 
 std::optional<BlockWorld> built(const std::string& members, std::string& errors) {
   Diagnostics diagnostics;
@@ -117,6 +121,16 @@ TEST(Builds, numeric_schematic_maps_ids_and_data) {
   EXPECT_EQ(world->at({1, 0, 1}).name, "legacy:257");
   EXPECT_FALSE(built(size + nbtByteArray("Blocks", "12") + nbtByteArray("Data", "12"), errors));
   EXPECT_EQ(errors, "\"Blocks\" and \"Data\" have fewer than 4 bytes each");
+}
+
+TEST(Builds, numeric_schematic_joins_its_fences) {
+  std::string errors;
+  const auto world = built(nbtShort("Width", 2) + nbtShort("Height", 1) + nbtShort("Length", 1) +
+                               nbtByteArray("Blocks", "\x55\x55") + nbtByteArray("Data", {"\0\0", 2}),
+                           errors);
+  ASSERT_TRUE(world) << errors;
+  EXPECT_THAT(world->at({0, 0, 0}).toString(), HasSubstr("east=true"));
+  EXPECT_THAT(world->at({1, 0, 0}).toString(), AllOf(HasSubstr("east=false"), HasSubstr("west=true")));
 }
 
 TEST(LegacyBlocks, every_state_of_the_table_is_known_to_the_block_data) {

@@ -116,6 +116,18 @@ MUTANTS = {
         ("dimensions: fog of the plains", "WorldJson.*", "  environment.fogColor = look->fog;\n", ""),
         ("dimensions: the sky of the plains", "WorldJson.*", "  environment.skyColor = glm::vec3(0);\n", ""),
     ],
+    "loader/world/world.cpp": [
+        ("schematics: no clouds", "WorldFiles.*", "  world.environment.clouds = Clouds::Fancy;\n", ""),
+    ],
+    "loader/world/files/tag_builds.cpp": [
+        ("joins: numeric fences stand alone", "Builds.*", "  joinSides(world);\n", ""),
+    ],
+    "loader/world/saves/save.cpp": [
+        ("joins: fences of old saves stand alone", "Saves.*", "    joinSides(*blocks);\n", ""),
+    ],
+    "loader/world/terrain.cpp": [
+        ("terrain: the sea above the lowest block", "WorldJson.*", "sea_(settings.seaLevel - low_.y)", "sea_(settings.seaLevel)"),
+    ],
     "loader/world/content/stated_values.cpp": [
         ("stated: any number", "WorldJson.*", "return inside && (!whole || value == std::floor(value));", "return true;"),
         ("stated: fractions", "WorldJson.*", "(!whole || value == std::floor(value))", "true"),
@@ -129,7 +141,7 @@ MUTANTS = {
         ("joins: water is firm", "NeighbourJoins.*", "facts.air || facts.fluid || facts.cross", "facts.air"),
         ("joins: a post everywhere", "NeighbourJoins.*", "straight && world.at(p + kUp).name == \"minecraft:air\"", "false"),
         ("joins: a post under nothing only", "NeighbourJoins.*", "straight && world.at(p + kUp).name == \"minecraft:air\"", "straight"),
-        ("joins: what is named changes", "NeighbourJoins.*", "kind != SideKind::None && kind != SideKind::Gate &&", "kind != SideKind::None && kind != SideKind::Gate) || (false &&"),
+        ("joins: what is named changes", "NeighbourJoins.*", "return saysOf(state, side); });\n}\n\n// The game: FenceBlock", "return false; });\n}\n\n// The game: FenceBlock"),
         ("joins: all rails curve", "NeighbourJoins.*", "state.name == \"minecraft:rail\" && north.there", "north.there"),
         ("joins: rails on one level", "NeighbourJoins.*", "higher || isRail(beside) || isRail(beside - kUp)", "isRail(beside)"),
         ("joins: left is right", "NeighbourJoins.*", "side == counterClockwise(facing) ? \"left\" : \"right\"", "side == counterClockwise(facing) ? \"right\" : \"left\""),

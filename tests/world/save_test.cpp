@@ -36,6 +36,20 @@ class Saves : public test::FolderTest {
   Diagnostics diagnostics_;
 };
 
+TEST_F(Saves, fences_of_numeric_ids_meet) {
+  std::string ids(4096, '\0');
+  ids[0] = ids[1] = 85;
+  const std::string section =
+      closed(nbtByte("Y", 0) + nbtByteArray("Blocks", ids) + nbtByteArray("Data", std::string(2048, '\0')));
+  RegionParts region;
+  region.add(0, 0, nbtCompound("", nbtCompound("Level", nbtList("Sections", 10, {section}))));
+  write("region/r.0.0.mca", region.file());
+  const auto world = load({.at = glm::ivec2(8, 8), .radius = 0});
+  ASSERT_TRUE(world) << joined(diagnostics_);
+  EXPECT_EQ(world->blocks.at({0, 0, 0}).properties.at("east"), "true");
+  EXPECT_EQ(world->blocks.at({1, 0, 0}).properties.at("east"), "false");
+}
+
 TEST_F(Saves, part_around_the_player_with_time_weather_and_eye) {
   write("region/r.0.0.mca", plainRegion());
   writeLevel(

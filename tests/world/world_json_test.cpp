@@ -215,6 +215,18 @@ TEST(WorldJson, terrain_depends_on_both_seeds_only) {
   EXPECT_NE(first, heights(parseWorld(text, nullptr, 1)));
 }
 
+TEST(WorldJson, terrain_has_the_sea_of_the_game) {
+  const auto parsed = parseWorld(R"({"origin": [0, 40, 0], "size": [64, 60, 64],
+      "blocks": [{"generate": {"terrain": {"seed": 7}}}]})");
+  ASSERT_TRUE(parsed.world) << parsed.errors;
+  int highest = 0;
+  for (int i = 0; i < 64 * 64 * 60; ++i) {
+    const glm::ivec3 place(i % 64, 40 + i / 4096, i / 64 % 64);
+    if (parsed.world->blocks.at(place).name == "minecraft:water") highest = std::max(highest, place.y);
+  }
+  EXPECT_EQ(highest, 63);
+}
+
 TEST(WorldJson, nothing_of_a_bad_text_crashes) {
   const std::string text = R"({"size": [2, 2, 2], "palette": {"a": "stone"}, "blocks": [
     {"layers": [["aa", "a."]]}, {"block": "torch", "at": [0, 1, 0]}], "cameras": [

@@ -7,6 +7,7 @@
 #include "support/folder_test.h"
 #include <orris/world/standing_camera.h>
 #include <orris/world/world_summary.h>
+#include "nbt_builder.h"
 #include "world_helpers.h"
 
 namespace orris {
@@ -124,6 +125,13 @@ TEST_F(WorldFiles, link_that_leaves_the_folder_is_not_followed) {
   EXPECT_FALSE(loadWorld((folder_ / "inner").string(), 0, diagnostics));
   ASSERT_EQ(diagnostics.size(), 1u);
   EXPECT_EQ(diagnostics[0].message, "cannot read \"house.schem\"");
+}
+
+TEST_F(WorldFiles, schematics_lie_under_the_clouds_of_the_game) {
+  Diagnostics diagnostics;
+  const auto world = loadWorld(write("house.schem", SchematicParts().file()), 0, diagnostics);
+  ASSERT_TRUE(world) << joined(diagnostics);
+  EXPECT_EQ(world->environment.clouds, Clouds::Fancy);
 }
 
 TEST_F(WorldFiles, palette_holds_what_events_set_and_the_water_of_waterlogged_blocks) {
