@@ -6,8 +6,9 @@ orris=${1:-build/release/orris}
 picture() {
   name=$1 world=$2
   shift 2
-  "$orris" render shaderpack "worlds/$world" -o "docs/gallery/$name.png" --size 480x270 --frames 160 "$@"
+  "$orris" render shaderpack "worlds/$world" -o "docs/gallery/$name.png" --frames 160 "$@"
 }
-picture day terrain --time 3000
-picture cave lava_cave --camera lava
-picture chapel chapel --camera nave
+picture day village --camera street --size 800x450
+picture night village --camera street --time 18000 --size 480x270
+picture cave lava_cave --camera lava --size 480x270
+picture chapel chapel --camera nave --size 480x270

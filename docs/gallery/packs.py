@@ -11,7 +11,7 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-FRAMES = 32
+FRAMES = "auto:128"
 SIZE = "320x180"
 STORM = {"rain": 1, "thunder": 1}
 
@@ -59,7 +59,7 @@ def main():
             world, camera = write_world(folder, scene)
             pictures = [Path(folder) / f"{scene}{i}.png" for i in range(len(args.packs))]
             for pack, picture in zip(args.packs, pictures):
-                subprocess.run([args.orris, "render", pack, world, "--camera", camera, "--size", SIZE, "--frames", str(FRAMES),
+                subprocess.run([args.orris, "render", pack, world, "--camera", camera, "--size", SIZE, "--frames", FRAMES,
                                 "-o", picture], check=True)
             subprocess.run(["convert", *pictures, "+append", "-quality", "84", args.out / f"{scene}.jpg"], check=True)
 

@@ -15,6 +15,7 @@ namespace orris {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::ElementsAreArray;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
@@ -298,19 +299,59 @@ TEST(DrawLists, a_framed_item_is_turned_clockwise) {
 
 TEST(DrawLists, what_is_hidden_still_wears_its_armour) {
   Entity stand = entityOf("minecraft:armor_stand", "armor_stand");
+  stand.armour = {"minecraft:iron_helmet", "minecraft:iron_chestplate"};
   const std::size_t all = listsOf(stand).vertices.size();
-  stand.armour = false;
+  stand.armour.clear();
   const std::size_t bare = listsOf(stand).vertices.size();
-  stand.armour = true;
+  stand.armour = {"minecraft:iron_helmet", "minecraft:iron_chestplate"};
   stand.hidden = true;
   const std::size_t worn = listsOf(stand).vertices.size();
   EXPECT_GT(bare, 0u);
   EXPECT_EQ(worn, 4u * 6 * 4) << "four plates";
   EXPECT_EQ(bare + worn, all);
-  stand.armour = false;
+  stand.armour.clear();
   EXPECT_THAT(listsOf(stand).vertices, IsEmpty());
   stand.glint = true;
   EXPECT_THAT(listsOf(stand).vertices, IsEmpty()) << "no glint of armour that is not there";
+}
+
+TEST(DrawLists, each_piece_of_armour_is_a_draw_with_its_item) {
+  Entity zombie = entityOf("minecraft:zombie", "player");
+  const std::size_t bare = listsOf(zombie).vertices.size();
+  zombie.armour = {"minecraft:golden_helmet", "minecraft:leather_chestplate", "minecraft:iron_leggings", "minecraft:iron_boots"};
+  zombie.dye = glm::vec3(0, 0.5f, 1);
+  const DrawLists lists = listsOf(zombie);
+  std::vector<std::string> items;
+  std::vector<unsigned> sides;
+  for (const ContentDraw& draw : lists.draws)
+    if (!draw.item.empty()) {
+      items.push_back(draw.item);
+      sides.push_back(draw.range.quads);
+      EXPECT_EQ(draw.entity, "minecraft:zombie");
+      EXPECT_EQ(draw.geometry, Geometry::Entities);
+    }
+  EXPECT_THAT(items, ElementsAreArray(zombie.armour));
+  EXPECT_THAT(sides, ElementsAre(6, 18, 18, 12)) << "a helmet, a plate and two sleeves, hips and two legs, two feet";
+  EXPECT_EQ(lists.vertices.size(), bare + 4u * 54);
+  const auto colorOf = [&](const std::string& item) {
+    for (const ContentDraw& draw : lists.draws)
+      if (draw.item == item) {
+        const GpuVertex& v = lists.vertices[draw.range.firstVertex];
+        return glm::ivec3(v.color[0], v.color[1], v.color[2]);
+      }
+    return glm::ivec3(-1);
+  };
+  EXPECT_LT(colorOf("minecraft:golden_helmet").b, 100) << "gold is yellow";
+  EXPECT_EQ(colorOf("minecraft:leather_chestplate"), glm::ivec3(0, 128, 255)) << "leather takes the dye";
+  EXPECT_EQ(colorOf("minecraft:iron_boots"), glm::ivec3(255));
+}
+
+TEST(DrawLists, what_has_no_shape_for_armour_wears_none) {
+  Entity cow = entityOf("minecraft:cow", "cow");
+  const std::size_t bare = listsOf(cow).vertices.size();
+  cow.armour = {"minecraft:iron_helmet"};
+  cow.glint = true;
+  EXPECT_EQ(listsOf(cow).vertices.size(), bare);
 }
 
 TEST(DrawLists, entities_walk_and_particles_rise_with_time) {

@@ -116,6 +116,7 @@ TEST_F(DrawContentGL, the_glint_lies_on_the_armour_alone) {
   paint("gbuffers_armor_glint", "vec4(0.5, 0.0, 0.0, 1.0)");
   Entity stand;
   stand.kind = "minecraft:armor_stand";
+  stand.armour = {"minecraft:iron_helmet", "minecraft:iron_chestplate"};
   stand.glint = true;
   ASSERT_TRUE(startQuiet(worldWith(stand))) << messages();
   draw();

@@ -1,5 +1,5 @@
 // Entities and the rest besides blocks in world.json: values, and messages with their place.
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <orris/core/limits.h>
 #include <orris/world/content/entity_models.h>
@@ -70,6 +70,20 @@ TEST(ContentJson, a_hand_shows_unless_the_world_hides_it) {
   EXPECT_TRUE(hideGui("\"mainHand\": \"torch\", \"hideGui\": true"));
 }
 
+TEST(ContentJson, figures_wear_the_armour_that_is_named_and_stands_some_of_iron) {
+  const auto armourOf = [](const std::string& members) {
+    const ParsedWorld parsed =
+        parseWorld("{\"size\": [1, 1, 1], \"entities\": [{\"position\": [0, 0, 0], " + members + "}]}");
+    EXPECT_TRUE(parsed.world) << parsed.errors;
+    return parsed.world->content.entities.at(0).armour;
+  };
+  EXPECT_THAT(armourOf(R"("kind": "player")"), testing::IsEmpty());
+  EXPECT_THAT(armourOf(R"("kind": "player", "armour": ["iron_boots", "mod:tin_helmet"])"),
+              testing::ElementsAre("minecraft:iron_boots", "mod:tin_helmet"));
+  EXPECT_THAT(armourOf(R"("kind": "armor_stand")"), testing::SizeIs(2));
+  EXPECT_THAT(armourOf(R"("kind": "armor_stand", "armour": [])"), testing::IsEmpty());
+}
+
 TEST(ContentJson, mistakes_are_reported_at_their_place) {
   const std::pair<std::string, std::string> rows[] = {
       {R"("entities": [{"kind": "cat", "position": [0, 0, 0]}])",
@@ -77,6 +91,11 @@ TEST(ContentJson, mistakes_are_reported_at_their_place) {
        "item_frame, player, slime, spider"},
       {R"("entities": [{"position": [0, 0, 0]}])",
        "world.json:2:14: error: an entity has no \"kind\""},
+      {R"("entities": [{"kind": "player", "position": [0, 0, 0], "armour": ["iron_horse_armor"]}])",
+       "world.json:2:67: error: a piece of \"armour\" is \"iron_horse_armor\": expected an item whose name ends in _helmet, "
+       "_chestplate, _leggings or _boots"},
+      {R"("entities": [{"kind": "cow", "position": [0, 0, 0], "armour": ["iron_boots"]}])",
+       "world.json:2:63: error: cow wears no armour: only armor_stand and player do"},
       {R"("particles": [{"kind": "snow", "position": [0, 0, 0]}])",
        "world.json:2:24: error: \"kind\" is \"snow\": expected flame, smoke or spark"},
       {R"("particles": [{"kind": "smoke", "position": [0, 0, 0], "count": 0}])",

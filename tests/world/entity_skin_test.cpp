@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <orris/world/blocks/block_facts.h>
+#include <orris/world/content/armour.h>
 
 namespace orris {
 namespace {
@@ -91,6 +92,44 @@ TEST(EntitySkin, every_side_of_every_model_lies_in_its_texture) {
         }
     }
   }
+}
+
+// Of armour textures are half as high.
+TEST(EntitySkin, every_side_of_armour_lies_in_its_texture) {
+  for (const ArmourPart& part : armourParts())
+    for (int side = 0; side < 6 && part.skin.u != BoxSkin::kNone; ++side)
+      for (const glm::vec2& uv : skinUv(part.box, part.skin, side)) {
+        EXPECT_GE(uv.x, 0);
+        EXPECT_LE(uv.x, 64);
+        EXPECT_GE(uv.y, 0);
+        EXPECT_LE(uv.y, 32);
+      }
+}
+
+TEST(Armour, names_of_items_say_slot_and_material) {
+  const auto skin = [](const char* item) {
+    const auto piece = armourPieceOf(item);
+    return piece ? std::string(piece->skin) : "";
+  };
+  EXPECT_EQ(armourPieceOf("minecraft:iron_helmet")->slot, ArmourSlot::Head);
+  EXPECT_EQ(armourPieceOf("golden_boots")->slot, ArmourSlot::Feet);
+  EXPECT_EQ(skin("minecraft:golden_boots"), "armour_gold");
+  EXPECT_EQ(skin("minecraft:diamond_leggings"), "leggings_diamond");
+  EXPECT_EQ(skin("minecraft:turtle_helmet"), "armour_turtle");
+  EXPECT_EQ(skin("mod:mithril_chestplate"), "armour_iron") << "unknown";
+  EXPECT_TRUE(armourPieceOf("leather_boots")->takesDye);
+  EXPECT_EQ(skin("minecraft:iron_horse_armor"), "");
+  EXPECT_EQ(skin("minecraft:stone"), "");
+}
+
+// So that any of them has a texture.
+TEST(Armour, every_material_names_a_texture) {
+  for (const char* material : {"leather", "chainmail", "iron", "golden", "diamond", "netherite", "copper", "turtle", "x"})
+    for (const char* slot : {"helmet", "chestplate", "leggings", "boots"}) {
+      const auto piece = armourPieceOf(std::string(material) + "_" + slot);
+      ASSERT_TRUE(piece) << material;
+      EXPECT_NE(findEntityTexture(piece->skin), nullptr) << material << slot;
+    }
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 #include <orris/world/blocks/block_facts.h>
 #include <orris/world/content/entity_models.h>
 #include <orris/world/saved_things/entity_figures.h>
@@ -13,6 +13,8 @@ namespace orris {
 namespace {
 
 using Doubles = std::vector<double>;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
 
 NbtTag tagOf(const std::string& members) {
   NbtError error;
@@ -117,19 +119,26 @@ TEST(SavedEntities, arrows_turn_the_other_way_round) {
   EXPECT_EQ(arrow.pitch, -30);
 }
 
-TEST(SavedEntities, armour_stands_show_what_they_wear) {
+TEST(SavedEntities, figures_show_what_they_wear) {
   const auto piece = [](const std::string& id, const std::string& more = "") {
     return closed(nbtString("id", id) + more);
   };
   const auto stand = [](const std::string& more) {
     return entityOf("minecraft:armor_stand", more);
   };
-  EXPECT_FALSE(stand("").armour);
-  EXPECT_FALSE(stand(nbtList("ArmorItems", 10, {piece("minecraft:iron_boots")})).armour);
-  EXPECT_TRUE(stand(nbtList("ArmorItems", 10, {piece("minecraft:iron_helmet")})).armour);
-  EXPECT_TRUE(stand(nbtCompound("equipment",
-                                nbtCompound("chest", nbtString("id", "minecraft:iron_chestplate"))))
-                  .armour);
+  EXPECT_THAT(stand("").armour, IsEmpty());
+  EXPECT_THAT(stand(nbtList("ArmorItems", 10, {piece("minecraft:golden_boots"), closed(""), piece("minecraft:stone"),
+                                               piece("minecraft:iron_helmet")}))
+                  .armour,
+              ElementsAre("minecraft:golden_boots", "minecraft:iron_helmet"));
+  EXPECT_THAT(stand(nbtCompound("equipment", nbtCompound("chest", nbtString("id", "minecraft:iron_chestplate")) +
+                                                 nbtCompound("mainhand", nbtString("id", "minecraft:iron_boots"))))
+                  .armour,
+              ElementsAre("minecraft:iron_chestplate"));
+  EXPECT_THAT(entityOf("minecraft:zombie", nbtList("ArmorItems", 10, {piece("minecraft:iron_leggings")})).armour,
+              ElementsAre("minecraft:iron_leggings"));
+  EXPECT_THAT(entityOf("minecraft:cow", nbtList("ArmorItems", 10, {piece("minecraft:iron_leggings")})).armour, IsEmpty());
+  EXPECT_EQ(stand(nbtList("ArmorItems", 10, std::vector<std::string>(9, piece("minecraft:iron_boots")))).armour.size(), 4u);
   const std::string charm = nbtCompound("tag", nbtList("Enchantments", 10, {closed("")}));
   const Entity charmed = stand(nbtList("ArmorItems", 10, {piece("minecraft:iron_helmet", charm)}) +
                                nbtByte("Invisible", 1) + nbtByte("Small", 1));

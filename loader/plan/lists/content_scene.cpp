@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include <orris/world/content/armour.h>
 #include <orris/world/content/entity_models.h>
 #include <orris/world/mesh/block_mesh.h>
 
@@ -10,6 +11,16 @@ namespace orris {
 namespace {
 
 using G = Geometry;
+
+/// What the entity wears, as far as its model shows it.
+std::vector<ArmourPiece> shownArmour(const Entity& entity) {
+  const EntityModel* model = findEntityModel(entity.model);
+  std::vector<ArmourPiece> pieces;
+  if (model == nullptr || !model->wearsArmour) return pieces;
+  for (const std::string& item : entity.armour)
+    if (const auto piece = armourPieceOf(item)) pieces.push_back(*piece);
+  return pieces;
+}
 
 /// Those that its model shows.
 std::vector<std::string> shownItems(const Entity& entity) {
@@ -87,6 +98,7 @@ std::vector<std::string> texturesFor(const World& world, const ContentScene& sce
   for (const Entity& entity : world.content.entities) {
     if (const EntityModel* model = findEntityModel(entity.model)) add(texturesOf(*model));
     if (!entity.tag.empty()) names.insert("glyph");
+    if (!shownArmour(entity).empty()) add({"armour_plate", "armour_helmet"});
   }
   if (world.environment.player.body) add(texturesOf(*findEntityModel("player")));
   for (const auto& [name, facts] : scene.items) {
@@ -115,14 +127,18 @@ void wearResources(const World& world, const ResourceStack& resources,
                    Diagnostics& diagnostics) {
   LookTextures worn(resources, diagnostics);
   scene.looks = makeItemLooks(resources, itemUses(world, scene), worn, diagnostics);
+  const auto addSkin = [&](const EntityTexture& skin) {
+    for (const std::string_view file : skin.files)
+      if (!file.empty() && worn.addStill(std::string(skin.name), {"minecraft", std::string(file)})) break;
+  };
   const auto addSkins = [&](const EntityModel* model) {
     if (!model) return;
-    for (const EntityTexture* skin : skinsOf(*model))
-      for (const std::string_view file : skin->files)
-        if (!file.empty() && worn.addStill(std::string(skin->name), {"minecraft", std::string(file)}))
-          break;
+    for (const EntityTexture* skin : skinsOf(*model)) addSkin(*skin);
   };
-  for (const Entity& entity : world.content.entities) addSkins(findEntityModel(entity.model));
+  for (const Entity& entity : world.content.entities) {
+    addSkins(findEntityModel(entity.model));
+    for (const ArmourPiece& piece : shownArmour(entity)) addSkin(*findEntityTexture(piece.skin));
+  }
   if (world.environment.player.body) addSkins(findEntityModel("player"));
   for (const std::string& name : textures) worn.addOwn(name);
   worn.finish(scene.atlas);

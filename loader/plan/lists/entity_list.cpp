@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <orris/plan/lists/list_writer.h>
+#include <orris/world/content/armour.h>
 #include <orris/world/content/entity_models.h>
 #include <orris/world/mesh/block_faces.h>
 
@@ -71,19 +72,11 @@ struct BoxLook {
   bool seen = true;
 };
 
-/// Does the entity show this box: its armour, or what is no armour?
-bool showsBox(const Entity& entity, const ModelBox& box) {
-  return box.armour ? entity.armour : !entity.hidden;
-}
-
-BoxLook lookOf(const ListWriter& writer, const EntityModel& model, std::size_t index) {
-  const ModelBox& box = model.boxes[index];
-  const bool own = hasOwnTextures(box);
-  if (model.skins.empty()) return {nullptr, nullptr, own};
-  const BoxSkin& skin = model.skins[index];
+/// Keeps a pointer to `skin`.
+BoxLook lookOf(const ListWriter& writer, const ModelBox& box, const BoxSkin& skin) {
   const auto& tiles = writer.scene.content.atlas.tiles;
   const auto tile = tiles.find(std::string(skin.texture));
-  if (tile == tiles.end()) return {nullptr, nullptr, own};
+  if (tile == tiles.end()) return {nullptr, nullptr, hasOwnTextures(box)};
   return {&skin, &tile->second, skin.u != BoxSkin::kNone};
 }
 
@@ -100,44 +93,69 @@ std::array<glm::vec2, 4> skinUvOf(const ListWriter& writer, const ModelBox& box,
   return uv;
 }
 
-void addBoxes(ListWriter& writer, const Entity& entity, const EntityModel& model, ModelLayer layer,
-              const glm::mat4& place, float step, glm::ivec2 light) {
+/// The sides of a box. `m` places it; `like`: light and colour of each side.
+void addBox(ListWriter& writer, const ModelBox& box, const BoxLook& look, const glm::mat4& m, const ContentQuad& like) {
   constexpr int kFront = static_cast<int>(FaceDirection::South);
-  for (std::size_t i = 0; i < model.boxes.size(); ++i) {
-    const ModelBox& box = model.boxes[i];
-    const BoxLook look = lookOf(writer, model, i);
-    if (box.layer != layer || !look.seen || !showsBox(entity, box)) continue;
-    const glm::mat4 m = place * boxMatrix(box, step);
-    for (int side = 0; side < 6; ++side) {
-      const glm::vec2 size = sideSize(box, side);
-      if (size.x * size.y == 0) continue;
-      ContentQuad quad = boxSide(box, side, m);
-      quad.light = light;
-      if (look.skin) {
-        quad.uv = skinUvOf(writer, box, look, side);
-      } else {
-        if (layer == ModelLayer::Eyes && side != kFront) continue;
-        const std::string_view name = side == kFront && !box.front.empty() ? box.front : box.side;
-        const glm::vec2 part = glm::min(size / kModelTexels, glm::vec2(1));
-        quad.uv = tileUv(writer.scene.content.atlas.tile(std::string(name)), glm::vec2(0), part);
-      }
-      writer.quad(quad);
+  for (int side = 0; side < 6; ++side) {
+    const glm::vec2 size = sideSize(box, side);
+    if (size.x * size.y == 0) continue;
+    ContentQuad quad = boxSide(box, side, m);
+    quad.light = like.light;
+    quad.color = like.color;
+    if (look.skin) {
+      quad.uv = skinUvOf(writer, box, look, side);
+    } else {
+      if (box.layer == ModelLayer::Eyes && side != kFront) continue;
+      const std::string_view name = side == kFront && !box.front.empty() ? box.front : box.side;
+      const glm::vec2 part = glm::min(size / kModelTexels, glm::vec2(1));
+      quad.uv = tileUv(writer.scene.content.atlas.tile(std::string(name)), glm::vec2(0), part);
     }
+    writer.quad(quad);
   }
 }
 
-/// The same sides that wear armour, with coordinates for the texture of the glint.
-void addArmourGlint(ListWriter& writer, const EntityModel& model, const glm::mat4& place,
-                    float step) {
-  for (const ModelBox& box : model.boxes) {
-    if (!box.armour) continue;
-    const glm::mat4 m = place * boxMatrix(box, step);
-    for (int side = 0; side < 6; ++side) {
-      ContentQuad quad = boxSide(box, side, m);
-      quad.uv = tileUv({glm::vec2(0), sideSize(box, side) / kModelTexels});
-      writer.quad(quad);
-    }
+void addBoxes(ListWriter& writer, const Entity& entity, const EntityModel& model, ModelLayer layer,
+              const glm::mat4& place, float step, glm::ivec2 light) {
+  static constexpr BoxSkin kNoSkin{};
+  ContentQuad like;
+  like.light = light;
+  for (std::size_t i = 0; i < model.boxes.size() && !entity.hidden; ++i) {
+    const ModelBox& box = model.boxes[i];
+    const BoxSkin& skin = model.skins.empty() ? kNoSkin : model.skins[i];
+    const BoxLook look = lookOf(writer, box, skin);
+    if (box.layer == layer && look.seen) addBox(writer, box, look, place * boxMatrix(box, step), like);
   }
+}
+
+/// Calls `part(box, look)` for all that is seen of a piece of armour.
+template <class Part>
+void forParts(const ListWriter& writer, const ArmourPiece& piece, Part part) {
+  for (const ArmourPart& each : armourParts()) {
+    if (each.slot != piece.slot) continue;
+    BoxSkin skin = each.skin;
+    skin.texture = piece.skin;
+    const BoxLook look = lookOf(writer, each.box, skin);
+    if (look.seen) part(each.box, look);
+  }
+}
+
+const std::vector<std::string>& armourOf(const Entity& entity, const EntityModel& model) {
+  static const std::vector<std::string> kNone;
+  return model.wearsArmour ? entity.armour : kNone;
+}
+
+/// The same sides that wear armour, with coordinates for the texture of the glint.
+void addArmourGlint(ListWriter& writer, const Entity& entity, const EntityModel& model, const glm::mat4& place,
+                    float step) {
+  for (const std::string& item : armourOf(entity, model))
+    forParts(writer, armourPieceOf(item).value_or(ArmourPiece{}), [&](const ModelBox& box, const BoxLook&) {
+      const glm::mat4 m = place * boxMatrix(box, step);
+      for (int side = 0; side < 6; ++side) {
+        ContentQuad quad = boxSide(box, side, m);
+        quad.uv = tileUv({glm::vec2(0), sideSize(box, side) / kModelTexels});
+        writer.quad(quad);
+      }
+    });
 }
 
 float stepOf(const Entity& entity, const FrameState& state) {
@@ -235,6 +253,24 @@ ContentDraw drawOf(const ListWriter& writer, Geometry geometry, const Entity& en
   return draw;
 }
 
+/// Each piece is a draw of its own, as packs know it by its item (Iris: currentRenderedItemId).
+void addArmour(ListWriter& writer, const Entity& entity, const EntityModel& model, const glm::mat4& place, float step,
+               glm::ivec2 light) {
+  for (const std::string& item : armourOf(entity, model)) {
+    const ArmourPiece piece = armourPieceOf(item).value_or(ArmourPiece{});
+    ContentDraw draw = drawOf(writer, Geometry::Entities, entity);
+    draw.item = item;
+    writer.begin(draw);
+    ContentQuad like;
+    like.light = light;
+    forParts(writer, piece, [&](const ModelBox& box, const BoxLook& look) {
+      const glm::vec3 color = look.skin ? piece.skinColor : piece.color;
+      like.color = glm::vec4(piece.takesDye ? entity.dye.value_or(color) : color, 1);
+      addBox(writer, box, look, place * boxMatrix(box, step), like);
+    });
+  }
+}
+
 float heightOf(const EntityModel& model) {
   float height = 0;
   for (const ModelBox& box : model.boxes)
@@ -279,6 +315,7 @@ void addEntity(ListWriter& writer, const Entity& entity) {
                  glm::vec3(model->scale * entity.scale / kModelTexels));
   writer.begin(drawOf(writer, Geometry::Entities, entity));
   addBoxes(writer, entity, *model, ModelLayer::Body, place, step, light);
+  addArmour(writer, entity, *model, place, step, light);
   writer.begin(drawOf(writer, Geometry::EntitiesTranslucent, entity));
   addBoxes(writer, entity, *model, ModelLayer::Translucent, place, step, light);
   writer.begin(drawOf(writer, Geometry::Eyes, entity));
@@ -302,7 +339,7 @@ void addEntity(ListWriter& writer, const Entity& entity) {
   if (!entity.tag.empty()) addTag(writer, entity, heightOf(*model) * entity.scale, light);
   if (!entity.glint) return;
   writer.begin(drawOf(writer, Geometry::Glint, entity));
-  if (entity.armour) addArmourGlint(writer, *model, place, step);
+  addArmourGlint(writer, entity, *model, place, step);
   if (model->carriesItem && !entity.item.empty())
     addItem(writer, entity.item, itemMatrix(writer, entity), light);
   for (const HeldItem& held : heldItems(writer, *model, entity, place, step)) addItem(writer, *held.item, held.place, light);

@@ -19,8 +19,7 @@ struct Entity {
   glm::dvec3 position{0};           ///< of the feet, world blocks
   float yaw = 0, pitch = 0;         ///< degrees, as a camera's; all of it turns
   float scale = 1;                  ///< of the model
-  bool hidden = false;              ///< all but its armour, item and tag
-  bool armour = true;               ///< where the model has any
+  bool hidden = false;              ///< all but its armour, items and tag
   bool walking = false;             ///< legs and arms swing with time
   bool hurt = false;                ///< the game's red overlay
   bool glint = false;               ///< what it wears, or the item, is enchanted
@@ -29,6 +28,7 @@ struct Entity {
   float itemTurn = 0;               ///< degrees, of one that is framed: clockwise
   std::optional<glm::dvec3> leash;  ///< where the leash ends, world blocks
   std::string mainHand, offHand;    ///< held items of a model with hands, with namespace; "" for none
+  std::vector<std::string> armour;  ///< items that a model with armour wears, with namespace
   std::optional<glm::vec3> dye;     ///< of what takes a dye among its items
 };
 

@@ -7,6 +7,7 @@
 #include <map>
 
 #include <orris/core/limits.h>
+#include <orris/world/content/armour.h>
 #include <orris/world/content/entity_models.h>
 
 namespace orris {
@@ -47,10 +48,33 @@ glm::ivec3 readBlockPlace(JsonReader& reader, const JsonNode& object, const char
   return cell.value_or(glm::ivec3(0));
 }
 
+std::string withNamespace(std::string name) {
+  return name.find(':') == std::string::npos ? "minecraft:" + name : name;
+}
+
 void checkGlyphs(JsonReader& reader, const JsonNode& node, const std::string& text) {
   if (text.size() > limits::kWorldTextGlyphs)
     reader.error(node.offset, fmt::format("a text of {} glyphs: expected at most {}", text.size(),
                                           limits::kWorldTextGlyphs));
+}
+
+void readArmour(JsonReader& reader, const JsonNode& node, Entity& entity) {
+  const JsonNode* list = node.find("armour");
+  if (list == nullptr) {
+    if (entity.kind == "minecraft:armor_stand") entity.armour = {"minecraft:iron_helmet", "minecraft:iron_chestplate"};
+    return;
+  }
+  const EntityModel* model = findEntityModel(entity.model);
+  if (model != nullptr && !model->wearsArmour)
+    return reader.error(list->offset, fmt::format("{} wears no armour: only armor_stand and player do", entity.model));
+  if (!reader.array(*list, "\"armour\"")) return;
+  for (const JsonNode& item : list->items) {
+    std::string name = reader.string(item, "a piece of \"armour\"").value_or("");
+    const bool known = armourPieceOf(name).has_value();
+    if (item.kind == JsonNode::Kind::String && !known)
+      reader.expected(item, "a piece of \"armour\"", "an item whose name ends in _helmet, _chestplate, _leggings or _boots");
+    if (known && entity.armour.size() < 4) entity.armour.push_back(withNamespace(std::move(name)));
+  }
 }
 
 Entity readEntity(JsonReader& reader, const JsonNode& node) {
@@ -58,8 +82,8 @@ Entity readEntity(JsonReader& reader, const JsonNode& node) {
   const char* what = "an entity";
   if (!reader.object(
           node, what,
-          {"kind", "name", "position", "yaw", "walking", "hurt", "glint", "tag", "item", "mainHand", "offHand", "dye",
-           "leash"}))
+          {"kind", "name", "position", "yaw", "walking", "hurt", "glint", "tag", "item", "mainHand", "offHand", "armour",
+           "dye", "leash"}))
     return entity;
   const JsonNode* kind = reader.required(node, "kind", what);
   reader.optional(node, "kind", entity.kind);
@@ -67,7 +91,7 @@ Entity readEntity(JsonReader& reader, const JsonNode& node) {
     reader.error(kind->offset, fmt::format("no entity \"{}\": expected one of {}", entity.kind,
                                            fmt::join(entityKinds(), ", ")));
   entity.model = entity.kind;
-  if (entity.kind.find(':') == std::string::npos) entity.kind = "minecraft:" + entity.kind;
+  entity.kind = withNamespace(entity.kind);
   entity.position = readPlace(reader, node, "position", what);
   reader.optional(node, "name", entity.name);
   reader.optional(node, "yaw", kTurns, entity.yaw);
@@ -81,6 +105,7 @@ Entity readEntity(JsonReader& reader, const JsonNode& node) {
   entity.item = readItem(reader, node, "item");
   entity.mainHand = readItem(reader, node, "mainHand");
   entity.offHand = readItem(reader, node, "offHand");
+  readArmour(reader, node, entity);
   if (node.find("dye") != nullptr) reader.optional(node, "dye", RealRange{0, 1}, entity.dye.emplace());
   if (node.find("leash") != nullptr) entity.leash = readPlace(reader, node, "leash", what);
   return entity;
@@ -170,8 +195,7 @@ const std::vector<std::string>& contentKeys() {
 std::string readItem(JsonReader& reader, const JsonNode& object, const std::string& key) {
   std::string item;
   reader.optional(object, key, item);
-  if (!item.empty() && item.find(':') == std::string::npos) item = "minecraft:" + item;
-  return item;
+  return item.empty() ? item : withNamespace(item);
 }
 
 WorldContent readContent(JsonReader& reader, const JsonNode& root, const BlockWorld& blocks) {

@@ -97,33 +97,15 @@ constexpr ModelBox kStand[] = {
     {{-4, 12, -1}, {4, 14, 1}, {}, "oak_planks", {}},
     {{-1, 14, -1}, {1, 30, 1}, {}, "oak_planks", {}},
     {{-6, 21, -1.5f}, {6, 24, 1.5f}, {}, "oak_planks", {}},
-    {{-4.5f, 11.5f, -2.5f}, {4.5f, 24.5f, 2.5f}, {}, "armour_plate", {}, L::Body, {}, 0, true},
-    {{-8.5f, 17, -2.5f}, {-4.5f, 24.5f, 2.5f}, {}, "armour_plate", {}, L::Body, {}, 0, true},
-    {{4.5f, 17, -2.5f}, {8.5f, 24.5f, 2.5f}, {}, "armour_plate", {}, L::Body, {}, 0, true},
-    {{-4.5f, 24.5f, -4.5f},
-     {4.5f, 32.5f, 4.5f},
-     {},
-     "armour_plate",
-     "armour_helmet",
-     L::Body,
-     {},
-     0,
-     true},
     {{-3, 14, -1}, {-1, 21, 1}, {}, {}, {}},
     {{1, 14, -1}, {3, 21, 1}, {}, {}, {}},
     {{-1, 23, -1}, {1, 30, 1}, {}, {}, {}}};
-// The texture of sleeves goes on below the plates of ours.
-constexpr glm::ivec3 kSleeve(4, 7, 4);
 constexpr BoxSkin kStandSkin[] = {{"skin_stand", 0, 32},
                                   {"skin_stand", 8, 0},
                                   {"skin_stand", 40, 16, BoxFold::Mirrored},
                                   {"skin_stand", 0, 48},
                                   {"skin_stand"},
                                   {"skin_stand", 0, 26},
-                                  {"skin_armour", 16, 16, BoxFold::Standing, kChest},
-                                  {"skin_armour", 40, 16, BoxFold::Standing, kSleeve},
-                                  {"skin_armour", 40, 16, BoxFold::Mirrored, kSleeve},
-                                  {"skin_armour", 0, 0, BoxFold::Standing, kHead},
                                   {"skin_stand", 16, 0},
                                   {"skin_stand", 48, 16},
                                   {"skin_stand", 0, 0}};
@@ -142,7 +124,21 @@ constexpr BoxSkin kArrowSkin[] = {{"skin_arrow"},
 constexpr ModelBox kFrame[] = {{{-6, -6, 0}, {6, 6, 1}, {}, "oak_planks", "frame_leather"}};
 
 constexpr EntityTexture kEntityTextures[] = {
-    {"skin_armour", {"entity/equipment/humanoid/iron", "models/armor/iron_layer_1"}},
+    {"armour_iron", {"entity/equipment/humanoid/iron", "models/armor/iron_layer_1"}},
+    {"leggings_iron", {"entity/equipment/humanoid_leggings/iron", "models/armor/iron_layer_2"}},
+    {"armour_leather", {"entity/equipment/humanoid/leather", "models/armor/leather_layer_1"}},
+    {"leggings_leather", {"entity/equipment/humanoid_leggings/leather", "models/armor/leather_layer_2"}},
+    {"armour_chainmail", {"entity/equipment/humanoid/chainmail", "models/armor/chainmail_layer_1"}},
+    {"leggings_chainmail", {"entity/equipment/humanoid_leggings/chainmail", "models/armor/chainmail_layer_2"}},
+    {"armour_copper", {"entity/equipment/humanoid/copper", "models/armor/copper_layer_1"}},
+    {"leggings_copper", {"entity/equipment/humanoid_leggings/copper", "models/armor/copper_layer_2"}},
+    {"armour_gold", {"entity/equipment/humanoid/gold", "models/armor/gold_layer_1"}},
+    {"leggings_gold", {"entity/equipment/humanoid_leggings/gold", "models/armor/gold_layer_2"}},
+    {"armour_diamond", {"entity/equipment/humanoid/diamond", "models/armor/diamond_layer_1"}},
+    {"leggings_diamond", {"entity/equipment/humanoid_leggings/diamond", "models/armor/diamond_layer_2"}},
+    {"armour_netherite", {"entity/equipment/humanoid/netherite", "models/armor/netherite_layer_1"}},
+    {"leggings_netherite", {"entity/equipment/humanoid_leggings/netherite", "models/armor/netherite_layer_2"}},
+    {"armour_turtle", {"entity/equipment/humanoid/turtle_scute", "models/armor/turtle_layer_1"}},
     {"skin_arrow", {"entity/projectiles/arrow", ""}, 32},
     {"skin_cow", {"entity/cow/temperate_cow", "entity/cow/cow"}},
     {"skin_player", {"entity/player/wide/steve", "entity/steve"}},
@@ -158,12 +154,12 @@ static_assert(std::size(kSlime) == std::size(kSlimeSkin));
 static_assert(std::size(kStand) == std::size(kStandSkin));
 static_assert(std::size(kArrow) == std::size(kArrowSkin));
 
-constexpr std::array<EntityModel, 8> kModels{{{"armor_stand", 1, kStand, false, kStandSkin},
+constexpr std::array<EntityModel, 8> kModels{{{"armor_stand", 1, kStand, false, kStandSkin, {-1, -1}, true},
                                               {"arrow", 1, kArrow, false, kArrowSkin},
                                               {"cow", 1, kCow, false, kCowSkin},
                                               {"item", 1, {}, true},
                                               {"item_frame", 1, kFrame, true},
-                                              {"player", 0.9375f, kPlayer, false, kPlayerSkin, {3, 4}},
+                                              {"player", 0.9375f, kPlayer, false, kPlayerSkin, {3, 4}, true},
                                               {"slime", 1.5f, kSlime, false, kSlimeSkin},
                                               {"spider", 1, kSpider, false, kSpiderSkin}}};
 
@@ -252,7 +248,7 @@ std::array<glm::vec2, 4> skinUv(const ModelBox& box, const BoxSkin& skin, int si
 std::vector<std::string> contentTextureNames() {
   std::set<std::string> names = {"item_sprite",    "flame_particle", "smoke_particle",
                                  "spark_particle", "glyph", "rain",           "snow_flakes",
-                                 "beacon_beam",    "glint",          "world_border"};
+                                 "beacon_beam",    "glint",          "world_border", "armour_plate", "armour_helmet"};
   for (int stage = 0; stage < 10; ++stage) names.insert(crackTexture(stage));
   for (const EntityModel& model : kModels)
     for (const std::string& name : texturesOf(model)) names.insert(name);

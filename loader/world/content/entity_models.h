@@ -19,9 +19,8 @@ struct ModelBox {
   glm::vec3 pivot{0};            ///< relative to the feet
   std::string_view side, front;  ///< "": as `side`; of eyes there is only a front
   ModelLayer layer = ModelLayer::Body;
-  glm::vec3 turn{0};    ///< degrees around the pivot: x, then y, then z
-  float swing = 0;      ///< degrees around x at the largest step; the sign says which leg
-  bool armour = false;  ///< takes the glint
+  glm::vec3 turn{0};  ///< degrees around the pivot: x, then y, then z
+  float swing = 0;    ///< degrees around x at the largest step; the sign says which leg
 };
 
 /// A texture of the game that models wear.
@@ -56,6 +55,7 @@ struct EntityModel {
   bool carriesItem = false;          ///< shows Entity::item: dropped items and frames
   std::span<const BoxSkin> skins{};  ///< one for each box, or none
   std::array<int, 2> arms = {-1, -1};  ///< boxes of the right and the left arm that hold items; -1: none
+  bool wearsArmour = false;            ///< armour.h
 };
 
 /// nullptr for a kind without a model.

@@ -1,4 +1,5 @@
 #include <orris/world/blocks/block_state.h>
+#include <orris/world/content/armour.h>
 #include <orris/world/saved_things/entity_figures.h>
 #include <orris/world/saved_things/saved_text.h>
 #include <orris/world/saved_things/saved_things.h>
@@ -93,21 +94,24 @@ void setHands(const NbtTag& tag, Entity& entity) {
   if (const NbtList* items = tag.listAt("Equipment"); items && !items->empty()) hold(0, items->front());
 }
 
-/// Pieces that an armour stand wears, as far as its figure has them.
-std::vector<const NbtTag*> armourOf(const NbtTag& tag) {
-  std::vector<const NbtTag*> worn;
+/// What somebody wears.
+void setArmour(const NbtTag& tag, Entity& entity) {
+  constexpr std::size_t kMost = 4;
   const auto add = [&](const NbtTag& item) {
     const std::string name = itemIn(item);
-    if (name.ends_with("_chestplate") || name.ends_with("_helmet")) worn.push_back(&item);
+    if (!armourPieceOf(name) || entity.armour.size() == kMost) return;
+    entity.armour.push_back(name);
+    entity.glint = entity.glint || isEnchanted(item);
+    if (const auto dye = dyeOf(item)) entity.dye = dye;
   };
   // 1.9 to 1.21.4, before, and since.
   for (const char* name : {"ArmorItems", "Equipment"}) {
     if (const NbtList* list = tag.listAt(name)) std::ranges::for_each(*list, add);
   }
   if (const NbtTag* equipment = tag.find("equipment"); equipment && equipment->compound()) {
-    for (const auto& [slot, item] : *equipment->compound()) add(item);
+    for (const auto& [slot, item] : *equipment->compound())
+      if (slot != "mainhand" && slot != "offhand") add(item);
   }
-  return worn;
 }
 
 /// The knot that a leash is tied to; nullopt where it is held by somebody.
@@ -179,10 +183,9 @@ Entity entityOf(const NbtTag& tag, const std::string& kind, const EntityFigure& 
     entity.pitch = -angles.y;
   } else if (figure.model == "player") {
     setHands(tag, entity);
+    setArmour(tag, entity);
   } else if (figure.model == "armor_stand") {
-    const std::vector<const NbtTag*> worn = armourOf(tag);
-    entity.armour = !worn.empty();
-    entity.glint = std::ranges::any_of(worn, [](const NbtTag* item) { return isEnchanted(*item); });
+    setArmour(tag, entity);
   }
   return entity;
 }
