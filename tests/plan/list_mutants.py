@@ -35,6 +35,14 @@ MUTANTS = {
         ("the tag of a cow is a cow", "DrawLists.*", "  draw.entity = \"minecraft:name_tag\";  // as Iris names it\n", ""),
         ("letters behind the board", "DrawLists.*", "{0, 0, kNearer / kCapital}", "{0, 0, -kNearer / kCapital}"),
     ],
+    "loader/plan/frame/visible_sections.cpp": [
+        ("sight: lines turn back", "VisibleSections.*", "< 0;\n      const glm::ivec3 next", "< -99;\n      const glm::ivec3 next"),
+        ("sight: only away from the lowest corner", "VisibleSections.*", "(section[axis] - here[axis]) * normal[axis] < 0", "normal[axis] < 0"),
+        ("sight: through rock", "VisibleSections.*", ": grid.links[indexOf(section)].from[std::size_t(entered)]", ": SectionLinks::kAll"),
+        ("sight: by the side that was left", "VisibleSections.*", "int(opposite(FaceDirection(side)))", "side"),
+        ("sight: none from outside", "VisibleSections.*", "if (high ? eye[axis] <= last : eye[axis] >= 0) continue;", "continue;"),
+        ("sight: one side from outside", "VisibleSections.*", "for (int z = low.z; z < end.z; ++z) first.push_back({{x, y, z}, side});\n  }\n  return first;", "for (int z = low.z; z < end.z; ++z) first.push_back({{x, y, z}, side});\n    break;\n  }\n  return first;"),
+    ],
     "loader/plan/lists/glyphs.cpp": [
         ("letters on one place", "DrawLists.*", "left + static_cast<float>(g * (kGlyphColumns + 1))", "left"),
         ("letters upside down", "DrawLists.*",

@@ -25,11 +25,14 @@ MUTANTS = {
         ("animation: ten ticks a second", "AnimatedTilesGL.*", "kTicksPerSecond = 20", "kTicksPerSecond = 10"),
     ],
     "loader/render/scene/gpu_scene.cpp": [
+        ("sight: as it was before an edit", "DrawTerrainGL.*", "  seenFor_.reset();\n", ""),
         ("light: a dark Nether", "FrameRendererGL.*", "ambientLightOf(state.environment.dimension)", "0.0f"),
         ("light: a dark End", "FrameRendererGL.*", "== \"minecraft:the_end\" ? glm::mix", "== \"\" ? glm::mix"),
         ("animation: items stand still", "AnimatedTilesGL.*", "  animatedContent_ = AnimatedTiles(atlas.animations);\n", ""),
     ],
     "loader/render/draw/draw_terrain.cpp": [
+        ("sight: caves are drawn", "DrawTerrainGL.*", "(!seen || seen->contains(section.origin))", "true"),
+        ("sight: none in rock", "DrawTerrainGL.*", "shadow || state.eyeInBlock ? nullptr", "shadow ? nullptr"),
         ("block entities' shadows: all", "FrameRendererGL.*", "return !scene.emits(entry.second->state);", "return false;"),
     ],
     "loader/render/draw/draw_sky.cpp": [

@@ -17,6 +17,11 @@ MUTANTS = {
         ("flow: not over an edge", "flowing_water.*", "fall = state.height - (under.height - kSource);", "fall = 0;"),
         ("flow: the surface stays still", "flowing_water.*", "if (!surface || !heading) addFace", "if (true) addFace"),
     ],
+    "loader/world/mesh/section_links.cpp": [
+        ("links: one way", "SectionLinks.*", "links.from[std::size_t(side)] |= reached;", "{ links.from[std::size_t(side)] |= reached; break; }"),
+        ("links: all caves are one", "SectionLinks.*", "OpaqueCells filled = opaque;", "OpaqueCells filled;"),
+        ("links: the last cave counts", "SectionLinks.*", "|= reached;\n      }\n  return", "= reached;\n      }\n  return"),
+    ],
     "loader/world/mesh/mesh_states.cpp": [
         ("faces: the middle is that of the face", "BlockMesh.*",
          "(glm::vec3(0.5f) - face.corners[i]) * 64.0f", "(face.corners[0] - face.corners[i]) * 64.0f"),

@@ -76,6 +76,7 @@ void setSmoothed(FrameState& state, const FrameInput& input, const PackDirective
   const float rain = input.environment.rain;
   state.eyeBrightness = input.eye.brightness;
   state.isEyeInWater = input.eye.fluid;
+  state.eyeInBlock = input.eye.inBlock;
   state.feetInWater = input.eye.feetInWater && input.eye.fluid != 1;
   if (previous == nullptr) {
     state.eyeBrightnessSmooth = glm::vec2(input.eye.brightness);

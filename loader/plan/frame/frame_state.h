@@ -38,6 +38,7 @@ struct FrameState {
   glm::vec2 eyeBrightnessSmooth{0, 240};
   float wetness = 0;
   float centerDepthSmooth = 1;
+  bool eyeInBlock = false;   ///< EyeSurroundings::inBlock
   int isEyeInWater = 0;      ///< 0 none, 1 water, 2 lava
   bool feetInWater = false;  ///< the feet are in water and the eye is not
   /// Of the End only. View space, length 100; 0..1 now and in the frame before.
@@ -55,6 +56,7 @@ struct FrameState {
 struct EyeSurroundings {
   glm::ivec2 brightness{0, 240};
   int fluid = 0;
+  bool inBlock = false;  ///< other than air, fluids and plants: it may see through what is opaque
   bool feetInWater = false;
 };
 

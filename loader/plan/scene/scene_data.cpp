@@ -41,6 +41,7 @@ EyeSurroundings SceneData::surroundings(const glm::dvec3& position) const {
   EyeSurroundings eye;
   eye.brightness = {light->block(cell) * 16, light->sky(cell) * 16};
   const std::uint32_t index = world.blocks.indexAt(cell);
+  eye.inBlock = !facts[index].air && !facts[index].fluid && !facts[index].cross;
   if (facts[index].fluid)
     eye.fluid = world.blocks.palette()[index].name == "minecraft:lava" ? 2 : 1;
   constexpr double kEyeHeight = 1.62;  // of a standing player, blocks

@@ -40,7 +40,7 @@ float distanceTo(const glm::vec3& lo, const glm::vec3& hi) {
   return glm::length(glm::clamp(glm::vec3(0), lo, hi));
 }
 
-/// Sections of a layer that are seen, `isSeen(lo, hi)` by their box about the eye, each with the distance of its middle.
+/// Sections of a layer that are seen, `isSeen(section, lo, hi)` with their box about the eye, each with the distance of its middle.
 template <class IsSeen>
 std::vector<std::pair<float, const MeshSection*>> sectionsOf(const GpuScene& scene,
                                                              RenderLayer layer,
@@ -50,7 +50,7 @@ std::vector<std::pair<float, const MeshSection*>> sectionsOf(const GpuScene& sce
   for (const MeshSection& section : scene.sections()) {
     if (section.layer != layer || section.count == 0) continue;
     const glm::vec3 lo(glm::dvec3(section.origin) - eye), hi = lo + 16.0f;
-    if (isSeen(lo, hi)) found.emplace_back(glm::length((lo + hi) * 0.5f), &section);
+    if (isSeen(section, lo, hi)) found.emplace_back(glm::length((lo + hi) * 0.5f), &section);
   }
   return found;
 }
@@ -108,7 +108,7 @@ void FrameRenderer::drawTerrain(const Step& step, const GpuProgram& program,
   draw.textureMatrix = glm::mat4(1);
   loadMatrices(draw, true);
   useProgram(program, step, state, draw);
-  const GpuScene& scene = *loaded_->scene;
+  GpuScene& scene = *loaded_->scene;
   std::size_t bound = 0;
   const auto bindPart = [&](std::size_t part) {
     scene.bindTerrain(bound = part);
@@ -118,11 +118,12 @@ void FrameRenderer::drawTerrain(const Step& step, const GpuProgram& program,
   bindPart(0);
   const Frustum frustum(projection * view);
   const float reach = shadow ? shadowReach(*pack_, state) : 0;
+  const VisibleSections* seen = shadow || state.eyeInBlock ? nullptr : &scene.seenFrom(state.cameraPosition);
   // The shadow pass keeps everything in reach: packs voxelise from it.
   auto visible = sectionsOf(scene, layerOf(step.geometry), state.cameraPosition,
-                            [&](const glm::vec3& lo, const glm::vec3& hi) {
-                              return shadow ? distanceTo(lo, hi) <= reach
-                                            : !frustum.outside(lo - 1.0f, hi + 1.0f);
+                            [&](const MeshSection& section, const glm::vec3& lo, const glm::vec3& hi) {
+                              if (shadow) return distanceTo(lo, hi) <= reach;
+                              return !frustum.outside(lo - 1.0f, hi + 1.0f) && (!seen || seen->contains(section.origin));
                             });
   if (shadow && step.geometry == Geometry::BlockEntity && !pack_->properties.flag("shadowBlockEntities", true))
     std::erase_if(visible, [&](const auto& entry) { return !scene.emits(entry.second->state); });

@@ -167,6 +167,8 @@ void GpuScene::needIndices(unsigned quads) {
 void GpuScene::uploadMesh(const SceneData& scene, const std::vector<int>& blockIds,
                           const VertexStyle& style) {
   sections_ = scene.mesh.sections;
+  grid_ = scene.mesh.grid;
+  seenFor_.reset();
   parts_ = terrainParts(sections_, kMostPartBytes / sizeof(GpuVertex));
   terrain_.clear();
   const VertexPacker packer(scene.mesh, blockIds, style);
@@ -246,6 +248,13 @@ void GpuScene::animate(const FrameState& state) {
   const auto seconds = double(state.frameTimeCounter);
   animated_.show(seconds, atlas_, normals_, specular_);
   animatedContent_.show(seconds, contentAtlas_, contentNormals_, contentSpecular_);
+}
+
+const VisibleSections& GpuScene::seenFrom(const glm::dvec3& eye) {
+  const glm::ivec3 section(glm::floor(eye / 16.0));
+  if (seenFor_ != section) seen_ = VisibleSections(grid_, eye);
+  seenFor_ = section;
+  return seen_;
 }
 
 void GpuScene::updateLightmap(const FrameState& state) {

@@ -12,6 +12,7 @@
 #include <orris/pack/shader_pack.h>
 #include <orris/plan/frame/clouds.h>
 #include <orris/plan/frame/frame_state.h>
+#include <orris/plan/frame/visible_sections.h>
 #include <orris/plan/scene/gpu_vertex.h>
 #include <orris/plan/lists/draw_lists.h>
 #include <orris/plan/scene/scene_data.h>
@@ -56,6 +57,8 @@ class GpuScene {
   void bindIndices() const;
   glm::ivec2 atlasSize() const { return {atlas_.width, atlas_.height}; }
   const std::vector<MeshSection>& sections() const { return sections_; }
+  /// Those that are seen from `eye` (world blocks), which is in no block; the same while the eye stays in its section.
+  const VisibleSections& seenFrom(const glm::dvec3& eye);
   /// The id that block.properties gives a palette index, -1 for none.
   int blockId(std::uint16_t state) const {
     return state < blockIds_.size() ? blockIds_[state] : -1;
@@ -104,6 +107,9 @@ class GpuScene {
   std::vector<int> blockIds_;
   std::vector<bool> emits_;
   std::vector<MeshSection> sections_;
+  SectionGrid grid_;
+  std::optional<glm::ivec3> seenFor_;  ///< the section of the eye
+  VisibleSections seen_;               ///< of grid_
   std::vector<glm::vec3>
       translucentCenters_;         ///< of each translucent quad, relative to its section
   unsigned firstTranslucent_ = 0;  ///< vertex

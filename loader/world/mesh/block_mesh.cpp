@@ -31,20 +31,47 @@ class SectionMesher {
   SectionMesher(const MeshInput& input, const MeshStates& states, const FaceLighting& lighting)
       : input_(input), states_(states), lighting_(lighting) {}
 
-  SectionFaces build(glm::ivec3 origin) {
+  SectionFaces build(glm::ivec3 origin, SectionLinks& links) {
+    if (const auto only = uniformStateOf(origin)) links = linksOfUniform(*only);
     if (isBuried(origin)) return {};
     cells_.emplace(input_.blocks, origin);
+    if (!uniformStateOf(origin)) links = linksOf(opaqueCells(origin));
     addSection(origin);
     return std::move(made_);
   }
 
  private:
+  static constexpr std::uint8_t kAllSides = 0x3f;
+
+  /// nullopt, too, for a section that the world has only a part of.
+  std::optional<std::uint32_t> uniformStateOf(glm::ivec3 origin) const {
+    const bool whole = input_.blocks.contains(origin) && input_.blocks.contains(origin + kSectionSize - 1);
+    return whole ? input_.blocks.uniformSection(origin) : std::nullopt;
+  }
+
+  SectionLinks linksOfUniform(std::uint32_t state) const {
+    SectionLinks links;
+    if (states_[state].coveredSides == kAllSides) links.from.fill(0);
+    return links;
+  }
+
+  OpaqueCells opaqueCells(glm::ivec3 origin) const {
+    OpaqueCells opaque;
+    for (int y = 0; y < kSectionSize; ++y)
+      for (int z = 0; z < kSectionSize; ++z)
+        for (int x = 0; x < kSectionSize; ++x) {
+          const glm::ivec3 cell(x, y, z);
+          if (stateAt(origin + cell).coveredSides == kAllSides) opaque.set(indexOfCell(cell));
+        }
+    return opaque;
+  }
+
   /// A section of one state that shows no face: air, or stone among stone.
   bool isBuried(glm::ivec3 origin) const {
     const auto only = input_.blocks.uniformSection(origin);
     if (!only) return false;
     if (*only == 0) return true;
-    if (states_[*only].coveredSides != 0x3f || !states_[*only].fluid.empty()) return false;
+    if (states_[*only].coveredSides != kAllSides || !states_[*only].fluid.empty()) return false;
     for (int side = 0; side < 6; ++side) {
       const glm::ivec3 beside = origin + normalOf(FaceDirection(side)) * kSectionSize;
       const auto other = input_.blocks.uniformSection(beside);
@@ -216,6 +243,15 @@ class SectionMesher {
   SectionFaces made_;
 };
 
+/// In the order of sectionsOf().
+SectionGrid gridOf(const BlockWorld& blocks) {
+  SectionGrid grid;
+  grid.origin = sectionOrigin(blocks.origin());
+  grid.size = (sectionOrigin(blocks.origin() + blocks.size() - 1) - grid.origin) / kSectionSize + 1;
+  grid.links.resize(std::size_t(grid.size.x) * std::size_t(grid.size.y) * std::size_t(grid.size.z));
+  return grid;
+}
+
 std::vector<glm::ivec3> sectionsOf(const BlockWorld& blocks) {
   std::vector<glm::ivec3> origins;
   const glm::ivec3 low = sectionOrigin(blocks.origin()), end = blocks.origin() + blocks.size();
@@ -275,10 +311,12 @@ BlockMesh buildMesh(const MeshInput& input) {
   const FaceLighting lighting(input.blocks, input.light, input.facts);
   const std::vector<glm::ivec3> origins = sectionsOf(input.blocks);
   std::vector<SectionFaces> parts(origins.size());
+  SectionGrid grid = gridOf(input.blocks);
   forEachInParallel(origins.size(), [&](std::size_t i) {
-    parts[i] = SectionMesher(input, states, lighting).build(origins[i]);
+    parts[i] = SectionMesher(input, states, lighting).build(origins[i], grid.links[i]);
   });
   BlockMesh mesh = joinParts(parts);
+  mesh.grid = std::move(grid);
   mesh.shapes = states.takeShapes();
   parts.clear();
   // What many threads allocated in small pieces stays with the process unless it is asked for.

@@ -10,6 +10,7 @@
 #include <orris/world/atlas/block_atlas.h>
 #include <orris/world/blocks/block_facts.h>
 #include <orris/world/mesh/light.h>
+#include <orris/world/mesh/section_links.h>
 #include <orris/world/world.h>
 
 namespace orris {
@@ -67,6 +68,7 @@ struct BlockMesh {
   std::vector<MeshFace> faces;
   std::vector<FaceShape> shapes;
   std::vector<MeshSection> sections;  ///< sorted by layer, then origin
+  SectionGrid grid;                   ///< of all sections, those without faces, too
 
   std::size_t vertexCount() const { return faces.size() * 4; }
   /// The four vertices from `first` on, which is the first of a face.
