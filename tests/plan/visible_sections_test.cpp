@@ -131,6 +131,21 @@ TEST(VisibleSections, a_line_does_not_turn_back) {
   EXPECT_FALSE(seen.contains({32, 16, 0}));
 }
 
+// A pit in the land and a tunnel in the cliff, which rock parts.
+TEST(VisibleSections, from_outside_each_side_that_looks_at_the_eye_is_entered) {
+  Rock rock({2, 2, 1});
+  for (int i = 0; i < 32 * 32 * 16; ++i) rock.set({i % 32, i / 512, i / 32 % 16}, true);
+  for (int i = 0; i < 4; ++i) {
+    rock.set({24, 31 - i, 8}, false);
+    rock.set({i, 8, 8}, false);
+  }
+  const SectionGrid grid = rock.grid();
+  const VisibleSections seen(grid, {-50, 90, 8});
+  EXPECT_TRUE(seen.contains({16, 16, 0})) << "the pit";
+  EXPECT_TRUE(seen.contains({0, 0, 0})) << "the tunnel";
+  EXPECT_FALSE(seen.contains({16, 0, 0}));
+}
+
 TEST(VisibleSections, all_of_open_land_is_seen_from_outside) {
   const Rock rock({5, 1, 5});
   const SectionGrid grid = rock.grid({16, 0, -32});
