@@ -32,7 +32,9 @@ MUTANTS = {
     ],
     "loader/render/draw/draw_terrain.cpp": [
         ("sight: caves are drawn", "DrawTerrainGL.*", "(!seen || seen->contains(section.origin))", "true"),
-        ("sight: none in rock", "DrawTerrainGL.*", "shadow || state.eyeInBlock ? nullptr", "shadow ? nullptr"),
+        ("sight: from beside the camera", "DrawTerrainGL.*", "glm::length(glm::vec3(state.gbufferModelView[3])) < kBobbing", "true"),
+        ("sight: in parallel", "DrawTerrainGL.*", "return !parallel && ", "return "),
+        ("sight: none in rock", "DrawTerrainGL.*", "!parallel && !state.eyeInBlock &&", "!parallel &&"),
         ("block entities' shadows: all", "FrameRendererGL.*", "return !scene.emits(entry.second->state);", "return false;"),
     ],
     "loader/render/draw/draw_sky.cpp": [

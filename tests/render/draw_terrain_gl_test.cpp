@@ -1,6 +1,8 @@
 // Which sections of the terrain are drawn.
 #include <gmock/gmock.h>
 
+#include <glm/gtc/matrix_transform.hpp>
+
 #include <orris/world/world.h>
 #include "render/render_fixture.h"
 
@@ -29,17 +31,17 @@ class DrawTerrainGL : public RenderTest {
     files_["/shaders.properties"] = "sky=false\nstars=false\nsun=false\nmoon=false\n";
   }
 
-  /// Two sections of air over two of rock, with gold in a cave in the lowest. Camera 0 is above, 1 in the cave, 2 in the rock.
+  /// A section of air over three of rock, with gold in a cave in the lowest. Camera 0 is above, 1 in the cave, 2 in the rock.
   static World goldMine() {
     World world;
     world.blocks = BlockWorld({0, 0, 0}, {16, 64, 16});
     const auto fill = [&](glm::ivec3 low, glm::ivec3 high, const char* block) {
       world.blocks.fill(low, high, world.blocks.paletteIndex(*parseBlockState(block)));
     };
-    fill({0, 0, 0}, {15, 31, 15}, "minecraft:stone");
+    fill({0, 0, 0}, {15, 47, 15}, "minecraft:stone");
     fill({4, 4, 4}, {11, 11, 11}, "minecraft:air");
     fill({7, 4, 7}, {8, 4, 8}, "minecraft:gold_block");
-    for (const double height : {50.0, 8.0, 20.0}) {
+    for (const double height : {56.0, 8.0, 40.0}) {
       Camera camera;
       camera.name = "down";
       camera.position = {8, height, 8};
@@ -66,9 +68,28 @@ TEST_F(DrawTerrainGL, a_closed_cave_is_drawn_for_an_eye_inside_only) {
 
 TEST_F(DrawTerrainGL, an_eye_in_rock_sees_all) { EXPECT_TRUE(drawsGold(goldMine(), 2)); }
 
+TEST_F(DrawTerrainGL, an_engine_that_looks_from_beside_its_camera_or_in_parallel_sees_all) {
+  ASSERT_TRUE(start(goldMine())) << messages();
+  ViewMatrices matrices;
+  matrices.view = glm::rotate(glm::mat4(1), glm::radians(90.0f), glm::vec3(1, 0, 0));
+  matrices.projection = glm::perspective(1.0f, 1.0f, 0.05f, 256.0f);
+  const auto drawsGoldWith = [&](const ViewMatrices& given) {
+    session_->setMatrices(given);
+    draw();
+    return pixel("colortex0", 5, 5)[0] > 0.5f;
+  };
+  EXPECT_FALSE(drawsGoldWith(matrices));
+  ViewMatrices beside = matrices;
+  beside.view[3] = glm::vec4(0, 0, -2, 1);
+  EXPECT_TRUE(drawsGoldWith(beside));
+  ViewMatrices parallel = matrices;
+  parallel.projection = glm::ortho(-10.0f, 10.0f, -10.0f, 10.0f, 0.05f, 256.0f);
+  EXPECT_TRUE(drawsGoldWith(parallel));
+}
+
 TEST_F(DrawTerrainGL, a_shaft_dug_later_opens_the_cave) {
   World world = goldMine();
-  for (int y = 12; y < 32; ++y) {
+  for (int y = 12; y < 48; ++y) {
     Event event;
     event.frame = 1;
     event.action = SetBlock{{8, y, 8}, *parseBlockState("minecraft:air")};

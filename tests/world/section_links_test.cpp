@@ -51,6 +51,12 @@ TEST(SectionLinks, tunnels_that_pass_each_other_are_apart) {
   EXPECT_EQ(from(crossing, F::West), bits({F::West, F::East, F::North, F::South}));
 }
 
+TEST(SectionLinks, a_side_is_linked_by_all_that_begin_at_it) {
+  const SectionLinks both = links([](glm::ivec3 c) { return (c.y == 2 && c.z == 9) || (c.z == 3 && ((c.y == 7 && c.x <= 4) || (c.x == 4 && c.y >= 7))); });
+  EXPECT_EQ(from(both, F::West), bits({F::West, F::East, F::Up}));
+  EXPECT_EQ(from(both, F::East), bits({F::West, F::East}));
+}
+
 TEST(SectionLinks, a_tunnel_that_bends_links_what_it_reaches) {
   const SectionLinks bend = links([](glm::ivec3 c) { return c.z == 9 && ((c.y == 5 && c.x <= 4) || (c.x == 4 && c.y >= 5)); });
   EXPECT_EQ(from(bend, F::West), bits({F::West, F::Up}));

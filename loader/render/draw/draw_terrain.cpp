@@ -55,6 +55,14 @@ std::vector<std::pair<float, const MeshSection*>> sectionsOf(const GpuScene& sce
   return found;
 }
 
+/// Do lines of sight begin where the camera is, in no block? Not for what is seen in parallel, or by an engine's view from
+/// elsewhere; bobbing is not elsewhere.
+bool seesFromCamera(const FrameState& state) {
+  constexpr float kBobbing = 0.3f;  // blocks
+  const bool parallel = state.gbufferProjection[3][3] != 0;
+  return !parallel && !state.eyeInBlock && glm::length(glm::vec3(state.gbufferModelView[3])) < kBobbing;
+}
+
 }  // namespace
 
 void FrameRenderer::drawGeometry(const Step& step, const FrameState& state) {
@@ -118,7 +126,7 @@ void FrameRenderer::drawTerrain(const Step& step, const GpuProgram& program,
   bindPart(0);
   const Frustum frustum(projection * view);
   const float reach = shadow ? shadowReach(*pack_, state) : 0;
-  const VisibleSections* seen = shadow || state.eyeInBlock ? nullptr : &scene.seenFrom(state.cameraPosition);
+  const VisibleSections* seen = shadow || !seesFromCamera(state) ? nullptr : &scene.seenFrom(state.cameraPosition);
   // The shadow pass keeps everything in reach: packs voxelise from it.
   auto visible = sectionsOf(scene, layerOf(step.geometry), state.cameraPosition,
                             [&](const MeshSection& section, const glm::vec3& lo, const glm::vec3& hi) {
