@@ -11,7 +11,7 @@ MUTANTS = {
         ("a tag is red on what is hurt", "DrawLists.*", "draw.entityColor = glm::vec4(0);  // the name", "// the name"),
         ("a tag without a board", "DrawLists.*",
          "  writer.quad(square);\n  square.color = glm::vec4(1);", "  square.color = glm::vec4(1);"),
-        ("an outer layer without a skin", "DrawLists.*", "return {nullptr, nullptr, own};\n  return", "return {nullptr, nullptr, true};\n  return"),
+        ("an outer layer without a skin", "DrawLists.*", "return {nullptr, nullptr, hasOwnTextures(box)};", "return {nullptr, nullptr, true};"),
         ("skins of one size", "DrawLists.*", "const float texels = (look.tile->max.x - look.tile->min.x) * size.x;",
          "const float texels = 64;"),
         ("no item of a resource pack", "DrawLists.*", "lookOf(item))\n    return addModel", "lookOf(\"\"))\n    return addModel"),

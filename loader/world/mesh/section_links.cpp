@@ -5,14 +5,14 @@
 namespace orris {
 namespace {
 
-constexpr int kCells = 16;
+constexpr int kSectionCells = 16;
 
 /// Sides of the section that a cell lies at.
 std::uint8_t sidesAt(glm::ivec3 cell) {
   std::uint8_t sides = 0;
   for (int side = 0; side < 6; ++side) {
     const glm::ivec3 beyond = cell + normalOf(FaceDirection(side));
-    if (glm::any(glm::lessThan(beyond, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(beyond, glm::ivec3(kCells))))
+    if (glm::any(glm::lessThan(beyond, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(beyond, glm::ivec3(kSectionCells))))
       sides |= std::uint8_t(1 << side);
   }
   return sides;
@@ -42,14 +42,14 @@ std::uint8_t sidesReachedFrom(glm::ivec3 start, OpaqueCells& filled, std::vector
 
 SectionLinks linksOf(const OpaqueCells& opaque) {
   SectionLinks links;
-  if (opaque.count() < kCells * kCells) return links;
+  if (opaque.count() < kSectionCells * kSectionCells) return links;
   links.from.fill(0);
   OpaqueCells filled = opaque;
   std::vector<glm::ivec3> waiting;
   // What reaches no side links none: only cells at one are begun with.
-  for (int y = 0; y < kCells; ++y)
-    for (int z = 0; z < kCells; ++z)
-      for (int x = 0; x < kCells; ++x) {
+  for (int y = 0; y < kSectionCells; ++y)
+    for (int z = 0; z < kSectionCells; ++z)
+      for (int x = 0; x < kSectionCells; ++x) {
         const glm::ivec3 cell(x, y, z);
         if (filled.test(indexOfCell(cell)) || sidesAt(cell) == 0) continue;
         const std::uint8_t reached = sidesReachedFrom(cell, filled, waiting);
