@@ -160,8 +160,8 @@ void main() {
            .width = 64,
            .options = {{"FLOODFILL_LOOKUP", lookup}, {"FLOODFILL_INTERVAL", "6"}},
            .change = [program](PackTexts& files) {
-             files["/composite.fsh"] = program;
-             files["/composite.vsh"] = kFullscreen;
+             files["/composite1.fsh"] = program;
+             files["/composite1.vsh"] = kFullscreen;
            }});
   lab.step(2);
   const ImageF values = lab.pack().dump("colortex7");
