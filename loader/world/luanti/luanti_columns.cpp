@@ -181,8 +181,8 @@ std::vector<MapColumn> columnsOf(const std::vector<glm::ivec3>& places, glm::ive
   std::vector<MapColumn> columns;
   for (auto& [at, held] : byColumn) {
     std::ranges::sort(held, {}, &glm::ivec3::y);
-    const auto twice = std::ranges::unique(held, {}, &glm::ivec3::y);
-    held.erase(twice.begin(), twice.end());
+    // Not std::ranges::unique, which clang 14 cannot compile.
+    held.erase(std::unique(held.begin(), held.end(), [](const auto& a, const auto& b) { return a.y == b.y; }), held.end());
     MapColumn& column = columns.emplace_back();
     column.placed.at = {at.second, mirroredZ(at.first)};
     column.placed.state = PlacedChunk::State::Unreadable;
