@@ -179,6 +179,7 @@ class Outputs(Checkout):
         before = sorted(self.secret.iterdir())
         for words in (["validate", "pack", "--report", "sarif=out/file"],
                       ["validate", "pack", "--write-baseline", "out/file"],
+                      ["validate", "pack", "--report", "sarif=out/../new"],
                       ["options", "pack", "--graph", str(self.path / "out/new.md")]):
             self.assertIn("lies behind the symbolic link out; outputs are not written through links",
                           self.orris(*words, status=2).stderr)

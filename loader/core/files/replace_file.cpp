@@ -27,12 +27,13 @@ fs::path folderOf(const fs::path& path) {
 std::string linkOnTheWay(const fs::path& path) {
   std::error_code error;
   const fs::path here = fs::current_path(error);
-  const fs::path inside = fs::absolute(path, error).lexically_normal().lexically_relative(here);
+  // Not made normal: of "out/../file" the system follows out first.
+  const fs::path inside = path.is_absolute() ? path.lexically_relative(here) : path;
   if (error || inside.empty() || *inside.begin() == "..") return "";
   fs::path folder = here;
   for (const fs::path& part : inside.parent_path()) {
     folder /= part;
-    if (fs::is_symlink(folder, error)) return folder.lexically_relative(here).string();
+    if (part != ".." && fs::is_symlink(folder, error)) return folder.lexically_relative(here).string();
   }
   return "";
 }

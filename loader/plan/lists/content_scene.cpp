@@ -12,16 +12,6 @@ namespace {
 
 using G = Geometry;
 
-/// What the entity wears, as far as its model shows it.
-std::vector<ArmourPiece> shownArmour(const Entity& entity) {
-  const EntityModel* model = findEntityModel(entity.model);
-  std::vector<ArmourPiece> pieces;
-  if (model == nullptr || !model->wearsArmour) return pieces;
-  for (const std::string& item : entity.armour)
-    if (const auto piece = armourPieceOf(item)) pieces.push_back(*piece);
-  return pieces;
-}
-
 /// Those that its model shows.
 std::vector<std::string> shownItems(const Entity& entity) {
   const EntityModel* model = findEntityModel(entity.model);
@@ -98,7 +88,7 @@ std::vector<std::string> texturesFor(const World& world, const ContentScene& sce
   for (const Entity& entity : world.content.entities) {
     if (const EntityModel* model = findEntityModel(entity.model)) add(texturesOf(*model));
     if (!entity.tag.empty()) names.insert("glyph");
-    if (!shownArmour(entity).empty()) add({"armour_plate", "armour_helmet"});
+    if (!wornBy(entity).empty()) add({"armour_plate", "armour_helmet"});
   }
   if (world.environment.player.body) add(texturesOf(*findEntityModel("player")));
   for (const auto& [name, facts] : scene.items) {
@@ -137,7 +127,7 @@ void wearResources(const World& world, const ResourceStack& resources,
   };
   for (const Entity& entity : world.content.entities) {
     addSkins(findEntityModel(entity.model));
-    for (const ArmourPiece& piece : shownArmour(entity)) addSkin(*findEntityTexture(piece.skin));
+    for (const WornPiece& each : wornBy(entity)) addSkin(*findEntityTexture(each.piece.skin));
   }
   if (world.environment.player.body) addSkins(findEntityModel("player"));
   for (const std::string& name : textures) worn.addOwn(name);

@@ -139,16 +139,10 @@ void forParts(const ListWriter& writer, const ArmourPiece& piece, Part part) {
   }
 }
 
-const std::vector<std::string>& armourOf(const Entity& entity, const EntityModel& model) {
-  static const std::vector<std::string> kNone;
-  return model.wearsArmour ? entity.armour : kNone;
-}
-
 /// The same sides that wear armour, with coordinates for the texture of the glint.
-void addArmourGlint(ListWriter& writer, const Entity& entity, const EntityModel& model, const glm::mat4& place,
-                    float step) {
-  for (const std::string& item : armourOf(entity, model))
-    forParts(writer, armourPieceOf(item).value_or(ArmourPiece{}), [&](const ModelBox& box, const BoxLook&) {
+void addArmourGlint(ListWriter& writer, const Entity& entity, const glm::mat4& place, float step) {
+  for (const WornPiece& worn : wornBy(entity))
+    forParts(writer, worn.piece, [&](const ModelBox& box, const BoxLook&) {
       const glm::mat4 m = place * boxMatrix(box, step);
       for (int side = 0; side < 6; ++side) {
         ContentQuad quad = boxSide(box, side, m);
@@ -254,18 +248,16 @@ ContentDraw drawOf(const ListWriter& writer, Geometry geometry, const Entity& en
 }
 
 /// Each piece is a draw of its own, as packs know it by its item (Iris: currentRenderedItemId).
-void addArmour(ListWriter& writer, const Entity& entity, const EntityModel& model, const glm::mat4& place, float step,
-               glm::ivec2 light) {
-  for (const std::string& item : armourOf(entity, model)) {
-    const ArmourPiece piece = armourPieceOf(item).value_or(ArmourPiece{});
+void addArmour(ListWriter& writer, const Entity& entity, const glm::mat4& place, float step, glm::ivec2 light) {
+  for (const auto& [item, piece] : wornBy(entity)) {
     ContentDraw draw = drawOf(writer, Geometry::Entities, entity);
     draw.item = item;
     writer.begin(draw);
     ContentQuad like;
     like.light = light;
-    forParts(writer, piece, [&](const ModelBox& box, const BoxLook& look) {
-      const glm::vec3 color = look.skin ? piece.skinColor : piece.color;
-      like.color = glm::vec4(piece.takesDye ? entity.dye.value_or(color) : color, 1);
+    forParts(writer, piece, [&, &worn = piece](const ModelBox& box, const BoxLook& look) {
+      const glm::vec3 color = look.skin ? worn.skinColor : worn.color;
+      like.color = glm::vec4(worn.takesDye ? entity.dye.value_or(color) : color, 1);
       addBox(writer, box, look, place * boxMatrix(box, step), like);
     });
   }
@@ -315,7 +307,7 @@ void addEntity(ListWriter& writer, const Entity& entity) {
                  glm::vec3(model->scale * entity.scale / kModelTexels));
   writer.begin(drawOf(writer, Geometry::Entities, entity));
   addBoxes(writer, entity, *model, ModelLayer::Body, place, step, light);
-  addArmour(writer, entity, *model, place, step, light);
+  addArmour(writer, entity, place, step, light);
   writer.begin(drawOf(writer, Geometry::EntitiesTranslucent, entity));
   addBoxes(writer, entity, *model, ModelLayer::Translucent, place, step, light);
   writer.begin(drawOf(writer, Geometry::Eyes, entity));
@@ -339,7 +331,7 @@ void addEntity(ListWriter& writer, const Entity& entity) {
   if (!entity.tag.empty()) addTag(writer, entity, heightOf(*model) * entity.scale, light);
   if (!entity.glint) return;
   writer.begin(drawOf(writer, Geometry::Glint, entity));
-  addArmourGlint(writer, entity, *model, place, step);
+  addArmourGlint(writer, entity, place, step);
   if (model->carriesItem && !entity.item.empty())
     addItem(writer, entity.item, itemMatrix(writer, entity), light);
   for (const HeldItem& held : heldItems(writer, *model, entity, place, step)) addItem(writer, *held.item, held.place, light);

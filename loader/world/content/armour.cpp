@@ -73,6 +73,15 @@ std::optional<ArmourPiece> armourPieceOf(std::string_view item) {
   return piece;
 }
 
+std::vector<WornPiece> wornBy(const Entity& entity) {
+  const EntityModel* model = findEntityModel(entity.model);
+  std::vector<WornPiece> worn;
+  if (model == nullptr || !model->wearsArmour) return worn;
+  for (const std::string& item : entity.armour)
+    if (const auto piece = armourPieceOf(item)) worn.push_back({item, *piece});
+  return worn;
+}
+
 std::span<const ArmourPart> armourParts() { return kParts; }
 
 }  // namespace orris

@@ -4,8 +4,11 @@
 #include <glm/glm.hpp>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
+#include <orris/world/content/content.h>
 #include <orris/world/content/entity_models.h>
 
 namespace orris {
@@ -24,6 +27,13 @@ struct ArmourPiece {
 /// By the end of its name, as "minecraft:iron_helmet"; one of an unknown material looks like iron. nullopt: nothing that
 /// figures wear.
 std::optional<ArmourPiece> armourPieceOf(std::string_view item);
+
+struct WornPiece {
+  std::string item;
+  ArmourPiece piece;
+};
+/// What an entity wears, as far as its model shows it.
+std::vector<WornPiece> wornBy(const Entity& entity);
 
 /// A part of the pieces of a slot, around a figure that stands.
 struct ArmourPart {
