@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <optional>
-#include <ranges>
 #include <set>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -141,7 +141,7 @@ class FragmentOutputs {
     const SourceLocation& directive = program_.program->directives.drawBuffersAt;
     const bool listed = program_.program->directives.drawBuffers.has_value();
     std::vector<RelatedPlace> others;
-    for (const Unlisted& output : unlisted_ | std::views::drop(1))
+    for (const Unlisted& output : std::span(unlisted_).subspan(1))
       others.push_back({placeOf(output), output.name + " goes to no buffer either"});
     report_.add(
         stage_, first.place,
