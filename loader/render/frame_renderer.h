@@ -166,8 +166,7 @@ class FrameRenderer {
                   DrawState& draw);
   void drawShadowVolumes(const Step& step, const FrameState& state);
   void drawLampVolumes(const Step& step, const FrameState& state);
-  const gl::Program& useVolumeProgram(const Step& step, const FrameState& state,
-                                      const glm::ivec3& origin);
+  const gl::Program& useVolumeProgram(const Step& step, const FrameState& state, const glm::mat4& modelView);
   VolumeMethod volumeMethod() const;
   void dispatch(const Step& step, const FrameState& state);
   void present(const Step& step, const FrameState& state);

@@ -40,6 +40,7 @@ MUTANTS = {
          "      if (next != count) emit(axis, here, since, count, result), since = here.at;\n"),
     ],
     "loader/render/draw/draw_shadow_volumes.cpp": [
+        ("D3 places relative to a far point", "ShadowVolumeShapes.leaves_far*", "glm::round(state.cameraPosition / 16.0)", "glm::dvec3(32, 0, 0)"),
         ("D2 no depth clamp", "ShadowVolumeCounts.volumes_at*", "  gl::Enable(GL_DEPTH_CLAMP);\n", ""),
     ],
     "loader/world/mesh/casters.cpp": [

@@ -22,6 +22,16 @@ EyePyramid eyePyramid(const FrameState& state) {
   return eye;
 }
 
+/// What volumes are relative to. In steps of a section, as each writes their vertices again.
+glm::ivec3 baseOf(const FrameState& state) {
+  return glm::ivec3(glm::round(state.cameraPosition / 16.0)) * 16;
+}
+
+/// Takes what is relative to baseOf().
+glm::mat4 volumeView(const FrameState& state) {
+  return glm::translate(state.gbufferModelView, glm::vec3(glm::dvec3(baseOf(state)) - state.cameraPosition));
+}
+
 void setVolumeState() {
   gl::Disable(GL_BLEND);
   unsetAlphaTest();
@@ -62,10 +72,9 @@ VolumeMethod FrameRenderer::volumeMethod() const {
 }
 
 const gl::Program& FrameRenderer::useVolumeProgram(const Step& step, const FrameState& state,
-                                                   const glm::ivec3& origin) {
+                                                   const glm::mat4& modelView) {
   DrawState draw;
-  const glm::vec3 offset(glm::dvec3(origin) - state.cameraPosition);
-  draw.modelView = glm::translate(state.gbufferModelView, offset);
+  draw.modelView = modelView;
   draw.projection = state.gbufferProjection;
   draw.textureMatrix = glm::mat4(1);
   loadMatrices(draw, false);
@@ -75,12 +84,11 @@ const gl::Program& FrameRenderer::useVolumeProgram(const Step& step, const Frame
 }
 
 void FrameRenderer::drawLampVolumes(const Step& step, const FrameState& state) {
-  LampVolumes& lamps = *loaded_->lampVolumes;
   gl::BindFramebuffer(GL_FRAMEBUFFER, loaded_->targets->lampFramebuffer().id());
-  const gl::Program& program = useVolumeProgram(step, state, lamps.origin());
-  const glm::vec3 offset(glm::dvec3(lamps.origin()) - state.cameraPosition);
-  lamps.draw(program, {state.gbufferProjection * glm::translate(state.gbufferModelView, offset),
-                       eyePyramid(state), options_.width, options_.height, volumeMethod()});
+  const glm::mat4 modelView = volumeView(state);
+  const gl::Program& program = useVolumeProgram(step, state, modelView);
+  loaded_->lampVolumes->draw(program, {state.gbufferProjection * modelView, baseOf(state), eyePyramid(state),
+                                       options_.width, options_.height, volumeMethod()});
 }
 
 void FrameRenderer::drawShadowVolumes(const Step& step, const FrameState& state) {
@@ -95,9 +103,9 @@ void FrameRenderer::drawShadowVolumes(const Step& step, const FrameState& state)
   if (loaded_->volumes) {
     std::string error;
     gl::BindFramebuffer(GL_FRAMEBUFFER, loaded_->targets->framebuffer(step, error).id());
-    const gl::Program& program = useVolumeProgram(step, state, loaded_->volumes->origin());
+    const gl::Program& program = useVolumeProgram(step, state, volumeView(state));
     const glm::vec3 light = shadowLightDirection(state.skyAngle, pack_->directives.sunPathRotation);
-    loaded_->volumes->draw(program, glm::vec4(light, 0), eyePyramid(state), volumeMethod());
+    loaded_->volumes->draw(program, glm::vec4(light, 0), eyePyramid(state), baseOf(state), volumeMethod());
   }
   SamplerBinder::unbind(programOf(step));
   unsetVolumeState();

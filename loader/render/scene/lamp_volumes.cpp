@@ -110,8 +110,8 @@ void LampVolumes::draw(const gl::Program& program, const View& view) {
   gl::Enable(GL_SCISSOR_TEST);
   for (std::size_t i = 0; i < chosen_.size(); ++i) {
     const MeshLamp& lamp = chosen_[i];
-    const glm::vec3 place(lamp.place() - glm::dvec3(casters_.origin));
-    const PixelRect rect = rectOfBall(view.clip, place, rangeOf(lamp), view.width, view.height);
+    const PixelRect rect = rectOfBall(view.clip, lamp.place() - glm::dvec3(view.base), rangeOf(lamp),
+                                      view.width, view.height);
     if (rect == PixelRect()) continue;
     if (volumes_[i] == nullptr) {
       volumes_[i] =
@@ -122,7 +122,8 @@ void LampVolumes::draw(const gl::Program& program, const View& view) {
     gl::ClearStencil(0);
     gl::Clear(GL_STENCIL_BUFFER_BIT);
     gl::UseProgram(program.id());
-    volumes_[i]->draw(program, glm::vec4(place, 1), view.eye, view.method);
+    const glm::vec3 place(lamp.place() - glm::dvec3(casters_.origin));
+    volumes_[i]->draw(program, glm::vec4(place, 1), view.eye, view.base, view.method);
     resolve(int(i));
   }
   gl::UseProgram(program.id());

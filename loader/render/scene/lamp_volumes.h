@@ -34,12 +34,12 @@ class LampVolumes {
   VolumeLights choose(const glm::dvec3& eye);
 
   struct View {
-    glm::mat4 clip{1};  ///< takes what is relative to the origin of volumes
+    glm::mat4 clip{1};  ///< takes what is relative to `base`
+    glm::ivec3 base{0};  ///< as of ShadowVolumes::draw
     EyePyramid eye;
     int width = 0, height = 0;
     VolumeMethod method = VolumeMethod::Auto;
   };
-  glm::ivec3 origin() const { return casters_.origin; }
   /// Bit i of the colour of the bound framebuffer, which holds 0, where a volume of lamp i is; the
   /// stencil is used up. `program` as ShadowVolumes::draw.
   void draw(const gl::Program& program, const View& view);

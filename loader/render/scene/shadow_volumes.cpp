@@ -106,10 +106,10 @@ void ShadowVolumes::forget() {
   nearFaces_.clear();
 }
 
-ShadowVolumes::Drawn ShadowVolumes::upload(const VolumeMesh& mesh) {
+ShadowVolumes::Drawn ShadowVolumes::upload(VolumeMesh mesh) {
   Drawn drawn;
-  drawn.vertices = gl::createBuffer(mesh.vertices.size() * sizeof(glm::vec4), mesh.vertices.data(),
-                                    "shadow volumes");
+  drawn.corners = std::move(mesh.vertices);
+  drawn.vertices = gl::createUnfilledBuffer(drawn.corners.size() * sizeof(glm::vec4), "shadow volumes");
   drawn.indices = gl::createBuffer(mesh.indices.size() * sizeof(std::uint32_t), mesh.indices.data(),
                                    "shadow volume indices");
   drawn.indexCount = static_cast<std::uint32_t>(mesh.indices.size());
@@ -117,7 +117,16 @@ ShadowVolumes::Drawn ShadowVolumes::upload(const VolumeMesh& mesh) {
   return drawn;
 }
 
-const ShadowVolumes::Drawn& ShadowVolumes::silhouettes(const VolumeLight& light, bool closed) {
+void ShadowVolumes::moveTo(const glm::ivec3& base, Drawn& drawn) const {
+  if (drawn.base == base) return;
+  drawn.base = base;
+  const glm::vec4 by(glm::vec3(casters_.origin - base), 0);
+  std::vector<glm::vec4> moved = drawn.corners;
+  for (glm::vec4& corner : moved) corner += corner.w * by;  // directions stay
+  gl::upload(drawn.vertices, 0, moved.size() * sizeof(glm::vec4), moved.data());
+}
+
+ShadowVolumes::Drawn& ShadowVolumes::silhouettes(const VolumeLight& light, bool closed) {
   std::optional<Drawn>& drawn = closed ? closed_ : sides_;
   if (!drawn) {
     drawn = upload(buildVolumes(casters_, light, {.closed = closed}));
@@ -126,8 +135,7 @@ const ShadowVolumes::Drawn& ShadowVolumes::silhouettes(const VolumeLight& light,
   return *drawn;
 }
 
-const ShadowVolumes::Drawn& ShadowVolumes::nearEye(const VolumeLight& light,
-                                                   const EyePyramid& eye) {
+ShadowVolumes::Drawn& ShadowVolumes::nearEye(const VolumeLight& light, const EyePyramid& eye) {
   if (makers_.empty())
     for (const CasterFace& face : casters_.faces)
       if (makesVolume(face, light)) makers_.push_back(&face);
@@ -152,13 +160,14 @@ const ShadowVolumes::Drawn& ShadowVolumes::nearEye(const VolumeLight& light,
 }
 
 void ShadowVolumes::draw(const gl::Program& program, const VolumeLight& light,
-                         const EyePyramid& worldEye, VolumeMethod method) {
+                         const EyePyramid& worldEye, const glm::ivec3& base, VolumeMethod method) {
   if (light_ != light) {
     forget();
     light_ = light;
   }
-  const auto drawPart = [&](const Drawn& part, const StencilRule& rule) {
+  const auto drawPart = [&](Drawn& part, const StencilRule& rule) {
     if (part.indexCount == 0) return;
+    moveTo(base, part);
     gl::BindBuffer(GL_ARRAY_BUFFER, part.vertices.id());
     gl::BindBuffer(GL_ELEMENT_ARRAY_BUFFER, part.indices.id());
     bindVolumeVertices(program);

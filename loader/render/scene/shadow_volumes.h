@@ -31,12 +31,13 @@ class ShadowVolumes {
   explicit ShadowVolumes(CasterSet casters) : casters_(std::move(casters)) {}
   /// Blocks changed.
   void setCasters(CasterSet casters);
-  glm::ivec3 origin() const { return casters_.origin; }
 
   /// Draws for a light into the bound framebuffer, whose stencil holds 0 and whose depth is the
-  /// scene's; `program` is in use, matrices take positions relative to origin().
+  /// scene's; `program` is in use, matrices take positions relative to `base`, a block near the eye: where
+  /// coordinates are large, the depths of a volume and of the face that makes it are rounded apart, and the face
+  /// shades itself.
   void draw(const gl::Program& program, const VolumeLight& light, const EyePyramid& eye,
-            VolumeMethod method);
+            const glm::ivec3& base, VolumeMethod method);
 
   int facesAtEye() const { return facesAtEye_; }  ///< counted apart in the last draw
   int builds() const { return builds_; }          ///< silhouettes made since the start
@@ -44,11 +45,14 @@ class ShadowVolumes {
  private:
   struct Drawn {
     gl::Buffer vertices, indices;
+    std::vector<glm::vec4> corners;  ///< relative to the casters' origin
+    std::optional<glm::ivec3> base;  ///< what `vertices` are relative to
     std::uint32_t indexCount = 0, alongCount = 0;
   };
-  static Drawn upload(const VolumeMesh& mesh);
-  const Drawn& silhouettes(const VolumeLight& light, bool closed);
-  const Drawn& nearEye(const VolumeLight& light, const EyePyramid& eye);
+  static Drawn upload(VolumeMesh mesh);
+  void moveTo(const glm::ivec3& base, Drawn& drawn) const;
+  Drawn& silhouettes(const VolumeLight& light, bool closed);
+  Drawn& nearEye(const VolumeLight& light, const EyePyramid& eye);
   void forget();
 
   CasterSet casters_;
