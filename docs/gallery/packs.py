@@ -19,9 +19,9 @@ STORM = {"rain": 1, "thunder": 1}
 SCENES = {
     "rain": ("terrain", "shore", {"time": 4000, "rain": 1}, {}),
     "snow": ("snow_hut", "outside", {"time": 5000, "rain": 1, "temperature": 0.0}, {}),
-    "night": ("street", "street", {}, {}),
-    "lightning": ("bay", "shore", {"time": 11000, **STORM},
-                  {"events": [{"frame": 0, "lightning": {"at": [17, 3, 10], "frames": 1000}}]}),
+    "night": ("village", "street", {"time": 18000}, {}),
+    "lightning": ("terrain", "shore", {"time": 11000, **STORM},
+                  {"events": [{"frame": 0, "lightning": {"at": [44, 70, 50], "frames": 1000}}]}),
     "torch": ("bay", "shore", {"time": 18000, "player": {"mainHand": "torch", "hideGui": False}}, {}),
     "glint": ("everything", {"name": "glint", "position": [12.0, 3.7, 10.2], "target": [12.3, 3.0, 6]},
               {"time": 4000, "rain": 0, "player": {}},

@@ -745,8 +745,8 @@ program.composite.enabled = false
            stdout=[rf'"option": "SHADOW_METHOD",\n\s+"value": "{shadows}"', rf'"option": "LIGHT_METHOD",\n\s+"value": "{lamps}"'])
       for world, size, shadows, lamps in (("cornell", "32x18", "NONE", "DEFERRED"),
                                           ("pillars", "160x90", "VOLUME_AUTO", "NONE"),
-                                          ("terrain", "160x90", "VOLUME_AUTO", "NONE"),
-                                          ("terrain", "640x360", "MAP_PCF", "NONE"))],
+                                          ("hills", "160x90", "VOLUME_AUTO", "NONE"),
+                                          ("hills", "640x360", "MAP_PCF", "NONE"))],
     Case("settings_file_then_set", ["options pack --settings mine.txt --set TONE=2"], 0,
          {**pack({"composite.fsh": COMPOSITE}), "mine.txt": "TONE=3\n"}, stdout=["^TONE = 2"]),
     Case("settings_file", ["options pack --settings mine.txt"], 0,

@@ -16,8 +16,8 @@ from chart_runs import SOURCE, frame_times, lamp_field
 
 QUANTITIES = ["pixels", "faces", "casters", "volumes", "casters_near", "lamps", "lamps_reaching", "sun", "texel_pixels"]
 SIZES = ["160x90", "320x180", "640x360"]
-SHADOW_SCENES = [("pillars", "front"), ("terrain", "shore"), ("pillars", "low"), ("h4_house", "outside"),
-                 ("terrain", "water")]
+SHADOW_SCENES = [("pillars", "front"), ("hills", "shore"), ("pillars", "low"), ("h4_house", "outside"),
+                 ("hills", "water")]
 RESOLUTIONS = ["512", "1024", "2048"]  # of the map, in the first scene; elsewhere 1024
 LAMPS = [4, 16, 64, 256, 4096]
 COMMON = ["GI_METHOD=NONE"]

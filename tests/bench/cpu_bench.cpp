@@ -35,6 +35,6 @@ void meshWorld(benchmark::State& state, const char* name) {
   state.counters["faces"] = double(scene.mesh.faces.size());
 }
 BENCHMARK_CAPTURE(meshWorld, cornell, "cornell")->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(meshWorld, terrain, "terrain")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(meshWorld, hills, "hills")->Unit(benchmark::kMillisecond);
 
 }  // namespace

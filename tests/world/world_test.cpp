@@ -41,7 +41,7 @@ TEST_P(OwnWorlds, load_without_unknown_blocks_and_with_free_cameras) {
 INSTANTIATE_TEST_SUITE_P(All, OwnWorlds,
                          testing::Values("cornell", "corridor", "h1_room", "h2_box", "h3_corridor",
                                          "h4_house", "h5_two_rooms", "h6_hall", "lamps", "pillars",
-                                         "rooms", "terrain", "village"));
+                                         "rooms", "hills", "terrain", "village"));
 
 /// The first block that is not air from the camera through the point of the picture at (x, y) in
 /// -1..1, aspect 1.
