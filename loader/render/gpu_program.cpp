@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include <orris/gl/functions.h>
-#include <orris/plan/frame/core_uniforms.h>
+#include <orris/plan/frame/core_profile_uniforms.h>
 
 namespace orris {
 namespace {

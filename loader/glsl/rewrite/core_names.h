@@ -1,5 +1,5 @@
 // What stands in a core-profile context for the names of old GLSL. The uniforms and attributes of the
-// replacements are given by the frame (plan/frame/core_uniforms.h, render/scene/vertex_layout.h).
+// replacements are given by the frame (plan/frame/core_profile_uniforms.h, render/scene/vertex_layout.h).
 #pragma once
 
 #include <array>

@@ -10,7 +10,7 @@
 
 #include <orris/pack/expressions/expression_functions.h>
 #include <orris/plan/frame/clouds.h>
-#include <orris/plan/frame/core_uniforms.h>
+#include <orris/plan/frame/core_profile_uniforms.h>
 #include <orris/pack/shader_pack.h>
 #include <orris/world/dimension_look.h>
 

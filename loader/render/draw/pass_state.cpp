@@ -5,7 +5,7 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <string>
 
-#include <orris/plan/frame/core_uniforms.h>
+#include <orris/plan/frame/core_profile_uniforms.h>
 #include <orris/gl/functions.h>
 
 namespace orris {

@@ -15,7 +15,7 @@ void setFullscreenState(const ProgramSource* program, DrawState& draw);
 /// State for geometry; `program` null: the built-in shader. Fills blend and alpha facts of `draw`.
 void setGeometryState(const Step& step, const ProgramSource* program, DrawState& draw);
 /// The matrices of `draw` and those of the light's texture coordinates: GL's own, which compatibility
-/// shaders read. In a core context uniforms hold them (plan/frame/core_uniforms.h).
+/// shaders read. In a core context uniforms hold them (plan/frame/core_profile_uniforms.h).
 void loadMatrices(DrawState& draw, bool lightmapMatrix);
 void loadModelView(const glm::mat4& modelView);
 void setFog(const FrameState& state);

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include <orris/world/blocks/block_data.h>
-#include <orris/world/blocks/block_shape.h>
+#include <orris/world/blocks/shape_boxes.h>
 
 namespace orris {
 namespace {

@@ -1,5 +1,5 @@
 #include <orris/world/blocks/block_facts.h>
-#include <orris/world/blocks/block_shape.h>
+#include <orris/world/blocks/shape_boxes.h>
 #include <orris/world/blocks/neighbour_joins.h>
 
 #include <algorithm>

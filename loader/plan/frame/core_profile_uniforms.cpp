@@ -1,4 +1,4 @@
-#include <orris/plan/frame/core_uniforms.h>
+#include <orris/plan/frame/core_profile_uniforms.h>
 
 #include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>

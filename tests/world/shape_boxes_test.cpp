@@ -1,4 +1,4 @@
-#include <orris/world/blocks/block_shape.h>
+#include <orris/world/blocks/shape_boxes.h>
 
 #include <gtest/gtest.h>
 
