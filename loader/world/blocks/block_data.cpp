@@ -11,6 +11,7 @@
 namespace orris {
 
 extern const char* const kBlocksJson;
+extern const char* const kShapesJson;
 
 namespace {
 
@@ -247,10 +248,10 @@ TextureDefinition textureNamed(const Json& spec, const ExpandedName& name) {
   return texture;
 }
 
-BlockData read(const Json& root) {
+BlockData read(const Json& root, const Json& shapes) {
   BlockData data;
   const NameLists lists = listsOf(root.at("lists"));
-  for (const auto& [name, shape] : root.at("shapes").items()) data.shapes[name] = shapeOf(shape);
+  for (const auto& [name, shape] : shapes.items()) data.shapes[name] = shapeOf(shape);
   for (const Json& spec : root.at("blocks")) {
     for (const ExpandedName& name : expandNames(spec.at("names"), lists)) {
       data.blocks[name.name] = blockOf(spec, name);
@@ -275,7 +276,7 @@ bool BlockCondition::holds(const BlockProperties& properties) const {
 }
 
 const BlockData& blockData() {
-  static const BlockData data = read(Json::parse(kBlocksJson));
+  static const BlockData data = read(Json::parse(kBlocksJson), Json::parse(kShapesJson));
   return data;
 }
 

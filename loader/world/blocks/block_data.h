@@ -1,4 +1,4 @@
-// blocks.json as values: block, shape and texture definitions after its name lists are expanded.
+// blocks.json and shapes.json as values: block, shape and texture definitions after its name lists are expanded.
 // The format is described in docs/block-data.md.
 #pragma once
 

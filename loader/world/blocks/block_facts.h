@@ -1,5 +1,5 @@
-// What the host knows of blocks: shape, emission, opacity, tint, render layer, textures. One data
-// file, loader/world/blocks/blocks.json, compiled into the library.
+// What the host knows of blocks: shape, emission, opacity, tint, render layer, textures. Two data files,
+// blocks.json and shapes.json beside this, compiled into the library.
 #pragma once
 
 #include <cstdint>
