@@ -129,6 +129,24 @@ TEST_F(SomeChart, PrintsTheAARunAndTheNoiseFloor) {
   EXPECT_THAT(summaryTable(chart), HasSubstr("noise floor of the reference: 2.3 %"));
 }
 
+TEST_F(SomeChart, PageAndTerminalShowTheSameCells) {
+  add("low", 10, 0.5);
+  const ChartData chart = make();
+  PagePictures pictures;
+  pictures.settings.resize(1);
+  const std::string page = chartPage(chart, pictures), terminal = summaryTable(chart);
+  const TextTable table = settingsTable(chart);
+  ASSERT_EQ(table.size(), 2u);
+  ASSERT_EQ(table[0].size(), table[1].size());
+  EXPECT_THAT(table[0], testing::Contains(chart.request.metric->label)) << "in place of its place holder";
+  for (const std::vector<std::string>& cells : table)
+    for (const std::string& cell : cells) {
+      EXPECT_THAT(page, HasSubstr('"' + cell + '"'));
+      EXPECT_THAT(terminal, HasSubstr(cell));
+    }
+  EXPECT_THAT(settingsCsv(chart), Not(HasSubstr(",,ms"))) << "what has no name there is not there";
+}
+
 TEST_F(SomeChart, ThePageHoldsPicturesAndNoWayOutOfItsData) {
   add("</script><b>", 10, 0.5);
   PagePictures pictures;

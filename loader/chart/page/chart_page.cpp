@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include <orris/chart/page/chart_text.h>
 #include <orris/chart/page/embedded.h>
 #include <orris/chart/page/page_template.h>
 #include <orris/chart/study/json_number.h>
@@ -20,18 +21,9 @@ std::string sizeText(ImageSize size) { return fmt::format("{}x{}", size.width, s
 json pageJson(const ChartPoint& point, const SettingPictures& pictures) {
   const ErrorSummary& error = *point.result->error;
   return {{"label", point.setting->label},
-          {"size", sizeText(point.setting->size)},
           {"ms", jsonNumber(point.milliseconds.value)},
-          {"msLow", jsonNumber(point.milliseconds.interval.low)},
-          {"msHigh", jsonNumber(point.milliseconds.interval.high)},
-          {"p95", jsonNumber(point.p95)},
-          {"ratio", jsonNumber(point.cost.ratio)},
-          {"publishedRatio", point.publishedRatio ? json(*point.publishedRatio) : json(nullptr)},
-          {"error", jsonNumber(point.error.value)},
           {"bias", jsonNumber(error.bias)},
           {"noise", jsonNumber(error.noise)},
-          {"relMse", jsonNumber(error.relMse)},
-          {"ssim", point.result->ssim},
           {"front", point.front},
           {"frame", dataUri("image/png", pictures.frame)},
           {"mean", dataUri("image/png", pictures.mean)},
@@ -59,8 +51,7 @@ std::string chartPage(const ChartData& chart, const PagePictures& pictures) {
   for (const auto& [name, text] : chart.request.facts) facts.push_back({name, text});
   const json data = {
       {"title", chart.request.title},
-      {"metric", chart.request.metric->label},
-      {"accumulated", chart.request.accumulated},
+      {"table", settingsTable(chart)},
       {"noiseFloor", chart.request.noiseFloor},
       {"again", chart.again ? json{chart.again->ratio, chart.again->ratioInterval.low,
                                    chart.again->ratioInterval.high}

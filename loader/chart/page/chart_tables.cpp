@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string_view>
+
 #include <orris/chart/page/chart_text.h>
 
 namespace orris {
@@ -12,9 +15,14 @@ std::string quoted(const std::string& text) {
   return result + "\"";
 }
 
+std::string places2(double value) { return fmt::format("{:.2f}", value); }
+std::string places3(double value) { return fmt::format("{:.3f}", value); }
 std::string places4(double value) { return fmt::format("{:.4f}", value); }
 std::string digits6(double value) { return fmt::format("{:.6g}", value); }
 std::string flag(bool value) { return value ? "1" : "0"; }
+std::string range3(const Interval& interval) {
+  return fmt::format("{:.3f} to {:.3f}", interval.low, interval.high);
+}
 
 /// A measured setting with what its columns ask for.
 struct SettingRow {
@@ -24,54 +32,75 @@ struct SettingRow {
   const AccumulatedError& after;
 };
 
+using CellText = std::string (*)(const SettingRow& row);
 struct SettingColumn {
-  const char* name;
-  std::string (*text)(const SettingRow& row);
+  const char* name;  ///< in settings.csv; "": not there
+  CellText text;
+  const char* heading = "";  ///< on the page and the terminal; "": not there
+  CellText shown = nullptr;  ///< there; none: as in settings.csv
 };
 
-/// Of settings.csv, in its order.
+/// In place of the name of the chart's metric.
+constexpr const char* kMetricHeading = "metric";
+
+/// Of the three tables of a chart, in their order.
 constexpr SettingColumn kSettingColumns[] = {
-    {"setting", [](const SettingRow& row) { return quoted(row.point.setting->label); }},
+    {"setting", [](const SettingRow& row) { return row.point.setting->label; }, "setting"},
     {"size", [](const SettingRow& row) {
        const ImageSize& size = row.point.setting->size;
        return fmt::format("{}x{}", size.width, size.height);
      }},
     {"pairs", [](const SettingRow& row) { return std::to_string(row.point.cost.pairs); }},
-    {"ms", [](const SettingRow& row) { return places4(row.point.milliseconds.value); }},
+    {"ms", [](const SettingRow& row) { return places4(row.point.milliseconds.value); }, "ms a frame",
+     [](const SettingRow& row) { return places3(row.point.milliseconds.value); }},
     {"ms_low", [](const SettingRow& row) { return places4(row.point.milliseconds.interval.low); }},
     {"ms_high", [](const SettingRow& row) { return places4(row.point.milliseconds.interval.high); }},
-    {"ratio", [](const SettingRow& row) { return places4(row.point.cost.ratio); }},
+    {"ratio", [](const SettingRow& row) { return places4(row.point.cost.ratio); }, "cost ratio",
+     [](const SettingRow& row) { return places3(row.point.cost.ratio); }},
+    {"", [](const SettingRow& row) { return range3(row.point.cost.ratioInterval); }, "95 %"},
     {"ratio_low", [](const SettingRow& row) { return places4(row.point.cost.ratioInterval.low); }},
     {"ratio_high", [](const SettingRow& row) { return places4(row.point.cost.ratioInterval.high); }},
     {"ms_median", [](const SettingRow& row) { return places4(row.point.cost.median); }},
-    {"ms_p95", [](const SettingRow& row) { return places4(row.point.p95); }},
+    {"ms_p95", [](const SettingRow& row) { return places4(row.point.p95); }, "slow frame (p95)",
+     [](const SettingRow& row) { return places2(row.point.p95); }},
     {"published_ratio", [](const SettingRow& row) {
        return row.point.publishedRatio ? fmt::format("{}", *row.point.publishedRatio) : std::string();
-     }},
+     }, "published"},
     {"frames", [](const SettingRow& row) { return std::to_string(row.error.frames); }},
-    {"bias", [](const SettingRow& row) { return digits6(row.error.bias); }},
+    {"", [](const SettingRow& row) { return places4(row.point.error.value); }, kMetricHeading},
+    {"bias", [](const SettingRow& row) { return digits6(row.error.bias); }, "bias",
+     [](const SettingRow& row) { return places4(row.error.bias); }},
     {"bias_low", [](const SettingRow& row) { return digits6(row.error.biasInterval.low); }},
     {"bias_high", [](const SettingRow& row) { return digits6(row.error.biasInterval.high); }},
     {"signed_bias", [](const SettingRow& row) { return digits6(row.error.signedBias); }},
-    {"noise", [](const SettingRow& row) { return digits6(row.error.noise); }},
+    {"noise", [](const SettingRow& row) { return digits6(row.error.noise); }, "noise",
+     [](const SettingRow& row) { return places4(row.error.noise); }},
     {"accumulated", [](const SettingRow& row) { return std::to_string(row.after.frames); }},
     {"error", [](const SettingRow& row) { return digits6(row.after.error); }},
     {"error_low", [](const SettingRow& row) { return digits6(row.after.interval.low); }},
     {"error_high", [](const SettingRow& row) { return digits6(row.after.interval.high); }},
-    {"relmse", [](const SettingRow& row) { return digits6(row.error.relMse); }},
+    {"relmse", [](const SettingRow& row) { return digits6(row.error.relMse); }, "relMSE",
+     [](const SettingRow& row) { return places4(row.error.relMse); }},
     {"relmse_median", [](const SettingRow& row) { return digits6(row.error.relMseMedian); }},
     {"relmse_trimmed", [](const SettingRow& row) { return digits6(row.error.relMseTrimmed); }},
-    {"ssim", [](const SettingRow& row) { return digits6(row.result.ssim); }},
+    {"ssim", [](const SettingRow& row) { return digits6(row.result.ssim); }, "SSIM",
+     [](const SettingRow& row) { return places4(row.result.ssim); }},
     {"not_finite", [](const SettingRow& row) { return std::to_string(row.error.notFinite); }},
     {"front", [](const SettingRow& row) { return flag(row.point.front); }},
     {"published", [](const SettingRow& row) { return flag(row.point.published); }},
 };
 
-/// A line of the table: what `cell` says of each column.
+SettingRow rowOf(const ChartPoint& point, const ChartData& chart) {
+  const ErrorSummary& error = *point.result->error;
+  return {point, *point.result, error, error.after(chart.request.accumulated)};
+}
+
+/// A line of settings.csv: what `cell` says of each column.
 template <class Cell>
 std::string lineOf(Cell cell) {
   std::string line;
-  for (const SettingColumn& column : kSettingColumns) line += (line.empty() ? "" : ",") + cell(column);
+  for (const SettingColumn& column : kSettingColumns)
+    if (*column.name != '\0') line += (line.empty() ? "" : ",") + quoted(cell(column));
   return line + "\n";
 }
 
@@ -80,11 +109,25 @@ std::string lineOf(Cell cell) {
 std::string settingsCsv(const ChartData& chart) {
   std::string text = lineOf([](const SettingColumn& column) { return std::string(column.name); });
   for (const ChartPoint& point : chart.points) {
-    const ErrorSummary& error = *point.result->error;
-    const SettingRow row{point, *point.result, error, error.after(chart.request.accumulated)};
+    const SettingRow row = rowOf(point, chart);
     text += lineOf([&row](const SettingColumn& column) { return column.text(row); });
   }
   return text;
+}
+
+TextTable settingsTable(const ChartData& chart) {
+  TextTable table(1);
+  for (const SettingColumn& column : kSettingColumns) {
+    if (*column.heading == '\0') continue;
+    table[0].push_back(std::string_view(column.heading) == kMetricHeading ? chart.request.metric->label : column.heading);
+  }
+  for (const ChartPoint& point : chart.points) {
+    const SettingRow row = rowOf(point, chart);
+    std::vector<std::string>& cells = table.emplace_back();
+    for (const SettingColumn& column : kSettingColumns)
+      if (*column.heading != '\0') cells.push_back((column.shown ? column.shown : column.text)(row));
+  }
+  return table;
 }
 
 std::string passesCsv(const ChartData& chart) {
@@ -108,20 +151,15 @@ std::string accumulatedCsv(const ChartData& chart) {
 }
 
 std::string summaryTable(const ChartData& chart) {
-  std::size_t width = 7;
-  for (const ChartPoint& point : chart.points) width = std::max(width, point.setting->label.size());
-  std::string text =
-      fmt::format("{:<{}} {:>9} {:>7} {:>17} {:>9} {:>8} {:>8} {:>8} {:>7}\n", "setting", width,
-                  "ms/frame", "ratio", "95 %", "published", "bias", "noise", "error", "SSIM");
-  for (const ChartPoint& point : chart.points) {
-    text += fmt::format(
-        "{:<{}} {:>9.3f} {:>7.3f} {:>8.3f}-{:<8.3f} {:>9} {:>8.4f} {:>8.4f} {:>8.4f} {:>7.4f}{}\n",
-        point.setting->label, width, point.milliseconds.value, point.cost.ratio,
-        point.cost.ratioInterval.low, point.cost.ratioInterval.high,
-        point.publishedRatio ? fmt::format("{}", *point.publishedRatio) : "-",
-        point.result->error->bias, point.result->error->noise,
-        point.result->error->after(chart.request.accumulated).error, point.result->ssim,
-        point.front ? " *" : "");
+  const TextTable table = settingsTable(chart);
+  std::vector<std::size_t> widths(table[0].size());
+  for (const std::vector<std::string>& cells : table)
+    for (std::size_t i = 0; i < cells.size(); ++i) widths[i] = std::max(widths[i], cells[i].size());
+  std::string text;
+  for (std::size_t line = 0; line < table.size(); ++line) {
+    text += fmt::format("{:<{}}", table[line][0], widths[0]);
+    for (std::size_t i = 1; i < widths.size(); ++i) text += fmt::format("  {:>{}}", table[line][i], widths[i]);
+    text += line > 0 && chart.points[line - 1].front ? " *\n" : "\n";
   }
   for (const ChartPoint& point : chart.points)
     if (!point.result->chosen.empty())
