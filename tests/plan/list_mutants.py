@@ -14,7 +14,6 @@ MUTANTS = {
         ("an outer layer without a skin", "DrawLists.*", "return {nullptr, nullptr, hasOwnTextures(box)};", "return {nullptr, nullptr, true};"),
         ("skins of one size", "DrawLists.*", "const float texels = (look.tile->max.x - look.tile->min.x) * size.x;",
          "const float texels = 64;"),
-        ("no item of a resource pack", "DrawLists.*", "lookOf(item))\n    return addModel", "lookOf(\"\"))\n    return addModel"),
         ("the model of its kind", "DrawLists.*",
          "const EntityModel* model = findEntityModel(entity.model);", "const EntityModel* model = findEntityModel(entity.kind);"),
         ("frames only on walls", "DrawLists.*", "glm::radians(pitch), glm::vec3(1, 0, 0)", "0.0f * pitch, glm::vec3(1, 0, 0)"),
@@ -31,9 +30,12 @@ MUTANTS = {
         ("a hand behind the back", "DrawLists.*", "const glm::vec3 inHand(side, 2, -10);", "const glm::vec3 inHand(side, -2, -10);"),
         ("held as in the other hand", "DrawLists.*", "left ? DisplayPlace::ThirdLeft : DisplayPlace::ThirdRight", "left ? DisplayPlace::ThirdRight : DisplayPlace::Ground"),
         ("held at the shoulder", "DrawLists.*", "inHand), glm::vec3(kModelTexels))", "glm::vec3(0)), glm::vec3(kModelTexels))"),
-        ("no dye", "DrawLists.*", "look.tintOf(face.tintIndex, dye)", "look.tintOf(face.tintIndex)"),
         ("the tag of a cow is a cow", "DrawLists.*", "  draw.entity = \"minecraft:name_tag\";  // as Iris names it\n", ""),
         ("letters behind the board", "DrawLists.*", "{0, 0, kNearer / kCapital}", "{0, 0, -kNearer / kCapital}"),
+    ],
+    "loader/plan/lists/item_list.cpp": [
+        ("no item of a resource pack", "DrawLists.*", "lookOf(item))\n    return addModel", "lookOf(\"\"))\n    return addModel"),
+        ("no dye", "DrawLists.*", "look.tintOf(face.tintIndex, dye)", "look.tintOf(face.tintIndex)"),
     ],
     "loader/plan/frame/visible_sections.cpp": [
         ("sight: lines turn back", "VisibleSections.*", "< 0;\n      const glm::ivec3 next", "< -99;\n      const glm::ivec3 next"),

@@ -1,4 +1,4 @@
-// Entities, their eyes, glint and leashes, and items.
+// Entities, their eyes, armour, glint and leashes, and where they have items.
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
@@ -7,7 +7,6 @@
 #include <orris/plan/lists/list_writer.h>
 #include <orris/world/content/armour.h>
 #include <orris/world/content/entity_models.h>
-#include <orris/world/mesh/block_faces.h>
 
 namespace orris {
 namespace {
@@ -15,8 +14,6 @@ namespace {
 constexpr float kModelTexels = 16;
 // The game's overlay of what is hurt. Iris: entityColor.
 constexpr glm::vec4 kHurt(1, 0, 0, 0.302f);
-// What the game's grass and leaves look like on the plains.
-constexpr glm::vec3 kPlainsTint(0.57f, 0.74f, 0.35f);
 
 /// Right and up of each side of a box as seen from outside, in the order of FaceDirection.
 constexpr glm::vec3 kRight[] = {{1, 0, 0}, {1, 0, 0}, {-1, 0, 0}, {1, 0, 0}, {0, 0, 1}, {0, 0, -1}};
@@ -374,59 +371,7 @@ void addBody(ListWriter& writer) {
   addBoxes(writer, player, *model, ModelLayer::Body, place, 0, writer.lightAt(player.position));
 }
 
-void addSprite(ListWriter& writer, const glm::mat4& place, glm::ivec2 light) {
-  const AtlasTile tile = writer.scene.content.atlas.tile("item_sprite");
-  const glm::vec3 corners[] = {{0, 1, 0.5f}, {0, 0, 0.5f}, {1, 0, 0.5f}, {1, 1, 0.5f}};
-  ContentQuad quad;
-  quad.uv = tileUv(tile);
-  quad.light = light;
-  for (std::size_t i = 0; i < 4; ++i) quad.corners[i] = glm::vec3(place * glm::vec4(corners[i], 1));
-  writer.quad(quad);
-  std::swap(quad.corners[0], quad.corners[3]);
-  std::swap(quad.corners[1], quad.corners[2]);
-  std::swap(quad.uv[0], quad.uv[3]);
-  std::swap(quad.uv[1], quad.uv[2]);
-  writer.quad(quad);
-}
-
-/// An item by its model of a resource pack.
-void addModel(ListWriter& writer, const ItemLook& look, const glm::mat4& place, glm::ivec2 light,
-              const std::optional<glm::vec3>& dye) {
-  for (const ModelFace& face : *look.faces) {
-    const AtlasTile tile = writer.scene.content.atlas.tile(face.texture);
-    ContentQuad quad;
-    for (std::size_t i = 0; i < 4; ++i) {
-      quad.corners[i] = glm::vec3(place * glm::vec4(face.corners[i], 1));
-      quad.uv[i] = tile.min + face.uv[i] * (tile.max - tile.min);
-    }
-    quad.light = light;
-    quad.color = glm::vec4(look.tintOf(face.tintIndex, dye), 1);
-    writer.quad(quad);
-  }
-}
-
 }  // namespace
-
-bool isTranslucentItem(const SceneData& scene, const std::string& item) {
-  return scene.content.items.at(item).layer == RenderLayer::Translucent;
-}
-
-void addItem(ListWriter& writer, const std::string& item, const glm::mat4& place,
-             glm::ivec2 light, const std::optional<glm::vec3>& dye) {
-  if (const ItemLook* look = writer.scene.content.lookOf(item))
-    return addModel(writer, *look, place, light, dye);
-  const BlockFacts& facts = writer.scene.content.items.at(item);
-  if (facts.boxes.empty()) return addSprite(writer, place, light);
-  for (const BlockFace& face : makeBlockFaces(facts, writer.scene.content.atlas).faces) {
-    ContentQuad quad;
-    for (std::size_t i = 0; i < 4; ++i)
-      quad.corners[i] = glm::vec3(place * glm::vec4(face.corners[i], 1));
-    quad.uv = face.uv;
-    quad.light = light;
-    if (face.tinted) quad.color = glm::vec4(kPlainsTint, 1);
-    writer.quad(quad);
-  }
-}
 
 void addEntities(ListWriter& writer) {
   for (const Entity& entity : writer.scene.world.content.entities) {
