@@ -23,6 +23,8 @@ struct Path {
   std::vector<std::pair<glm::dvec3, glm::dvec3>> looks;  ///< from, to
 };
 
+void PrintTo(const Path& path, std::ostream* out) { *out << path.name; }
+
 const std::vector<Path>& paths() {
   static const std::vector<Path> kPaths = {
       {"pillars",
