@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 
 #include <orris/chart/page/chart_text.h>
@@ -15,13 +16,16 @@ std::string quoted(const std::string& text) {
   return result + "\"";
 }
 
-std::string places2(double value) { return fmt::format("{:.2f}", value); }
-std::string places3(double value) { return fmt::format("{:.3f}", value); }
 std::string places4(double value) { return fmt::format("{:.4f}", value); }
 std::string digits6(double value) { return fmt::format("{:.6g}", value); }
 std::string flag(bool value) { return value ? "1" : "0"; }
-std::string range3(const Interval& interval) {
-  return fmt::format("{:.3f} to {:.3f}", interval.low, interval.high);
+
+/// For people: "-" for what was not measured.
+std::string shownPlaces(double value, int places) {
+  return std::isfinite(value) ? fmt::format("{:.{}f}", value, places) : "-";
+}
+std::string shownRange(const Interval& interval) {
+  return shownPlaces(interval.low, 3) + " to " + shownPlaces(interval.high, 3);
 }
 
 /// A measured setting with what its columns ask for.
@@ -52,39 +56,42 @@ constexpr SettingColumn kSettingColumns[] = {
      }},
     {"pairs", [](const SettingRow& row) { return std::to_string(row.point.cost.pairs); }},
     {"ms", [](const SettingRow& row) { return places4(row.point.milliseconds.value); }, "ms a frame",
-     [](const SettingRow& row) { return places3(row.point.milliseconds.value); }},
+     [](const SettingRow& row) { return shownPlaces(row.point.milliseconds.value, 3); }},
+    {"", [](const SettingRow& row) { return shownRange(row.point.milliseconds.interval); }, "95 % interval"},
     {"ms_low", [](const SettingRow& row) { return places4(row.point.milliseconds.interval.low); }},
     {"ms_high", [](const SettingRow& row) { return places4(row.point.milliseconds.interval.high); }},
     {"ratio", [](const SettingRow& row) { return places4(row.point.cost.ratio); }, "cost ratio",
-     [](const SettingRow& row) { return places3(row.point.cost.ratio); }},
-    {"", [](const SettingRow& row) { return range3(row.point.cost.ratioInterval); }, "95 %"},
+     [](const SettingRow& row) { return shownPlaces(row.point.cost.ratio, 3); }},
+    {"", [](const SettingRow& row) { return shownRange(row.point.cost.ratioInterval); }, "95 % interval"},
     {"ratio_low", [](const SettingRow& row) { return places4(row.point.cost.ratioInterval.low); }},
     {"ratio_high", [](const SettingRow& row) { return places4(row.point.cost.ratioInterval.high); }},
     {"ms_median", [](const SettingRow& row) { return places4(row.point.cost.median); }},
     {"ms_p95", [](const SettingRow& row) { return places4(row.point.p95); }, "slow frame (p95)",
-     [](const SettingRow& row) { return places2(row.point.p95); }},
+     [](const SettingRow& row) { return shownPlaces(row.point.p95, 2); }},
     {"published_ratio", [](const SettingRow& row) {
        return row.point.publishedRatio ? fmt::format("{}", *row.point.publishedRatio) : std::string();
-     }, "published"},
+     }, "published", [](const SettingRow& row) {
+       return row.point.publishedRatio ? fmt::format("{}", *row.point.publishedRatio) : std::string("-");
+     }},
     {"frames", [](const SettingRow& row) { return std::to_string(row.error.frames); }},
-    {"", [](const SettingRow& row) { return places4(row.point.error.value); }, kMetricHeading},
+    {"", [](const SettingRow& row) { return shownPlaces(row.point.error.value, 4); }, kMetricHeading},
     {"bias", [](const SettingRow& row) { return digits6(row.error.bias); }, "bias",
-     [](const SettingRow& row) { return places4(row.error.bias); }},
+     [](const SettingRow& row) { return shownPlaces(row.error.bias, 4); }},
     {"bias_low", [](const SettingRow& row) { return digits6(row.error.biasInterval.low); }},
     {"bias_high", [](const SettingRow& row) { return digits6(row.error.biasInterval.high); }},
     {"signed_bias", [](const SettingRow& row) { return digits6(row.error.signedBias); }},
     {"noise", [](const SettingRow& row) { return digits6(row.error.noise); }, "noise",
-     [](const SettingRow& row) { return places4(row.error.noise); }},
+     [](const SettingRow& row) { return shownPlaces(row.error.noise, 4); }},
     {"accumulated", [](const SettingRow& row) { return std::to_string(row.after.frames); }},
     {"error", [](const SettingRow& row) { return digits6(row.after.error); }},
     {"error_low", [](const SettingRow& row) { return digits6(row.after.interval.low); }},
     {"error_high", [](const SettingRow& row) { return digits6(row.after.interval.high); }},
     {"relmse", [](const SettingRow& row) { return digits6(row.error.relMse); }, "relMSE",
-     [](const SettingRow& row) { return places4(row.error.relMse); }},
+     [](const SettingRow& row) { return shownPlaces(row.error.relMse, 4); }},
     {"relmse_median", [](const SettingRow& row) { return digits6(row.error.relMseMedian); }},
     {"relmse_trimmed", [](const SettingRow& row) { return digits6(row.error.relMseTrimmed); }},
     {"ssim", [](const SettingRow& row) { return digits6(row.result.ssim); }, "SSIM",
-     [](const SettingRow& row) { return places4(row.result.ssim); }},
+     [](const SettingRow& row) { return shownPlaces(row.result.ssim, 4); }},
     {"not_finite", [](const SettingRow& row) { return std::to_string(row.error.notFinite); }},
     {"front", [](const SettingRow& row) { return flag(row.point.front); }},
     {"published", [](const SettingRow& row) { return flag(row.point.published); }},
