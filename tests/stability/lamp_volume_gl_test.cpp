@@ -53,24 +53,35 @@ std::vector<LampCase> lampsSeenFrom(const glm::dvec3& eye) {
 const std::vector<glm::dvec3> kEyes = {
     {2, 11, 21}, {22.3, 8.2, 21.1}, {17.4, 3.1, 12.2}, {5.7, 10.6, 3.1}};
 
+void expectThoseOfRays(VolumeLab& lab, const glm::dvec3& eye, const std::string& what) {
+  lab.look(eye, {13, 2, 11.01});
+  const ImageF drawn = lab.drawn();
+  for (const LampCase& lamp : lampsSeenFrom(eye)) {
+    Diagnostics diagnostics;
+    const auto difference =
+        compareMasks(channelOf(drawn, lamp.channel), lab.referenceOfLamp(lamp.cell), diagnostics);
+    ASSERT_TRUE(difference);
+    EXPECT_EQ(difference->interior, 0) << what << " from " << eye.x;
+    EXPECT_LE(difference->edgeShare(), kEdgeShare) << what << " from " << eye.x;
+    EXPECT_GT(difference->lit, difference->pixels / 30);
+    EXPECT_LT(difference->lit, difference->pixels * 19 / 20);
+  }
+}
+
 TEST(LampVolumes, are_those_of_rays) {
   for (const char* method : {"VOLUME_AUTO", "VOLUME_ZFAIL"}) {
     VolumeLab lab(setupOf(method));
-    for (const glm::dvec3& eye : kEyes) {
-      lab.look(eye, {13, 2, 11.01});
-      const ImageF drawn = lab.drawn();
-      for (const LampCase& lamp : lampsSeenFrom(eye)) {
-        Diagnostics diagnostics;
-        const auto difference = compareMasks(channelOf(drawn, lamp.channel),
-                                             lab.referenceOfLamp(lamp.cell), diagnostics);
-        ASSERT_TRUE(difference);
-        EXPECT_EQ(difference->interior, 0) << method << " from " << eye.x;
-        EXPECT_LE(difference->edgeShare(), kEdgeShare) << method << " from " << eye.x;
-        EXPECT_GT(difference->lit, difference->pixels / 30);
-        EXPECT_LT(difference->lit, difference->pixels * 19 / 20);
-      }
-    }
+    for (const glm::dvec3& eye : kEyes) expectThoseOfRays(lab, eye, method);
   }
+}
+
+// The middle of the world, which casters are relative to, is far from the lamps; the eye looks away from there, where
+// the lamps' range ends.
+TEST(LampVolumes, are_those_of_rays_far_from_the_middle_of_the_world) {
+  VolumeSetup setup = setupOf("VOLUME_AUTO");
+  setup.box.x = 400;
+  VolumeLab lab(setup);
+  expectThoseOfRays(lab, kEyes[1], "wide");
 }
 
 // Third eye: in the shadow of the wall beside the first lamp.

@@ -5,6 +5,8 @@ For host_kill_list.py --table, by file: name, tests, what is replaced by what.
 
 MUTANTS = {
     "loader/render/scene/shadow_volumes.cpp": [
+        ("places are not moved again", "ShadowVolumeCounts.a_path*", "if (drawn.base == base) return;", "if (drawn.base) return;"),
+        ("directions to the light move, too", "ShadowVolumeShapes.leaves_far*", "corner += corner.w * by;", "corner += by;"),
         ("D1 z-pass for z-fail", "ShadowVolumeCounts.only*",
          "if (method == VolumeMethod::ZFail) return drawPart(silhouettes(light, true), kZFail);", ""),
         ("D1 the eye is in no volume", "ShadowVolumeCounts.only*:ShadowVolumeCounts.a_path*",
@@ -49,6 +51,8 @@ MUTANTS = {
         ("lamps: casters of half the range", "LampVolumes.*", "<= range)", "<= range * 0.5)"),
     ],
     "loader/render/scene/lamp_volumes.cpp": [
+        ("lamps: a scissor about the middle of the world", "LampVolumes.*", "lamp.place() - glm::dvec3(view.base)", "lamp.place() - glm::dvec3(casters_.origin)"),
+        ("lamps: volumes relative to another block", "LampVolumes.*", "view.eye, view.base, view.method", "view.eye, glm::ivec3(0, -16, 0), view.method"),
         ("lamps: a scissor too small", "LampVolumes.*", "middle + side * radius", "middle + side * radius * 0.5f"),
         ("lamps: the stencil of the lamp before", "LampVolumes.*",
          "    gl::ClearStencil(0);\n    gl::Clear(GL_STENCIL_BUFFER_BIT);\n", ""),
