@@ -1,7 +1,7 @@
 """A unity build compiles sources of a folder as one: a helper that shares its name with another source's helper,
 or with what a header of the folder declares, may be called in its place without a word. No such pair may exist.
 
-unity_names.py LOADER_DIR
+unity_names.py LOADER_DIR TESTS_DIR: folders of tests are those with the name of a folder of LOADER_DIR.
 """
 import collections
 import pathlib
@@ -24,7 +24,9 @@ def names(text):
 
 
 faults = []
-for folder in sorted(p for p in pathlib.Path(sys.argv[1]).iterdir() if p.is_dir()):
+loader, tests = map(pathlib.Path, sys.argv[1:])
+folders = sorted(path for path in loader.iterdir() if path.is_dir())
+for folder in folders + [tests / path.name for path in folders]:
     helpers = collections.defaultdict(set)
     for source in sorted(folder.rglob("*.cpp")):
         if "codecs" in source.parts:

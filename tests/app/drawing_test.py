@@ -78,9 +78,9 @@ class Frames(Drawing):
     def test_that_do_not_end_are_given_up(self):
         self.write({"pack/shaders/composite1.csh": ENDLESS})
         began = time.monotonic()
-        errors = self.orris(*self.render("--frames", "2", "--frame-limit", "2s"), status=3)
+        errors = self.orris(*self.render("--frames", "2", "--frame-limit", "1s"), status=3)
         self.assertLess(time.monotonic() - began, 30)
-        self.assertRegex(errors, r"(?m)^\S*/composite1\.csh: error: the driver took longer than 2 s while drawing "
+        self.assertRegex(errors, r"(?m)^\S*/composite1\.csh: error: the driver took longer than 1 s while drawing "
                                  r"frame 1, in composite1 \[frame-timeout\]$")
         self.leaves_all_as_it_was()
 
@@ -94,7 +94,7 @@ class Frames(Drawing):
     def test_that_do_not_end_are_given_up_by_chart_and_tune(self):
         self.write({"pack/shaders/composite1.csh": ENDLESS})
         few = ["--size", "32x32", "--frames", "2", "--warm-up", "1", "--rounds", "1", "--reference-frames", "2",
-               "--frame-limit", "2s"]
+               "--frame-limit", "1s"]
         for words in (["chart", "pack", CORNELL, "-o", "chart"],
                       ["tune", "pack", CORNELL, "-o", "options.txt", "--error", "1"]):
             with self.subTest(command=words[0]):
@@ -105,8 +105,8 @@ class Frames(Drawing):
 
     def test_of_validate_name_the_pass(self):
         self.write({"pack/shaders/composite1.csh": ENDLESS})
-        errors = self.orris("validate", "pack", "--draw", "--frame-limit", "2s", status=1)
-        self.assertRegex(errors, r"/composite1\.csh: error: one frame of .* takes this driver longer than 2 s ")
+        errors = self.orris("validate", "pack", "--draw", "--frame-limit", "1s", status=1)
+        self.assertRegex(errors, r"/composite1\.csh: error: one frame of .* takes this driver longer than 1 s ")
         self.assertIn("while drawing frame 1, in composite1", errors)
 
     def test_hand_over_every_output(self):

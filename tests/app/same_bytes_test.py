@@ -14,7 +14,7 @@ def main():
         def render(name, backend, threads):
             picture = Path(temporary) / name
             subprocess.run([program, "render", source / "shaderpack", source / "worlds/cornell", "-o",
-                            picture, "--size", "96x54", "--frames", "24", "--backend", backend,
+                            picture, "--size", "96x54", "--frames", "8", "--backend", backend,
                             "--dump", f"colortex0={picture}.exr"],
                            check=True, env={**os.environ, "LP_NUM_THREADS": str(threads)})
             return picture

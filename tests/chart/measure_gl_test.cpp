@@ -97,7 +97,7 @@ class MeasureTest : public testing::Test {
   ImageF frame_, mean_;
 };
 
-constexpr double kScale = 1 / 1.02;
+constexpr double kPictureScale = 1 / 1.02;
 
 TEST_F(MeasureTest, BiasAndNoiseAreThoseOfThePicture) {
   plan_.frames = 16;  // two a batch, whose noise cancels
@@ -107,12 +107,12 @@ TEST_F(MeasureTest, BiasAndNoiseAreThoseOfThePicture) {
   EXPECT_THAT(diagnostics_, SizeIs(0));
   EXPECT_EQ(baseline.result.error->bias, 0);
   EXPECT_EQ(baseline.result.ssim, 1);
-  EXPECT_NEAR(wrong.result.error->bias, 0.5 * kScale, 1e-6);
+  EXPECT_NEAR(wrong.result.error->bias, 0.5 * kPictureScale, 1e-6);
   EXPECT_EQ(wrong.result.error->noise, 0);
-  EXPECT_NEAR(noisy.result.error->bias, 1 * kScale, 1e-6);
-  EXPECT_NEAR(noisy.result.error->noise, 0.5 * std::sqrt(16.0 / 15) * kScale, 1e-6);
-  EXPECT_NEAR(noisy.result.error->after(1).error, std::sqrt(1.25) * kScale, 1e-6);
-  EXPECT_NEAR(noisy.result.error->after(2).error, 1 * kScale, 1e-6);
+  EXPECT_NEAR(noisy.result.error->bias, 1 * kPictureScale, 1e-6);
+  EXPECT_NEAR(noisy.result.error->noise, 0.5 * std::sqrt(16.0 / 15) * kPictureScale, 1e-6);
+  EXPECT_NEAR(noisy.result.error->after(1).error, std::sqrt(1.25) * kPictureScale, 1e-6);
+  EXPECT_NEAR(noisy.result.error->after(2).error, 1 * kPictureScale, 1e-6);
   EXPECT_NEAR(mean_.pixels[0], 2, 1e-6);
   EXPECT_NEAR(std::abs(frame_.pixels[0] - 2), 0.5, 1e-6);
 }
@@ -171,8 +171,8 @@ TEST_F(MeasureTest, FewerAliveAtATimeGiveTheSameResults) {
   SettingJob baseline = job("a", {}), b = job("b", {{"LEVEL", "1.5"}}),
              c = job("c", {{"LEVEL", "2.0"}});
   run({&baseline, &b, &c});
-  EXPECT_NEAR(b.result.error->bias, 0.5 * kScale, 1e-6);
-  EXPECT_NEAR(c.result.error->bias, 1 * kScale, 1e-6);
+  EXPECT_NEAR(b.result.error->bias, 0.5 * kPictureScale, 1e-6);
+  EXPECT_NEAR(c.result.error->bias, 1 * kPictureScale, 1e-6);
   EXPECT_TRUE(b.done(plan_) && c.done(plan_));
 }
 

@@ -23,16 +23,16 @@ TEST(Statistics, TheIntervalOfTheMedianHoldsIt) {
   std::normal_distribution<double> noise(1, 0.1);
   int held = 0;
   double width = 0;
-  constexpr int kTrials = 300, kValues = 40;
-  for (int trial = 0; trial < kTrials; ++trial) {
+  constexpr int kMedians = 300, kValues = 40;
+  for (int trial = 0; trial < kMedians; ++trial) {
     std::vector<double> values(kValues);
     for (double& value : values) value = noise(random);
     const Interval interval = bootstrapMedian(values);
     held += interval.low <= 1 && 1 <= interval.high ? 1 : 0;
-    width += (interval.high - interval.low) / kTrials;
+    width += (interval.high - interval.low) / kMedians;
   }
-  EXPECT_GE(held, 0.91 * kTrials);
-  EXPECT_LE(held, 0.99 * kTrials);
+  EXPECT_GE(held, 0.91 * kMedians);
+  EXPECT_LE(held, 0.99 * kMedians);
   // Two sides of 1.96 standard errors of a median: sqrt(pi / 2) of those of a mean.
   EXPECT_NEAR(width, 2 * 1.96 * 0.1 * std::sqrt(1.5708 / kValues), 0.012);
 }

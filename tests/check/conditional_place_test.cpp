@@ -41,7 +41,7 @@ Lines reported(const Files& files, const std::vector<std::string>& dimensions, b
   return lines;
 }
 
-std::string linesOf(const std::string& line, int count) {
+std::string copiesOf(const std::string& line, int count) {
   std::string lines;
   for (int i = 0; i < count; ++i) lines += line + "\n";
   return lines;
@@ -53,11 +53,11 @@ std::string lacksEndif(const std::string& head) {
   return kVersion + head +                                           // 2
          "void main() {\nfloat light = 1.0;\nfloat bright = 0.5;\n"  // 3 to 5
          "#ifdef DARK\n" +
-         linesOf("light *= 0.9;", 10) +  // 6 to 16
+         copiesOf("light *= 0.9;", 10) +  // 6 to 16
          "bright = light;\n\n"           // 17, 18
          "float glow = bright;\n\n"      // 19, 20
          "#ifdef FOG\nbright *= 0.5;\n\n" +
-         linesOf("glow *= 0.7;", 8) +
+         copiesOf("glow *= 0.7;", 8) +
          "#endif\n"  // 21 to 32
          "gl_FragColor = vec4(glow);\n}\n";
 }
@@ -111,13 +111,13 @@ TEST(ConditionalPlace, an_endif_too_many_is_the_one_without_which_the_program_co
   const std::string fragment = kVersion +
                                "#define GLOW\nvoid main() {\nfloat b = 1.0;\n"  // 2 to 4
                                "#ifndef GLOW\n" +
-                               linesOf("b *= 0.5;", 2) +
+                               copiesOf("b *= 0.5;", 2) +
                                "\n#endif\n"  // 5 to 9
                                "float glow = unknown;\n" +
-                               linesOf("glow *= 0.7;", 3) +
+                               copiesOf("glow *= 0.7;", 3) +
                                "#else\n"  // to 14
                                "float glow = b;\n" +
-                               linesOf("glow *= 0.7;", 3) +
+                               copiesOf("glow *= 0.7;", 3) +
                                "#endif\n"  // to 19
                                "gl_FragColor = vec4(glow);\n}\n";
   const Files files{{"/composite.vsh", kVertexStage}, {"/composite.fsh", fragment}};

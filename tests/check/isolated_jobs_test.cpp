@@ -16,7 +16,7 @@ using testing::ElementsAre;
 
 using Outcomes = std::map<std::size_t, JobOutcome>;
 
-Outcomes run(IsolatedJobs jobs) {
+Outcomes outcomesOf(IsolatedJobs jobs) {
   Outcomes outcomes;
   runIsolated(jobs, [&](std::size_t index, JobOutcome outcome) {
     outcomes[index] = std::move(outcome);
@@ -45,7 +45,7 @@ std::vector<std::string> texts(const Outcomes& outcomes) {
 
 TEST(IsolatedJobs, each_job_gives_its_result_whatever_the_workers) {
   for (const int workers : {1, 3, 9}) {
-    const auto outcomes = run({.count = 5, .workers = workers, .work = [](std::size_t i) {
+    const auto outcomes = outcomesOf({.count = 5, .workers = workers, .work = [](std::size_t i) {
                                  return std::string(i * 100'000, 'x');
                                }});
     ASSERT_EQ(outcomes.size(), 5u);
@@ -54,7 +54,7 @@ TEST(IsolatedJobs, each_job_gives_its_result_whatever_the_workers) {
 }
 
 TEST(IsolatedJobs, job_that_kills_its_worker_is_reported_and_the_rest_goes_on) {
-  const auto outcomes = run({.count = 5, .workers = 2, .work = [](std::size_t i) {
+  const auto outcomes = outcomesOf({.count = 5, .workers = 2, .work = [](std::size_t i) {
                                if (i == 1) raise(SIGKILL);
                                if (i == 2) _exit(9);
                                if (i == 3) throw std::runtime_error("no more");
@@ -66,7 +66,7 @@ TEST(IsolatedJobs, job_that_kills_its_worker_is_reported_and_the_rest_goes_on) {
 }
 
 TEST(IsolatedJobs, job_that_never_ends_is_given_up) {
-  const auto outcomes = run({.count = 3,
+  const auto outcomes = outcomesOf({.count = 3,
                              .workers = 2,
                              .work =
                                  [](std::size_t i) {
@@ -79,7 +79,7 @@ TEST(IsolatedJobs, job_that_never_ends_is_given_up) {
 }
 
 TEST(IsolatedJobs, job_that_sleeps_for_ever_is_given_up) {
-  const auto outcomes = run({.count = 2,
+  const auto outcomes = outcomesOf({.count = 2,
                              .workers = 1,
                              .work =
                                  [](std::size_t i) {
@@ -92,7 +92,7 @@ TEST(IsolatedJobs, job_that_sleeps_for_ever_is_given_up) {
 
 TEST(IsolatedJobs, what_is_in_progress_when_the_time_ends_is_given_up) {
   const auto until = std::chrono::steady_clock::now() + std::chrono::milliseconds(300);
-  const auto outcomes = run({.count = 3,
+  const auto outcomes = outcomesOf({.count = 3,
                              .workers = 2,
                              .work =
                                  [](std::size_t i) {
@@ -106,7 +106,7 @@ TEST(IsolatedJobs, what_is_in_progress_when_the_time_ends_is_given_up) {
 }
 
 TEST(IsolatedJobs, a_result_longer_than_allowed_is_not_taken) {
-  const auto outcomes = run({.count = 2,
+  const auto outcomes = outcomesOf({.count = 2,
                              .work = [](std::size_t i) { return std::string(i == 0 ? 3000 : 10, 'x'); },
                              .resultBytes = 1000});
   EXPECT_THAT(texts(outcomes), ElementsAre("crashed: a result that is too long", "xxxxxxxxxx"));
@@ -120,7 +120,7 @@ std::string lieAboutLength(std::uint64_t length) {
 
 TEST(IsolatedJobs, a_worker_that_lies_about_its_result_costs_no_memory_and_no_time) {
   for (const std::uint64_t length : {std::uint64_t{100}, ~std::uint64_t{0}}) {
-    const auto outcomes = run({.count = 2,
+    const auto outcomes = outcomesOf({.count = 2,
                                .work =
                                    [length](std::size_t i) {
                                      return i == 0 ? lieAboutLength(length) : std::string("done");
@@ -133,7 +133,7 @@ TEST(IsolatedJobs, a_worker_that_lies_about_its_result_costs_no_memory_and_no_ti
 }
 
 TEST(IsolatedJobs, a_worker_cannot_raise_its_own_limits) {
-  const auto outcomes = run({.count = 1, .work = [](std::size_t) {
+  const auto outcomes = outcomesOf({.count = 1, .work = [](std::size_t) {
                                std::string raised;
                                for (const auto resource : {RLIMIT_CPU, RLIMIT_NOFILE, RLIMIT_FSIZE,
                                                            RLIMIT_CORE}) {
@@ -146,10 +146,10 @@ TEST(IsolatedJobs, a_worker_cannot_raise_its_own_limits) {
 }
 
 TEST(IsolatedJobs, a_job_outside_of_the_sandbox_starts_workers_of_its_own) {
-  const auto outcomes = run({.count = 1,
+  const auto outcomes = outcomesOf({.count = 1,
                              .work =
                                  [](std::size_t) {
-                                   const auto inner = run({.count = 2, .work = [](std::size_t i) {
+                                   const auto inner = outcomesOf({.count = 2, .work = [](std::size_t i) {
                                                              if (i == 0) raise(SIGKILL);
                                                              return std::string("inner");
                                                            }});

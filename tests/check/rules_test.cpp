@@ -57,27 +57,27 @@ Ids idsInDocs() {
   return ids;
 }
 
-Ids without(Ids ids, const Ids& others) {
+Ids idsWithout(Ids ids, const Ids& others) {
   for (const std::string& id : others) ids.erase(id);
   return ids;
 }
 
 TEST(Rules, everyIdOfTheSourcesHasARow) {
-  EXPECT_THAT(without(idsInSources(), idsInTable()), testing::IsEmpty())
+  EXPECT_THAT(idsWithout(idsInSources(), idsInTable()), testing::IsEmpty())
       << "add rows to loader/check/rules/";
 }
 
 TEST(Rules, everyRowIsUsedInTheSources) {
-  EXPECT_THAT(without(idsInTable(), idsInSources()), testing::IsEmpty());
+  EXPECT_THAT(idsWithout(idsInTable(), idsInSources()), testing::IsEmpty());
 }
 
 TEST(Rules, everyRowHasASectionInDocs) {
-  EXPECT_THAT(without(idsInTable(), idsInDocs()), testing::IsEmpty())
+  EXPECT_THAT(idsWithout(idsInTable(), idsInDocs()), testing::IsEmpty())
       << "add sections to docs/checks.md";
 }
 
 TEST(Rules, everySectionInDocsHasARow) {
-  EXPECT_THAT(without(idsInDocs(), idsInTable()), testing::IsEmpty());
+  EXPECT_THAT(idsWithout(idsInDocs(), idsInTable()), testing::IsEmpty());
 }
 
 TEST(Rules, eachSectionSaysSeverityAndSummaryOfItsRow) {

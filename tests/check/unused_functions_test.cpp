@@ -17,7 +17,7 @@ ShaderPack loadJudged(const Files& files, Diagnostics& diagnostics) {
   return std::move(loaded.pack).value();
 }
 
-Files packWith(const std::string& library) {
+Files packCalling(const std::string& library) {
   const std::string stage = "#version 330 compatibility\n#include \"/lib.glsl\"\n";
   return {{"/lib.glsl", library},
           {"/composite.vsh", stage + "void main() { gl_Position = ftransform(); }\n"},
@@ -28,7 +28,7 @@ Files packWith(const std::string& library) {
 /// "/file:line message" of all that is wrong with functions that nothing calls.
 std::vector<std::string> unused(const std::string& library) {
   Diagnostics diagnostics;
-  const ShaderPack pack = loadJudged(packWith(library), diagnostics);
+  const ShaderPack pack = loadJudged(packCalling(library), diagnostics);
   checkUnusedFunctions(std::span(&pack, 1), {}, diagnostics);
   std::vector<std::string> lines;
   for (const Diagnostic& d : diagnostics)
@@ -54,7 +54,7 @@ TEST(UnusedFunctions, that_compile_in_one_program_are_fine) {
 TEST(UnusedFunctions, that_another_program_calls_are_a_librarys) {
   EXPECT_THAT(unused("vec4 other() { return called(); }\nvoid called() { }\n"),
               ElementsAre(::testing::HasSubstr("/lib.glsl:1")));
-  auto files = packWith("float used() { return fromAnother; }\n" + std::string(kCalled));
+  auto files = packCalling("float used() { return fromAnother; }\n" + std::string(kCalled));
   files["/composite1.fsh"] =
       "#version 330 compatibility\nuniform float fromAnother;\n#include \"/lib.glsl\"\n"
       "void main() { gl_FragColor = vec4(used()); }\n";
@@ -79,7 +79,7 @@ TEST(UnusedFunctions, of_a_program_that_fails_wait_until_it_compiles) {
 TEST(UnusedFunctions, with_a_syntax_error_refuse_the_program) {
   Diagnostics diagnostics;
   const ShaderPack pack =
-      loadJudged(packWith(std::string(kCalled) + "void f() {\n  int a = ;\n}\n"), diagnostics);
+      loadJudged(packCalling(std::string(kCalled) + "void f() {\n  int a = ;\n}\n"), diagnostics);
   Verdicts verdicts;
   checkWithGlslang(pack, 1, verdicts, diagnostics);
   ASSERT_FALSE(diagnostics.empty());

@@ -8,7 +8,7 @@
 namespace orris {
 namespace {
 
-struct LineCase {
+struct IncludeLineCase {
   const char* line;
   const char* outcome;  ///< the file, or the id of the error
 };
@@ -32,7 +32,7 @@ std::string outcome(const std::string& line) {
 }
 
 TEST(IncludeTable, lines) {
-  const LineCase kCases[] = {
+  const IncludeLineCase kCases[] = {
       {"#include \"/lib/a.glsl\"", "/lib/a.glsl"},
       {"  \t#include \"/lib/a.glsl\"  ", "/lib/a.glsl"},
       {"#include\t\"/lib/a.glsl\"", "/lib/a.glsl"},
@@ -62,7 +62,7 @@ TEST(IncludeTable, lines) {
       {"int x; #include \"/none.glsl\"", ""},
       {"#define FILE \"/lib/a.glsl\"", ""},
   };
-  for (const LineCase& test : kCases) EXPECT_EQ(outcome(test.line), test.outcome) << test.line;
+  for (const IncludeLineCase& test : kCases) EXPECT_EQ(outcome(test.line), test.outcome) << test.line;
 }
 
 TEST(IncludeTable, a_path_with_other_capitals_is_proposed_with_the_reason) {

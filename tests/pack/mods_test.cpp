@@ -16,7 +16,7 @@ Loaded loadWithFinal(Files files, bool mods = true) {
   return loadFiles(std::move(files), {.buildModPrograms = mods});
 }
 
-std::vector<std::string> names(const ProgramList& programs) {
+std::vector<std::string> programNames(const ProgramList& programs) {
   std::vector<std::string> result;
   for (const ProgramSource& program : programs) result.push_back(program.name);
   return result;
@@ -39,11 +39,11 @@ TEST(Mods, programs_of_other_mods_stand_apart_from_those_of_the_pack) {
                     {"/clrwl_shadow.fsh", kFragment}};
   const Loaded with = loadWithFinal(files);
   ASSERT_TRUE(with.pack);
-  EXPECT_THAT(names(with.pack->programs), ElementsAre("final"));
-  EXPECT_THAT(names(with.pack->modPrograms), ElementsAre("dh_water", "clrwl_shadow"));
+  EXPECT_THAT(programNames(with.pack->programs), ElementsAre("final"));
+  EXPECT_THAT(programNames(with.pack->modPrograms), ElementsAre("dh_water", "clrwl_shadow"));
   EXPECT_THAT(with.pack->modPrograms[0].drawBuffers, ElementsAre(0));
   EXPECT_THAT(with.pack->modPrograms[1].drawBuffers, ElementsAre(0, 1));
-  EXPECT_THAT(names(loadWithFinal(files, false).pack->modPrograms), IsEmpty());
+  EXPECT_THAT(programNames(loadWithFinal(files, false).pack->modPrograms), IsEmpty());
 }
 
 TEST(Mods, a_program_sees_the_macro_and_the_names_of_its_mod_only) {
@@ -75,7 +75,7 @@ TEST(Mods, a_program_is_enabled_as_if_its_mod_were_there) {
   const Loaded loaded = loadWithFinal({{"/dh_water.fsh", kFragment},
                                        {"/dh_terrain.fsh", kFragment},
                                        {"/shaders.properties", properties}});
-  EXPECT_THAT(names(loaded.pack->modPrograms), ElementsAre("dh_terrain"));
+  EXPECT_THAT(programNames(loaded.pack->modPrograms), ElementsAre("dh_terrain"));
 }
 
 Loaded loadVoxy(const std::string& opaque, std::map<std::string, std::string> types) {
@@ -104,7 +104,7 @@ TEST(Mods, voxy_gets_what_its_interface_file_lists) {
       "  color = p.sampledColour * far * float(own) * b * own1.c + texture(noisetex, p.uv);\n}\n";
   const Loaded loaded = loadVoxy(opaque, {{"far", "float"}});
   ASSERT_TRUE(loaded.pack);
-  EXPECT_THAT(names(loaded.pack->modPrograms), ElementsAre("voxy_opaque"));
+  EXPECT_THAT(programNames(loaded.pack->modPrograms), ElementsAre("voxy_opaque"));
   EXPECT_EQ(verdict(loaded), "");
   const Loaded asked = loadVoxy("#if VOXY < 2\n#error an old Voxy\n#endif\n" + opaque, {{"far", "float"}});
   EXPECT_EQ(asked.diagnostics.size(), loaded.diagnostics.size());
@@ -115,7 +115,7 @@ TEST(Mods, voxy_gets_what_its_interface_file_lists) {
 }
 
 TEST(Mods, a_voxy_program_with_a_uniform_of_unknown_type_is_not_judged) {
-  EXPECT_THAT(names(loadVoxy("nonsense", {}).pack->modPrograms), IsEmpty());
+  EXPECT_THAT(programNames(loadVoxy("nonsense", {}).pack->modPrograms), IsEmpty());
 }
 
 TEST(Mods, what_is_wrong_with_a_program_of_a_mod_is_a_warning_that_names_the_mod) {

@@ -18,7 +18,7 @@ OptionSet profileOptions() {
                          diagnostics);
 }
 
-ShaderProperties read(const std::string& text, std::vector<std::string>* messages = nullptr) {
+ShaderProperties readProfiles(const std::string& text, std::vector<std::string>* messages = nullptr) {
   Diagnostics diagnostics;
   const ShaderProperties properties =
       parseShaderProperties("/shaders.properties", text, {}, profileOptions(), diagnostics);
@@ -34,7 +34,7 @@ ShaderProperties read(const std::string& text, std::vector<std::string>* message
 
 std::vector<std::string> profileProblems(const std::string& text) {
   std::vector<std::string> messages;
-  read(text, &messages);
+  readProfiles(text, &messages);
   return messages;
 }
 
@@ -61,7 +61,7 @@ TEST(ProfileTable, items) {  // Iris: ProfileSet.parse
       {"profile.P=FOG\nprofile.P=BLOOM", {{"BLOOM", "true"}}},
   };
   for (const ProfileCase& test : kCases) {
-    EXPECT_EQ(read(test.text).profiles.back().values, test.values) << test.text;
+    EXPECT_EQ(readProfiles(test.text).profiles.back().values, test.values) << test.text;
   }
 }
 
@@ -127,7 +127,7 @@ TEST(ProfileTable, the_current_one_is_detected) {  // Iris: ProfileSet.scan, Pro
   };
   const OptionSet options = profileOptions();
   for (const CurrentCase& test : kCases) {
-    const ShaderProperties properties = read(test.text);
+    const ShaderProperties properties = readProfiles(test.text);
     const Profile* found = detectProfile(properties.profiles, options, test.values);
     EXPECT_EQ(found ? found->name : "", test.current) << test.text;
   }

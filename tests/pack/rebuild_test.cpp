@@ -10,7 +10,7 @@ namespace {
 
 using testing::ElementsAre;
 
-constexpr const char* kHead = "#version 330 compatibility\n#include \"/settings.glsl\"\n";
+constexpr const char* kIncludingHead = "#version 330 compatibility\n#include \"/settings.glsl\"\n";
 constexpr const char* kMain = "void main() {}\n";
 
 Files threePrograms() {
@@ -18,9 +18,9 @@ Files threePrograms() {
            "#define BLOOM // bloom\n#define Q 2 // [1 2 3]\n#define TINT 5 // [5 6]\n"
            "#define HUE (TINT * 2)\nconst int shadowMapResolution = 1024; // [1024 2048]\n"
            "#define MODE 0 // [0 1]\n"},
-          {"/composite.fsh", std::string(kHead) + "#ifdef BLOOM\nfloat q = Q;\n#endif\n" + kMain},
-          {"/composite1.fsh", std::string(kHead) + "float hue = HUE;\n" + kMain},
-          {"/final.fsh", std::string(kHead) + "#if defined(BLOOM) && MODE == 1\n#endif\n" + kMain},
+          {"/composite.fsh", std::string(kIncludingHead) + "#ifdef BLOOM\nfloat q = Q;\n#endif\n" + kMain},
+          {"/composite1.fsh", std::string(kIncludingHead) + "float hue = HUE;\n" + kMain},
+          {"/final.fsh", std::string(kIncludingHead) + "#if defined(BLOOM) && MODE == 1\n#endif\n" + kMain},
           {"/shaders.properties",
            "program.final.enabled = BLOOM\n#if MODE == 1\nblend.composite1 = off\n#endif\n"}};
 }
@@ -83,7 +83,7 @@ TEST(Rebuild, program_whose_properties_change_is_built_again) {
   EXPECT_EQ(rebuilt(loadValid(threePrograms(), {{"BLOOM", "false"}}), {}), 2);
 }
 
-std::string summary(const ShaderPack& pack, const Diagnostics& diagnostics) {
+std::string packSummary(const ShaderPack& pack, const Diagnostics& diagnostics) {
   std::string text;
   for (const ProgramSource& program : pack.programs) {
     text += program.name + " " + std::to_string(program.hash) + "\n";
@@ -104,7 +104,7 @@ void expectSameAsFresh(const std::shared_ptr<const FileSource>& source, const Sh
   // What reading the files found is reported once, by the first loadValid.
   std::erase_if(fresh, [](const Diagnostic& d) { return d.id.starts_with("option-"); });
   if (!pack) return;
-  EXPECT_EQ(summary(*pack, again), summary(*expected, fresh));
+  EXPECT_EQ(packSummary(*pack, again), packSummary(*expected, fresh));
 }
 
 /// Of each `step`th option of our pack, another value than its default.
@@ -155,7 +155,7 @@ int builtAfter(Files edit, const std::set<std::string>& gone = {}) {
   int built = -1;
   const auto pack =
       loadShaderPack(memorySource(files), request, {.earlier = &*earlier}, again, &built);
-  EXPECT_EQ(summary(*pack, again), summary(*expected, fresh));
+  EXPECT_EQ(packSummary(*pack, again), packSummary(*expected, fresh));
   for (std::size_t i = 0; i < expected->programs.size(); ++i) {
     EXPECT_EQ(pack->programs[i].options, expected->programs[i].options);
     EXPECT_EQ(pack->programs[i].incomplete, expected->programs[i].incomplete);

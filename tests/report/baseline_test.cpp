@@ -5,7 +5,7 @@
 namespace orris {
 namespace {
 
-Diagnostic problem(std::string message, int line, std::string sourceLine) {
+Diagnostic problemAt(std::string message, int line, std::string sourceLine) {
   return {.severity = Severity::Warning,
           .id = "option-unused",
           .at = {"/lib/a.glsl", line, 9},
@@ -13,23 +13,23 @@ Diagnostic problem(std::string message, int line, std::string sourceLine) {
           .sourceLine = std::move(sourceLine)};
 }
 
-const Diagnostic kProblem = problem("option A changes nothing", 7, "#define A");
+const Diagnostic kProblem = problemAt("option A changes nothing", 7, "#define A");
 
 TEST(Fingerprint, staysWhenTheLineMoves) {
   EXPECT_EQ(fingerprintOf(kProblem),
-            fingerprintOf(problem("option A changes nothing", 90, "#define A")));
+            fingerprintOf(problemAt("option A changes nothing", 90, "#define A")));
 }
 
 TEST(Fingerprint, staysWhenBlanksChange) {
   EXPECT_EQ(fingerprintOf(kProblem),
-            fingerprintOf(problem("option A changes nothing", 7, "\t#define   A ")));
+            fingerprintOf(problemAt("option A changes nothing", 7, "\t#define   A ")));
 }
 
 TEST(Fingerprint, staysWhenALineNumberInTheMessageChanges) {
-  EXPECT_EQ(fingerprintOf(problem("A is 1 here and 2 in /b.glsl:12", 1, "A")),
-            fingerprintOf(problem("A is 1 here and 2 in /b.glsl:345", 1, "A")));
-  EXPECT_EQ(fingerprintOf(problem("already defined in line 8; ignored", 1, "A")),
-            fingerprintOf(problem("already defined in line 19; ignored", 1, "A")));
+  EXPECT_EQ(fingerprintOf(problemAt("A is 1 here and 2 in /b.glsl:12", 1, "A")),
+            fingerprintOf(problemAt("A is 1 here and 2 in /b.glsl:345", 1, "A")));
+  EXPECT_EQ(fingerprintOf(problemAt("already defined in line 8; ignored", 1, "A")),
+            fingerprintOf(problemAt("already defined in line 19; ignored", 1, "A")));
 }
 
 TEST(Fingerprint, changesWithIdFileMessageAndSourceLine) {
@@ -40,9 +40,9 @@ TEST(Fingerprint, changesWithIdFileMessageAndSourceLine) {
   other.at.file = "/lib/b.glsl";
   EXPECT_NE(fingerprintOf(kProblem), fingerprintOf(other));
   EXPECT_NE(fingerprintOf(kProblem),
-            fingerprintOf(problem("option B changes nothing", 7, "#define A")));
+            fingerprintOf(problemAt("option B changes nothing", 7, "#define A")));
   EXPECT_NE(fingerprintOf(kProblem),
-            fingerprintOf(problem("option A changes nothing", 7, "#define A 1")));
+            fingerprintOf(problemAt("option A changes nothing", 7, "#define A 1")));
 }
 
 // The value is part of files that live in other repositories.

@@ -120,7 +120,7 @@ TEST(ShadowVolumeShapes, caps_of_leaves_lie_behind_what_is_seen) {
 TEST(ShadowVolumeShapes, leaves_far_from_the_middle_of_the_world_do_not_shade_themselves) {
   VolumeLab lab({.blocks = R"({"box": "oak_leaves", "min": [4, 2, 4], "max": [12, 9, 5]})", .time = 3000, .size = 64, .box = {512, 24, 16}});
   int inside = 0;
-  for (int i = 0; i < 24; ++i) {
+  for (int i = 0; i < 24; i += 3) {
     const double aside = 0.25 * (i - 12), away = 0.7 + 0.061 * i;
     lab.look({8.3, 4.4, 6 + away}, {8.3 + aside * away, 4.1, 6});
     inside += int(lab.difference().interior);

@@ -6,7 +6,7 @@
 namespace orris {
 namespace {
 
-using Quad = std::array<BlockVertex, 4>;
+using Corners = std::array<BlockVertex, 4>;
 
 /// Water with textures of its own, still and flowing.
 TestPack waterPack() {
@@ -16,8 +16,8 @@ TestPack waterPack() {
   return pack;
 }
 
-std::vector<Quad> waterFaces(const ReadMesh& mesh) {
-  std::vector<Quad> faces;
+std::vector<Corners> waterFaces(const ReadMesh& mesh) {
+  std::vector<Corners> faces;
   for (std::size_t i = 0; i < mesh.vertexCount(); i += 4)
     if (mesh.faces[i / 4].fluid == 1) faces.push_back(mesh.quad(i));
   return faces;
@@ -37,7 +37,7 @@ TEST(flowing_water, water_flows_down_its_steps_with_a_texture_of_its_own) {
   TestPack pack = stonePack();
   pack.texture("block/water_still", pngOf(16, kGreen));
   const auto surfaces = [&] {
-    std::vector<Quad> tops;
+    std::vector<Corners> tops;
     const ReadMesh mesh = flowingWater(pack);
     for (const auto& quad : waterFaces(mesh))
       if (quad[0].normal.y > 0) tops.push_back(quad);

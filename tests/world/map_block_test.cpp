@@ -9,7 +9,7 @@
 namespace orris {
 namespace {
 
-std::string problemOf(const std::string& bytes) {
+std::string mapBlockProblem(const std::string& bytes) {
   std::string problem;
   std::size_t size = 0;
   return parseMapBlock(bytes, problem, size) ? "" : problem;
@@ -42,22 +42,22 @@ TEST(MapBlocks, cut_anywhere_they_are_refused) {
     const std::string whole = parts.bytes(version);
     // Timers at the end are not read.
     for (std::size_t size = 0; size + 13 < whole.size(); ++size)
-      EXPECT_NE(problemOf(whole.substr(0, size)), "") << version << ' ' << size;
+      EXPECT_NE(mapBlockProblem(whole.substr(0, size)), "") << version << ' ' << size;
   }
   const std::string body = parts.body();
   const std::size_t needed = body.size() - 1 - 6;  // metadata, objects, timers
   for (std::size_t size = 0; size < body.size(); size += size < 40 ? 1 : 97)
-    EXPECT_EQ(problemOf("\x1d" + zstdPacked(body.substr(0, size))) == "", size >= needed) << size;
+    EXPECT_EQ(mapBlockProblem("\x1d" + zstdPacked(body.substr(0, size))) == "", size >= needed) << size;
 }
 
 TEST(MapBlocks, bombs_are_refused) {
   const std::string nodes = MapBlockParts().nodeData(28), names = MapBlockParts().nameList();
   const std::string zeros(limits::kChunkBytes + 1, '\0');
   const std::string behind = bigEndian(0, 1) + bigEndian(0, 2) + bigEndian(0, 4) + names;
-  EXPECT_EQ(problemOf(joinedStreams(nodes, "", behind)), "");
-  EXPECT_EQ(problemOf(joinedStreams(nodes, zeros, behind)), "its stream of metadata is too large when decompressed");
-  EXPECT_EQ(problemOf(joinedStreams(nodes + "x", "", behind)), "its stream of nodes is too large when decompressed");
-  EXPECT_EQ(problemOf("\x1d" + zstdPacked(zeros)), "its compressed data is too large when decompressed");
+  EXPECT_EQ(mapBlockProblem(joinedStreams(nodes, "", behind)), "");
+  EXPECT_EQ(mapBlockProblem(joinedStreams(nodes, zeros, behind)), "its stream of metadata is too large when decompressed");
+  EXPECT_EQ(mapBlockProblem(joinedStreams(nodes + "x", "", behind)), "its stream of nodes is too large when decompressed");
+  EXPECT_EQ(mapBlockProblem("\x1d" + zstdPacked(zeros)), "its compressed data is too large when decompressed");
 }
 
 TEST(MapBlocks, windows_beyond_the_limit_are_refused) {
@@ -72,27 +72,27 @@ TEST(MapBlocks, windows_beyond_the_limit_are_refused) {
   ZSTD_compressStream2(context, &out, &in, ZSTD_e_flush);
   ZSTD_compressStream2(context, &out, &in, ZSTD_e_end);
   ZSTD_freeCCtx(context);
-  EXPECT_EQ(problemOf("\x1d" + packed.substr(0, out.pos)), "its compressed data is damaged");
+  EXPECT_EQ(mapBlockProblem("\x1d" + packed.substr(0, out.pos)), "its compressed data is damaged");
 }
 
 TEST(MapBlocks, numbers_without_a_name_are_refused) {
   MapBlockParts parts;
   parts.nodes[7] = 60000;
-  EXPECT_EQ(problemOf(parts.bytes(29)), "a node has the number 60100, which its list of names lacks");
+  EXPECT_EQ(mapBlockProblem(parts.bytes(29)), "a node has the number 60100, which its list of names lacks");
   parts.nodes[7] = -1;
-  EXPECT_EQ(problemOf(parts.bytes(28)), "a node has the number 99, which its list of names lacks");
+  EXPECT_EQ(mapBlockProblem(parts.bytes(28)), "a node has the number 99, which its list of names lacks");
 }
 
 TEST(MapBlocks, widths_and_lists_of_other_formats_are_refused) {
   std::string body = MapBlockParts().body();
-  EXPECT_EQ(problemOf("\x1e" + zstdPacked(body)), "its format is 30: expected 22 to 29");
+  EXPECT_EQ(mapBlockProblem("\x1e" + zstdPacked(body)), "its format is 30: expected 22 to 29");
   std::string other = body;
   other[7] = 1;
-  EXPECT_EQ(problemOf("\x1d" + zstdPacked(other)), "its list of names has format 1: expected 0");
+  EXPECT_EQ(mapBlockProblem("\x1d" + zstdPacked(other)), "its list of names has format 1: expected 0");
   other = body;
   other[7 + 3 + 4 + 3] = 1;
-  EXPECT_EQ(problemOf("\x1d" + zstdPacked(other)), "its nodes have 1 and 2 bytes: expected 2 and 2");
-  EXPECT_EQ(problemOf(""), "it is empty");
+  EXPECT_EQ(mapBlockProblem("\x1d" + zstdPacked(other)), "its nodes have 1 and 2 bytes: expected 2 and 2");
+  EXPECT_EQ(mapBlockProblem(""), "it is empty");
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ namespace orris {
 namespace {
 
 // Packs are untrusted; each trial compiles up to this many programs.
-constexpr std::size_t kMostComments = 8, kMostSamples = 2;
+constexpr std::size_t kMostComments = 8, kMostUnits = 2;
 constexpr const char* kNested = "comment-nested";
 constexpr const char* kUnbalanced = "conditional-unbalanced";
 
@@ -168,7 +168,7 @@ std::vector<CommentInFile> commentsOfFailing(const ShaderPack& folder, const Ver
         CommentInFile& entry = found[{file, comment.line}];
         entry.file = file;
         entry.comment = comment;
-        if (entry.samples.size() < kMostSamples) entry.samples.push_back(unit);
+        if (entry.samples.size() < kMostUnits) entry.samples.push_back(unit);
       }
     }
   }

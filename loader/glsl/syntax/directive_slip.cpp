@@ -8,7 +8,7 @@ namespace orris {
 namespace {
 
 // The likelier before the others: "edif" is rather #endif than #define.
-constexpr std::array<std::string_view, 15> kAll = {
+constexpr std::array<std::string_view, 15> kDirectiveNames = {
     "endif",   "else",      "elif",  "ifdef",   "ifndef", "define", "include", "undef",
     "version", "extension", "error", "warning", "pragma", "line",   "if"};
 
@@ -27,10 +27,10 @@ bool isSlipOf(std::string_view word, std::string_view known) {
 }  // namespace
 
 std::string_view directiveMeant(std::string_view word) {
-  if (std::ranges::find(kAll, word) != kAll.end()) return "";
+  if (std::ranges::find(kDirectiveNames, word) != kDirectiveNames.end()) return "";
   const auto meant =
-      std::ranges::find_if(kAll, [&](std::string_view known) { return isSlipOf(word, known); });
-  return meant == kAll.end() ? "" : *meant;
+      std::ranges::find_if(kDirectiveNames, [&](std::string_view known) { return isSlipOf(word, known); });
+  return meant == kDirectiveNames.end() ? "" : *meant;
 }
 
 }  // namespace orris

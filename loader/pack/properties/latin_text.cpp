@@ -47,11 +47,11 @@ std::optional<size_t> foreignInComment(std::string_view line) {
   return end == std::string_view::npos ? std::nullopt : foreignIn(line, end + 1);
 }
 
-struct Place {
+struct ForeignPlace {
   size_t line, column;
 };
 
-std::optional<Place> firstForeign(const std::vector<std::string>& lines,
+std::optional<ForeignPlace> firstForeign(const std::vector<std::string>& lines,
                                   const std::vector<std::string>& active) {
   for (size_t i = 0; i < lines.size() && i < active.size(); ++i) {
     const bool isComment = trim(lines[i]).starts_with('#');
@@ -59,7 +59,7 @@ std::optional<Place> firstForeign(const std::vector<std::string>& lines,
     const auto at = isComment  ? foreignInComment(lines[i])
                     : isActive ? foreignIn(lines[i], 0)
                                : std::nullopt;
-    if (at) return Place{i, *at};
+    if (at) return ForeignPlace{i, *at};
   }
   return std::nullopt;
 }

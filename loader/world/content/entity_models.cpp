@@ -154,7 +154,7 @@ static_assert(std::size(kSlime) == std::size(kSlimeSkin));
 static_assert(std::size(kStand) == std::size(kStandSkin));
 static_assert(std::size(kArrow) == std::size(kArrowSkin));
 
-constexpr std::array<EntityModel, 8> kModels{{{"armor_stand", 1, kStand, false, kStandSkin, {-1, -1}, true},
+constexpr std::array<EntityModel, 8> kEntityModels{{{"armor_stand", 1, kStand, false, kStandSkin, {-1, -1}, true},
                                               {"arrow", 1, kArrow, false, kArrowSkin},
                                               {"cow", 1, kCow, false, kCowSkin},
                                               {"item", 1, {}, true},
@@ -197,13 +197,13 @@ glm::vec2 placeOnSkin(const glm::ivec3& out, const glm::ivec3& corner, const glm
 const EntityModel* findEntityModel(std::string_view kind) {
   constexpr std::string_view kNamespace = "minecraft:";
   if (kind.starts_with(kNamespace)) kind.remove_prefix(kNamespace.size());
-  const auto* found = std::ranges::find(kModels, kind, &EntityModel::kind);
-  return found == kModels.end() ? nullptr : found;
+  const auto* found = std::ranges::find(kEntityModels, kind, &EntityModel::kind);
+  return found == kEntityModels.end() ? nullptr : found;
 }
 
 std::vector<std::string> entityKinds() {
   std::vector<std::string> kinds;
-  for (const EntityModel& model : kModels) kinds.emplace_back(model.kind);
+  for (const EntityModel& model : kEntityModels) kinds.emplace_back(model.kind);
   return kinds;
 }
 
@@ -250,7 +250,7 @@ std::vector<std::string> contentTextureNames() {
                                  "spark_particle", "glyph", "rain",           "snow_flakes",
                                  "beacon_beam",    "glint",          "world_border", "armour_plate", "armour_helmet"};
   for (int stage = 0; stage < 10; ++stage) names.insert(crackTexture(stage));
-  for (const EntityModel& model : kModels)
+  for (const EntityModel& model : kEntityModels)
     for (const std::string& name : texturesOf(model)) names.insert(name);
   return {names.begin(), names.end()};
 }

@@ -181,14 +181,14 @@ std::optional<BlockState> treeBlock(std::string_view node, std::uint8_t param2) 
     std::string_view before, before2, behind;
     NodeTurn turn;
   };
-  constexpr TreePart kParts[] = {
+  constexpr TreePart kTreeParts[] = {
       {"tree_", "", "_log", NodeTurn::Axis},         {"bark_stripped_", "stripped_", "_wood", NodeTurn::Axis},
       {"bark_", "", "_wood", NodeTurn::Axis},        {"stripped_", "stripped_", "_log", NodeTurn::Axis},
       {"wood_", "", "_planks", NodeTurn::None},      {"leaves_", "", "_leaves", NodeTurn::None},
       {"sapling_", "", "_sapling", NodeTurn::None},
   };
   if (!takePrefix(node, "mcl_trees:")) return std::nullopt;
-  for (const TreePart& part : kParts) {
+  for (const TreePart& part : kTreeParts) {
     std::string_view tree = node;
     if (!takePrefix(tree, part.before)) continue;
     takeSuffix(tree, "_orphan");

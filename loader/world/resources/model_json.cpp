@@ -16,7 +16,7 @@ using Kind = JsonNode::Kind;
 // In the order of FaceDirection.
 constexpr std::array<std::string_view, 6> kDirectionNames = {"down",  "up",   "north",
                                                              "south", "west", "east"};
-constexpr RealRange kUv{-4096, 4096}, kPlace{-16, 32}, kOrigin{-256, 256}, kDegrees{-180, 180};
+constexpr RealRange kUv{-4096, 4096}, kPlace{-16, 32}, kOrigin{-256, 256}, kAngle{-180, 180};
 // In the order of DisplayPlace. The rest of "display" is of no use here.
 constexpr std::array<const char*, kDisplayPlaces> kPlaceNames = {
     "firstperson_righthand", "firstperson_lefthand", "thirdperson_righthand", "thirdperson_lefthand", "ground", "fixed"};
@@ -147,7 +147,7 @@ class ModelReader {
     // Since 1.21.11 the angles may stand by axis.
     for (const int axis : {0, 1, 2}) {
       const JsonNode* angle = node.find(std::string(1, char('x' + axis)));
-      const auto degrees = angle ? reader_.number(*angle, "an angle", kDegrees) : std::nullopt;
+      const auto degrees = angle ? reader_.number(*angle, "an angle", kAngle) : std::nullopt;
       turn.degrees[axis] = float(degrees.value_or(0));
     }
     const JsonNode* axis = node.find("axis");
@@ -155,7 +155,7 @@ class ModelReader {
     const std::string name = reader_.string(*axis, "\"axis\"").value_or("");
     if (name != "x" && name != "y" && name != "z") reader_.expected(*axis, "\"axis\"", "x, y or z");
     const JsonNode* angle = reader_.required(node, "angle", "\"rotation\"");
-    const auto degrees = angle ? reader_.number(*angle, "\"angle\"", kDegrees) : std::nullopt;
+    const auto degrees = angle ? reader_.number(*angle, "\"angle\"", kAngle) : std::nullopt;
     turn.degrees = glm::vec3(0);
     turn.degrees[name.empty() ? 0 : std::clamp(name[0] - 'x', 0, 2)] = float(degrees.value_or(0));
     return turn;

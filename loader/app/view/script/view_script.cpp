@@ -10,57 +10,57 @@
 namespace orris {
 namespace {
 
-using Kind = JsonNode::Kind;
+using NodeKind = JsonNode::Kind;
 
 /// `others`: members that the step may have beside its own, separated by blanks.
 struct StepRow {
   const char* action;
-  std::vector<Kind> kinds;
+  std::vector<NodeKind> kinds;
   const char* others;
 };
 
 const std::vector<StepRow>& stepRows() {
   static const std::vector<StepRow> kRows = {
-      {"key", {Kind::String}, "hold"},
-      {"text", {Kind::String}, ""},
-      {"move", {Kind::Array, Kind::String}, ""},
-      {"click", {Kind::Array, Kind::String}, "button"},
-      {"drag", {Kind::String}, "to"},
-      {"scroll", {Kind::Integer, Kind::Real}, ""},
-      {"set", {Kind::Object}, ""},
-      {"profile", {Kind::String}, ""},
-      {"live", {Kind::Array}, ""},
-      {"time", {Kind::Integer}, ""},
-      {"rain", {Kind::Integer, Kind::Real}, ""},
-      {"thunder", {Kind::Integer, Kind::Real}, ""},
-      {"camera", {Kind::String}, ""},
-      {"pause", {Kind::Boolean}, ""},
-      {"pack", {Kind::Boolean}, ""},
-      {"resize", {Kind::Array}, ""},
-      {"write", {Kind::String}, "text"},
-      {"replace", {Kind::String}, "old new"},
-      {"remove", {Kind::String}, ""},
-      {"rename", {Kind::String}, "to"},
-      {"frames", {Kind::Integer}, ""},
-      {"until", {Kind::Object}, "seconds"},
-      {"expect", {Kind::Object}, ""},
-      {"screenshot", {Kind::String}, ""},
-      {"picture", {Kind::String}, ""},
-      {"compare", {Kind::String}, ""},
-      {"program", {Kind::String}, ""},
-      {"checkFinite", {Kind::Boolean}, ""},
-      {"show", {Kind::String}, ""},
-      {"shown", {Kind::String}, ""},
-      {"state", {Kind::String}, ""},
+      {"key", {NodeKind::String}, "hold"},
+      {"text", {NodeKind::String}, ""},
+      {"move", {NodeKind::Array, NodeKind::String}, ""},
+      {"click", {NodeKind::Array, NodeKind::String}, "button"},
+      {"drag", {NodeKind::String}, "to"},
+      {"scroll", {NodeKind::Integer, NodeKind::Real}, ""},
+      {"set", {NodeKind::Object}, ""},
+      {"profile", {NodeKind::String}, ""},
+      {"live", {NodeKind::Array}, ""},
+      {"time", {NodeKind::Integer}, ""},
+      {"rain", {NodeKind::Integer, NodeKind::Real}, ""},
+      {"thunder", {NodeKind::Integer, NodeKind::Real}, ""},
+      {"camera", {NodeKind::String}, ""},
+      {"pause", {NodeKind::Boolean}, ""},
+      {"pack", {NodeKind::Boolean}, ""},
+      {"resize", {NodeKind::Array}, ""},
+      {"write", {NodeKind::String}, "text"},
+      {"replace", {NodeKind::String}, "old new"},
+      {"remove", {NodeKind::String}, ""},
+      {"rename", {NodeKind::String}, "to"},
+      {"frames", {NodeKind::Integer}, ""},
+      {"until", {NodeKind::Object}, "seconds"},
+      {"expect", {NodeKind::Object}, ""},
+      {"screenshot", {NodeKind::String}, ""},
+      {"picture", {NodeKind::String}, ""},
+      {"compare", {NodeKind::String}, ""},
+      {"program", {NodeKind::String}, ""},
+      {"checkFinite", {NodeKind::Boolean}, ""},
+      {"show", {NodeKind::String}, ""},
+      {"shown", {NodeKind::String}, ""},
+      {"state", {NodeKind::String}, ""},
   };
   return kRows;
 }
 
-std::string kindNames(const std::vector<Kind>& kinds) {
+std::string kindNames(const std::vector<NodeKind>& kinds) {
   static constexpr const char* kNames[] = {"null",   "true or false", "a whole number", "a number",
                                            "a text", "a list",        "an object"};
   std::string names;
-  for (const Kind kind : kinds)
+  for (const NodeKind kind : kinds)
     names += (names.empty() ? "" : " or ") + std::string(kNames[int(kind)]);
   return names;
 }
@@ -71,7 +71,7 @@ bool readStep(const JsonText& source, const JsonNode& node, ViewScript& script,
     diagnostics.push_back(source.error(offset, "script-step", std::move(message), std::move(hint)));
     return false;
   };
-  if (node.kind != Kind::Object || node.members.empty())
+  if (node.kind != NodeKind::Object || node.members.empty())
     return refuse(node.offset, "a step is an object like {\"key\": \"F1\"}");
   const JsonMember& first = node.members.front();
   const auto row = std::ranges::find_if(
@@ -127,7 +127,7 @@ std::optional<ViewScript> parseViewScript(std::string file, std::string text,
   const JsonText source{script.text, script.file};
   const auto root = parseLocatedJson(source, diagnostics);
   if (!root) return std::nullopt;
-  if (root->kind != Kind::Array) {
+  if (root->kind != NodeKind::Array) {
     diagnostics.push_back(source.error(root->offset, "script-step", "a script is a list of steps",
                                        "write [ {\"key\": \"F1\"}, ... ]"));
     return std::nullopt;
@@ -139,19 +139,19 @@ std::optional<ViewScript> parseViewScript(std::string file, std::string text,
 
 nlohmann::json plainJson(const JsonNode& node) {
   switch (node.kind) {
-    case Kind::Null:
+    case NodeKind::Null:
       return nullptr;
-    case Kind::Boolean:
+    case NodeKind::Boolean:
       return node.boolean;
-    case Kind::Integer:
+    case NodeKind::Integer:
       return node.integer;
-    case Kind::Real:
+    case NodeKind::Real:
       return node.real;
-    case Kind::String:
+    case NodeKind::String:
       return node.text;
-    case Kind::Array:
+    case NodeKind::Array:
       break;
-    case Kind::Object: {
+    case NodeKind::Object: {
       nlohmann::json object = nlohmann::json::object();
       for (const JsonMember& member : node.members) object[member.key] = plainJson(member.value);
       return object;
