@@ -4,7 +4,6 @@
 #include <charconv>
 #include <cmath>
 #include <numeric>
-#include <utility>
 
 namespace orris {
 namespace {
@@ -152,10 +151,11 @@ std::string upperCase(std::string_view text) {
 }
 
 size_t editDistance(std::string_view a, std::string_view b) {
-  std::vector<size_t> last, before(b.size() + 1), row(b.size() + 1);
+  std::vector<size_t> last(b.size() + 1), before(b.size() + 1), row(b.size() + 1);
   std::iota(row.begin(), row.end(), 0);
   for (size_t i = 1; i <= a.size(); ++i) {
-    last = std::exchange(before, row);
+    last.swap(before);
+    before.swap(row);
     row[0] = i;
     for (size_t j = 1; j <= b.size(); ++j) {
       const size_t replaced = before[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
