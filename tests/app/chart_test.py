@@ -308,7 +308,7 @@ def test_tune_takes_the_profiles(program, folder):
     assert (folder / "profile.txt").read_text() == "WORK=800\n"
 
 
-FURTHER = (test_changed_pack_is_measured_again, test_budget_is_kept_and_the_next_run_goes_on,
+FURTHER = (test_changed_pack_is_measured_again, test_shards_make_the_whole, test_budget_is_kept_and_the_next_run_goes_on,
            test_cameras_are_judged_together, test_tune_takes_the_profiles)
 
 
