@@ -1,6 +1,7 @@
-// What Orris accepts at most, in one place. Packs and worlds are written by strangers: each of these
-// numbers bounds time or memory, lies far above what published packs need, and is met with a located
-// message. docs/limits.md gives the reason for each; tests/core/limits_test.cpp compares the two.
+// What Orris accepts at most of the texts that it expands, reads or lists. How many bytes a file may have that is read
+// whole stands where it is read (files/read_file.h, PackLimits, world/world.cpp). Packs and worlds are written by
+// strangers: each of these numbers bounds time or memory, lies far above what published packs need, and is met with a
+// located message. docs/limits.md gives the reason for each; tests/core/limits_test.cpp compares the two.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// What is in the air: particles, rain, snow.
+// What is in the air: particles, rain, snow, lightning.
 #include <algorithm>
 #include <cmath>
 
@@ -98,6 +98,36 @@ void addColumn(ListWriter& writer, int x, int z, bool snow) {
   writer.quad(quad);
 }
 
+/// Shells of prisms that lean from joint to joint.
+void addBolt(ListWriter& writer, const LightningBolt& bolt) {
+  constexpr int kJoints = 8, kShells = 4;
+  constexpr float kPart = 12, kWander = 5;
+  ContentDraw draw;
+  draw.geometry = Geometry::Lightning;
+  draw.entity = "minecraft:lightning_bolt";
+  writer.begin(draw);
+  const auto joint = [&](int i) {
+    const std::uint32_t bits = mixBits(static_cast<std::uint32_t>(i * 31 + 5));
+    const float x = static_cast<float>(bits & 255) / 255 - 0.5f;
+    const float z = static_cast<float>(bits >> 8 & 255) / 255 - 0.5f;
+    const float off = i == 0 ? 0 : kWander;
+    return writer.local(bolt.at) + glm::vec3(x * off, static_cast<float>(i) * kPart, z * off);
+  };
+  for (int i = 0; i < kJoints; ++i)
+    for (int shell = 1; shell <= kShells; ++shell) {
+      const float half = 0.1f * static_cast<float>(shell);
+      const glm::vec2 ring[] = {{-half, half}, {half, half}, {half, -half}, {-half, -half}};
+      for (int k = 0; k < 4; ++k) {
+        const glm::vec3 a(ring[k].x, 0, ring[k].y), b(ring[(k + 1) % 4].x, 0, ring[(k + 1) % 4].y);
+        ContentQuad quad;
+        quad.corners = {joint(i + 1) + a, joint(i) + a, joint(i) + b, joint(i + 1) + b};
+        quad.color = {0.45f, 0.45f, 0.5f, 0.3f};
+        quad.hasNormal = false;
+        writer.quad(quad);
+      }
+    }
+}
+
 }  // namespace
 
 void addParticles(ListWriter& writer) {
@@ -106,6 +136,10 @@ void addParticles(ListWriter& writer) {
     addSource(writer, source, first);
     first += source.count;
   }
+}
+
+void addLightning(ListWriter& writer) {
+  for (const LightningBolt& bolt : writer.scene.world.content.bolts) addBolt(writer, bolt);
 }
 
 void addWeather(ListWriter& writer) {

@@ -1,4 +1,4 @@
-// What belongs to blocks or stands like them: texts, beams, cracks, outline, border, lightning.
+// What belongs to blocks or stands like them: texts, beams, cracks, outline, border.
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
@@ -151,41 +151,10 @@ void addBorder(ListWriter& writer, const WorldBorder& border) {
   for (int i = 0; i < 4; ++i) addBorderWall(writer, corners[i], corners[(i + 1) % 4]);
 }
 
-/// Shells of prisms that lean from joint to joint.
-void addBolt(ListWriter& writer, const LightningBolt& bolt) {
-  constexpr int kJoints = 8, kShells = 4;
-  constexpr float kPart = 12, kWander = 5;
-  ContentDraw draw;
-  draw.geometry = Geometry::Lightning;
-  draw.entity = "minecraft:lightning_bolt";
-  writer.begin(draw);
-  const auto joint = [&](int i) {
-    const std::uint32_t bits = mixBits(static_cast<std::uint32_t>(i * 31 + 5));
-    const float x = static_cast<float>(bits & 255) / 255 - 0.5f;
-    const float z = static_cast<float>(bits >> 8 & 255) / 255 - 0.5f;
-    const float off = i == 0 ? 0 : kWander;
-    return writer.local(bolt.at) + glm::vec3(x * off, static_cast<float>(i) * kPart, z * off);
-  };
-  for (int i = 0; i < kJoints; ++i)
-    for (int shell = 1; shell <= kShells; ++shell) {
-      const float half = 0.1f * static_cast<float>(shell);
-      const glm::vec2 ring[] = {{-half, half}, {half, half}, {half, -half}, {-half, -half}};
-      for (int k = 0; k < 4; ++k) {
-        const glm::vec3 a(ring[k].x, 0, ring[k].y), b(ring[(k + 1) % 4].x, 0, ring[(k + 1) % 4].y);
-        ContentQuad quad;
-        quad.corners = {joint(i + 1) + a, joint(i) + a, joint(i) + b, joint(i + 1) + b};
-        quad.color = {0.45f, 0.45f, 0.5f, 0.3f};
-        quad.hasNormal = false;
-        writer.quad(quad);
-      }
-    }
-}
-
 }  // namespace
 
 void addBlockOverlays(ListWriter& writer) {
   const WorldContent& content = writer.scene.world.content;
-  for (const LightningBolt& bolt : content.bolts) addBolt(writer, bolt);
   for (const BlockText& text : content.texts) addText(writer, text);
   addBeams(writer);
   for (const DamagedBlock& damage : content.damaged) addCracks(writer, damage);

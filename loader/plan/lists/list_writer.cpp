@@ -81,6 +81,7 @@ DrawLists buildDrawLists(const SceneData& scene, const FrameState& state) {
   if (scene.contents().content == 0) return {};
   ListWriter writer(scene, state);
   addEntities(writer);
+  addLightning(writer);
   addBlockOverlays(writer);
   addParticles(writer);
   addWeather(writer);

@@ -47,7 +47,8 @@ class ListWriter {
 
 // Each adds its kinds, where the scene has them.
 void addEntities(ListWriter& writer);
-void addBlockOverlays(ListWriter& writer);  ///< texts, beams, cracks, outline, border, lightning
+void addLightning(ListWriter& writer);
+void addBlockOverlays(ListWriter& writer);  ///< texts, beams, cracks, outline, border
 void addParticles(ListWriter& writer);
 void addWeather(ListWriter& writer);
 void addHands(ListWriter& writer);

@@ -103,7 +103,8 @@ vec3 propagate(ivec3 cell, Voxel self, ivec3 scroll) {
 #endif
 }
 
-/// What is stored of a cell in a frame; without a step what was stored of it before.
+/// What is stored of a cell in a frame; without a step what was stored of it before. What power_step.glsl steps gets the
+/// colour of glass and water by program/floodfill/image_tint.glsl.
 vec3 next_light(ivec3 cell, ivec3 scroll, bool step_now) {
     Voxel own = voxel_at(cell);
     vec3 light = step_now ? propagate(cell, own, scroll) : light_at(cell + scroll);

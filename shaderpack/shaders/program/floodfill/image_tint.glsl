@@ -1,4 +1,5 @@
-// Gives the cells of glass and water that were stepped their colour. A program of its own, and a loop that only finds
+// Gives the cells of glass and water that were stepped by power_step their colour; with the other rules, and in the atlas,
+// next_light() of include/floodfill/propagation.glsl does. A program of its own, and a loop that only finds
 // the next brick: drivers compute what stands under a condition for every cell, and this costs as much as the step.
 #include "/settings.glsl"
 
