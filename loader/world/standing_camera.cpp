@@ -27,8 +27,8 @@ class Footing {
     const BlockTable table;
     for (const BlockState& state : blocks_.palette()) {
       const BlockFacts facts = table.factsOf(state);
-      constexpr unsigned kUpwards = 1u << int(FaceDirection::Up);
-      ground_.push_back((facts.coveredFaces & kUpwards) != 0 || facts.fluid);
+      constexpr unsigned kUpFace = 1u << int(FaceDirection::Up);
+      ground_.push_back((facts.coveredFaces & kUpFace) != 0 || facts.fluid);
       room_.push_back(facts.air || facts.cross || (facts.boxes.empty() && !facts.fluid));
     }
   }

@@ -34,10 +34,10 @@ class PossibleValues {
 
   /// The values of an option, or those that #define lines give a macro; empty when they are not known.
   Values of(const std::string& name, int depth = 0) const {
-    constexpr int kMostDefines = 4;
+    constexpr int kDeepestDefine = 4;
     if (const Option* option = pack_.options.find(name)) return option->values;
     const auto found = bodies_.find(name);
-    if (found == bodies_.end() || depth == kMostDefines) return {};
+    if (found == bodies_.end() || depth == kDeepestDefine) return {};
     Values values;
     for (const std::string& body : found->second) {
       if (parseFloat(body)) {

@@ -52,7 +52,7 @@ struct ForeignPlace {
 };
 
 std::optional<ForeignPlace> firstForeign(const std::vector<std::string>& lines,
-                                  const std::vector<std::string>& active) {
+                                         const std::vector<std::string>& active) {
   for (size_t i = 0; i < lines.size() && i < active.size(); ++i) {
     const bool isComment = trim(lines[i]).starts_with('#');
     const bool isActive = !trim(active[i]).empty();
