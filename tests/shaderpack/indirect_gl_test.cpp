@@ -97,6 +97,21 @@ TEST(IndirectLight, glass_and_water_have_the_colour_of_the_lamp) {
   }
 }
 
+// Before rays of its own have been averaged, it shows what its faces hold.
+TEST(IndirectLight, glass_just_come_into_view_is_as_bright_as_later) {
+  PackSession pack(darkRoom(R"({"box": "black_concrete", "min": [1, 1, 1], "max": [7, 1, 7]},
+            {"box": "white_stained_glass", "min": [3, 1, 1], "max": [5, 1, 5]},
+            {"box": "verdant_froglight", "min": [1, 6, 1], "max": [7, 6, 7]})"),
+                   indirectOptions());
+  pack.look({4.5, 5.5, 4.5}, {4.5, 3.5, 8});
+  pack.renderFrames(60);
+  pack.look({4.5, 5.5, 4.5}, {4.5, 2, 3.6});
+  pack.renderFrames(1);
+  const double first = pack.meanRadiance().g;
+  pack.renderFrames(60);
+  EXPECT_NEAR(first / pack.meanRadiance().g, 1, .15);
+}
+
 // Light to the bed of a lake takes its colour over the whole way, also through cells that have no faces.
 TEST(IndirectLight, deep_water_takes_light_by_the_way_through_it) {
   const auto bed = [](const std::string& water) {

@@ -258,6 +258,11 @@ TEST_P(ReferenceSpot, is_as_bright_as_in_the_path_tracer) {
   EXPECT_NEAR(pack.meanRadiance().g / spot.green, 1, spot.error);
 }
 
+// The edge of its shadow crosses the side of a block of glass.
+constexpr const char* kPillarBeforeGlass =
+    R"({"box": "white_stained_glass", "min": [2, 2, 4], "max": [8, 6, 4]},
+       {"box": "stone", "min": [6, 2, 6], "max": [6, 6, 6]}, {"block": "end_rod", "at": [7, 4, 8]})";
+
 INSTANTIATE_TEST_SUITE_P(
     , ReferenceSpot,
     testing::Values(Spot{"floor_below_a_torch", R"({"block": "torch", "at": [5, 2, 4]})",
@@ -278,7 +283,11 @@ INSTANTIATE_TEST_SUITE_P(
                     Spot{"behind_panes_before_a_lamp",
                          R"({"box": "glass_pane[east=true,west=true]", "min": [2, 2, 4], "max": [8, 6, 4]},
                             {"block": "glowstone", "at": [5, 4, 1]})",
-                         R"("position": [5.5, 4, 5.5], "target": [5.5, 3.5, 8], "fov": 60)", .008315, .04}),
+                         R"("position": [5.5, 4, 5.5], "target": [5.5, 3.5, 8], "fov": 60)", .008315, .04},
+                    Spot{"glass_beside_the_shadow_of_a_pillar", kPillarBeforeGlass,
+                         R"("position": [8.3, 4.5, 6.5], "target": [6.93, 4.5, 5], "fov": 2)", .2319, .04},
+                    Spot{"glass_in_the_shadow_of_a_pillar", kPillarBeforeGlass,
+                         R"("position": [8.3, 4.5, 6.5], "target": [6.5, 4.5, 5], "fov": 2)", .01783, .06}),
     [](const auto& tested) { return std::string(tested.param.name); });
 
 // Two places of one side of a block of glass: .01956 and .02129 in green by orris trace --noise 0.005; with one value a

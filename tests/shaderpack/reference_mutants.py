@@ -5,13 +5,14 @@ shows in a test that asks the pack for its own numbers.
 """
 
 UPDATE = "program/face_cache/update.glsl"
-GI = "program/gi/gather.glsl"
+GATHER = "include/gi/gather.glsl"
 HIT = "include/gi/hit.glsl"
 OCTANTS = "include/voxels/octants.glsl"
 VOXEL = "include/voxels/voxel.glsl"
 TRACE = "include/voxels/trace.glsl"
 SHADOW = "program/shadow/shadow.glsl"
 TINT = "include/sun/sun_tint.glsl"
+TRANSLUCENT = "program/gbuffers/translucent.glsl"
 SUN = "include/sun/sun_visibility.glsl"
 
 HOUSE = "Views/Reference.*/house"
@@ -27,16 +28,16 @@ MUTANTS = [
     ("red and blue of voxels swapped", BEND, [(VOXEL, "vec3 square = texel.rgb * texel.rgb;", "vec3 square = texel.bgr * texel.bgr;")]),
     ("no feedback", HOUSE, [(UPDATE, "light_of(hit.cell, face_of_hit(hit)).rgb)", "vec3(0.0))")]),
     ("feedback twice", HOUSE, [(UPDATE, "light_of(hit.cell, face_of_hit(hit)).rgb)", "2.0 * light_of(hit.cell, face_of_hit(hit)).rgb)")]),
-    ("no cache where pixels' rays end", BEND, [(GI, "light_of(hit.cell, face_of_hit(hit)).rgb;\n        break;", "vec3(0.0);\n        break;")]),
+    ("no cache where pixels' rays end", BEND, [(GATHER, "light_of(hit.cell, face_of_hit(hit)).rgb;\n        break;", "vec3(0.0);\n        break;")]),
     ("sky of rays halved", HALL, [(HIT, "return sky_radiance(direction) *", "return 0.5 * sky_radiance(direction) *")]),
     ("sky by the level where a ray begins", HALL, [(HIT, "(sky_comes_to(hit.position) ? 1.0 : smoothstep(0.0, 0.1, sky))", "smoothstep(0.0, 0.1, sky)")]),
     ("no sky in the face update", HALL, [(UPDATE, ": sky_beyond(hit, onward, f.sky)", ": vec3(0.0)")]),
     ("sky in caves below lit floors", "ReferenceCave.*", [(OCTANTS, "height >= lit_floor;", "lit_floor < height_end;")]),
     ("sky in all caves", "ReferenceCave.*", [(HIT, "sky_comes_to(hit.position) ?", "true ?")]),
-    ("no sky for pixels", HALL, [(GI, "radiance += throughput * sky_beyond(hit, direction, s.light.y);", ";")]),
+    ("no sky for pixels", HALL, [(GATHER, "radiance += throughput * sky_beyond(hit, direction, s.light.y);", ";")]),
     ("no sun in the face update", HOUSE, [(UPDATE, "(sun_at(hit, light, f.sky) +", "(")]),
     ("sun bounce without 1/pi", HOUSE, [(HIT, "(max(dot(hit.normal, light), 0.0) / pi)", "max(dot(hit.normal, light), 0.0)")]),
-    ("no sun on what pixels' rays hit", HOUSE, [(GI, "radiance += throughput * sun_at(hit, light, s.light.y);", ";")]),
+    ("no sun on what pixels' rays hit", HOUSE, [(GATHER, "radiance += throughput * sun_at(hit, light, s.light.y);", ";")]),
     ("sun bounce without 1/pi, one bounce", ONE, [(HIT, "(max(dot(hit.normal, light), 0.0) / pi)", "max(dot(hit.normal, light), 0.0)")]),
     ("sky of rays halved, one bounce", ONE, [(HIT, "return sky_radiance(direction) *", "return 0.5 * sky_radiance(direction) *")]),
     ("sun through glass by mean alpha", GLASS, [(SHADOW, "textureLod(gtexture, place, 0.0).a < cutout_alpha", "textureLod(gtexture, place, 4.0).a < cutout_alpha")]),
@@ -62,4 +63,8 @@ MUTANTS = [
     ("panes of one side", "ReferenceSpot.*behind_panes", [(TRACE, "if (passes && is_pane(code)) {", "if (false) {")]),
     ("one hole in the middle of a pane", "ReferenceSpot.*before_a_lamp", [(TRACE, "if (is_glass(code) || is_pane(code)) return", "if (is_glass(code)) return")]),
     ("holes of panes by mean alpha", "ReferenceSpot.*behind_panes", [(SHADOW, "tap * half_size, 0.0).a < cutout_alpha", "tap * half_size, 4.0).a < cutout_alpha")]),
+    ("glass sends no rays", "ReferenceSpot.*glass_*_the_shadow*",
+     [(TRANSLUCENT, "float share = inside_volume(to_volume(player));", "float share = 0.0;")]),
+    ("what gathered for glass is blended", "ReferenceSpot.*glass_*_the_shadow*",
+     [("shaders.properties", "blend.gbuffers_water.colortex12 = off", "")]),
 ]

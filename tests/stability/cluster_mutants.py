@@ -14,7 +14,7 @@ ASSIGN = "program/lights/assign.glsl"
 LISTS = "program/lights/lists.glsl"
 REST = "include/lights/grid_rest.glsl"
 COMMIT = "program/lights/commit.glsl"
-GI = "program/gi/gather.glsl"
+GATHER = "include/gi/gather.glsl"
 LIT = "program/lighting.glsl"
 TRANSLUCENT = "program/gbuffers/translucent.glsl"
 SHADOW = "program/shadow/shadow.glsl"
@@ -149,7 +149,7 @@ MUTANTS = [
      [(RAYS, "dot(light, vec3(1.0)) > dot(kept.light[i], vec3(1.0))",
        "kept.light[i] == vec3(0.0) || dot(light, vec3(1.0)) < dot(kept.light[i], vec3(1.0))")]),
     ("rays count the lamp again", "ClusteredLamps.light_is*",
-     [(GI, "float(!lit_directly(bounce, hit.position))", "1.0")]),
+     [(GATHER, "float(!lit_directly(bounce, hit.position))", "1.0")]),
     ("lightmap counts the lamp again", "ClusteredLamps.lightmap*",
      [(LIT, "light.x *= unlisted_share(s.player);", "")]),
 ]

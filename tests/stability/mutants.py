@@ -13,6 +13,8 @@ IMAGE = "include/floodfill/flood_image.glsl"
 DISTANCE = "program/voxels/distance.glsl"
 POWERS = "include/floodfill/power_step.glsl"
 GI = "program/gi/gather.glsl"
+GATHER = "include/gi/gather.glsl"
+HISTORY = "include/gi/history.glsl"
 RULE = "include/floodfill/propagation.glsl"
 FIELD = "include/floodfill/light_field.glsl"
 VOLUME = "include/voxels/volume.glsl"
@@ -182,18 +184,18 @@ MUTANTS = [
      [(BUFFERS, "const int colortex4Format = RGBA32F;", "const int colortex4Format = RGBA16F;")]),
     ("A19 published gain", "FloodfillConserving.open*", [(RULE, "return sum / 6.0;", "return sum * (0.917 / 6.0);")]),
     ("B1 few lookups, each worth many", "PixelRays.floodfill*",
-     [(GI, "light_at_face(hit.position, normal, next_random().xy) *",
+     [(GATHER, "light_at_face(hit.position, normal, next_random().xy) *",
        "light_at_face(hit.position, normal, next_random().xy) *\n"
        "                    (next_random().x < 1.0 / 256.0 ? 256.0 : 0.0) *")]),
-    ("B2 four bounces are one", "PixelRays.more*", [(GI, "const int gi_bounces = 4;", "const int gi_bounces = 1;")]),
+    ("B2 four bounces are one", "PixelRays.more*", [(GATHER, "const int gi_bounces = 4;", "const int gi_bounces = 1;")]),
     ("B3 no ray to the lamp", "PixelRays.rays*",
      [("include/derived/features.glsl", "#define HAS_LAMP_RAYS (HAS_FACE_CACHE && !HAS_LAMPS && GI_LAMPS == GI_LAMPS_SAMPLED)", "#define HAS_LAMP_RAYS 0")]),
     ("B4 the same noise in each frame", "PixelRays.weight*:PixelRays.still*",
      [(GI, "seed_random(pixel, frameCounter);", "seed_random(pixel, 0);")]),
     ("B4 new frames count twice", "PixelRays.weight*",
-     [(GI, "mix(before.rgb, radiance, weight)", "mix(before.rgb, radiance, min(2.0 * weight, 1.0))")]),
+     [(HISTORY, "mix(before.rgb, radiance, weight)", "mix(before.rgb, radiance, min(2.0 * weight, 1.0))")]),
     ("B5 light divided by its distance squared", "PixelRays.furnace*",
-     [(GI, "radiance += throughput * lamp_light(hit.voxel) *",
+     [(GATHER, "radiance += throughput * lamp_light(hit.voxel) *",
        "float range = 0.3 * length(hit.position - origin);\n"
        "            radiance += throughput * lamp_light(hit.voxel) / max(1.0, range * range) *")]),
     ("image: updated in place", "FloodfillImage.*", [(POWERS, "lowest.z + other_side", "lowest.z + side")]),

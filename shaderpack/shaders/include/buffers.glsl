@@ -32,11 +32,19 @@
 //   where colortex3 is
 // colortex9    R32F      1x1     keep   composite                     composite (next frame), final
 //   with AUTO_EXPOSURE: the exposure
+// colortex10   RGBA16F   window  keep   deferred                      translucent
+// colortex11   RGBA16F   window  keep   deferred                      translucent
+//   with TEMPORAL_ACCUMULATION: colortex12 and 13 of the frame before; a plane of 0 where it drew nothing
+// colortex12   RGBA16F   window  keep   translucent                   deferred (next frame)
+//   with TEMPORAL_ACCUMULATION: what colortex3 is, for the nearest translucent surface; RGBA32F where that is
+// colortex13   RGBA16F   window  keep   translucent                   deferred (next frame)
+//   with TEMPORAL_ACCUMULATION: the plane that colortex12 belongs to; length of the normal: the frame that drew it
+//   (include/gi/history.glsl)
 //
 // The images of the lamps are described in include/lights, those of the face cache in
 // include/face_cache/face_cache.glsl, those that are made of the voxels in include/voxels/: changes, distance,
 // flood_image, active_bricks.
-// colortex3..9 and the shadow targets exist only while an option uses them.
+// colortex3..13 and the shadow targets exist only while an option uses them.
 #if !defined INCLUDED_BUFFERS
 #define INCLUDED_BUFFERS
 
@@ -65,6 +73,28 @@ const int colortex6Format = RGBA16F;
 const bool colortex5Clear = false;
 const int shadowcolor0Format = RGBA8;
 const vec4 shadowcolor0ClearColor = vec4(0.0, 0.0, 0.0, 0.0);
+*/
+#endif
+
+#if HAS_TRANSLUCENT_MEANS
+#if TEMPORAL_FRAMES > 128
+/*
+const int colortex10Format = RGBA32F;
+const int colortex12Format = RGBA32F;
+*/
+#else
+/*
+const int colortex10Format = RGBA16F;
+const int colortex12Format = RGBA16F;
+*/
+#endif
+/*
+const bool colortex10Clear = false;
+const bool colortex12Clear = false;
+const int colortex11Format = RGBA16F;
+const bool colortex11Clear = false;
+const int colortex13Format = RGBA16F;
+const bool colortex13Clear = false;
 */
 #endif
 

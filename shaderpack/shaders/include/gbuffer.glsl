@@ -11,11 +11,6 @@
 const float material_thin = 16.0;
 const float material_gloss = 32.0;
 
-#if defined HAS_GBUFFER_READS
-uniform sampler2D colortex1;
-uniform sampler2D colortex2;
-uniform sampler2D depthtex0;
-
 struct Surface {
     vec3 player;   // relative to the camera, world axes, blocks
     vec3 normal;   // world axes
@@ -27,15 +22,20 @@ struct Surface {
     bool sky;      // nothing was drawn: only player is valid, as a direction
 };
 
-vec3 player_position(vec2 uv, float depth) {
-    vec4 view = gbufferProjectionInverse * vec4(vec3(uv, depth) * 2.0 - 1.0, 1.0);
-    return (gbufferModelViewInverse * vec4(view.xyz / view.w, 1.0)).xyz;
-}
-
 /// Of the light on the back of a thin surface, what shows as a share of what the front would
 /// reflect: it passes as much as it reflects, at most what is left of it.
 vec3 passed_share(vec3 albedo) {
     return min(vec3(1.0), (1.0 - albedo) / max(albedo, vec3(1e-3)));
+}
+
+#if defined HAS_GBUFFER_READS
+uniform sampler2D colortex1;
+uniform sampler2D colortex2;
+uniform sampler2D depthtex0;
+
+vec3 player_position(vec2 uv, float depth) {
+    vec4 view = gbufferProjectionInverse * vec4(vec3(uv, depth) * 2.0 - 1.0, 1.0);
+    return (gbufferModelViewInverse * vec4(view.xyz / view.w, 1.0)).xyz;
 }
 
 Surface read_surface(ivec2 pixel) {

@@ -72,7 +72,17 @@
 #define HAS_COUNTERS 0
 #endif
 
-// Weather and clouds share the program with water.
+// Weather and clouds share the program with water and glass, which have rays of global illumination.
+#if !defined PROGRAM_WEATHER && !defined PROGRAM_CLOUDS
+#define HAS_TRANSLUCENT_RAYS HAS_GI
+#else
+#define HAS_TRANSLUCENT_RAYS 0
+#endif
+#ifdef TEMPORAL_ACCUMULATION
+#define HAS_TRANSLUCENT_MEANS HAS_TRANSLUCENT_RAYS
+#else
+#define HAS_TRANSLUCENT_MEANS 0
+#endif
 #ifdef WATER_WAVES
 #if !defined PROGRAM_WEATHER && !defined PROGRAM_CLOUDS
 #define HAS_WATER_WAVES 1

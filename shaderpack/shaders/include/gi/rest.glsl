@@ -13,12 +13,12 @@ bool camera_is_still() {
            gbufferProjection == gbufferPreviousProjection;
 }
 
+const int rest_bands = 8;
+
 #if HAS_REST && defined VERTEX_STAGE
 #include "/include/face_cache/face_cache.glsl"
 
 uniform usampler2D face_memory_texture;
-
-const int rest_bands = 8;
 
 // Means forget what they held before in so many frames, all but a twentieth.
 const int still_frames = 3 * TEMPORAL_FRAMES;
@@ -38,10 +38,18 @@ vec4 drawn_corner(vec4 corner) {
 
 /// Counts the frames in which a pixel is drawn.
 int number_of_drawing() { return picture_rests() ? frameCounter / rest_bands : frameCounter; }
+
+/// The band that the next frame draws; -1: all of the picture.
+int next_band() { return picture_rests() ? (frameCounter + 1) % rest_bands : -1; }
 #else
 vec4 drawn_corner(vec4 corner) { return corner; }
 
 int number_of_drawing() { return frameCounter; }
+
+int next_band() { return -1; }
 #endif
+
+/// Is a pixel in this band, or in the picture? `row`: of its middle, in pixels.
+bool in_band(int band, float row) { return band < 0 || int(row / viewHeight * float(rest_bands)) == band; }
 
 #endif

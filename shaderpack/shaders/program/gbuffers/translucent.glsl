@@ -6,6 +6,12 @@
 
 #if defined VERTEX_STAGE
 
+#if HAS_TRANSLUCENT_RAYS
+#include "/include/gi/rest.glsl"
+
+flat out int drawing;
+flat out int band;
+#endif
 out vec3 player;
 flat out float is_water;
 flat out float emission;  // level 0..15
@@ -23,13 +29,17 @@ void main() {
 #if HAS_FACE_CACHE && !HAS_LAMPS
     block = player + at_midBlock.xyz / 64.0;
 #endif
+#if HAS_TRANSLUCENT_RAYS
+    drawing = number_of_drawing();
+    band = next_band();
+#endif
     is_water = float(id == block_water);
     emission = block_emission(id, at_midBlock.w);
 }
 
 #else
 
-#if HAS_LAMPS || HAS_FLOOD_IMAGE || HAS_FACE_CACHE
+#if HAS_LAMPS || HAS_VOXEL_CHANGES
 #extension GL_ARB_shader_image_load_store : enable
 #endif
 #if HAS_VOXELS
@@ -51,6 +61,20 @@ void main() {
 #if HAS_FACE_CACHE
 #include "/include/face_cache/face_lookup.glsl"
 #include "/include/gi/hit.glsl"
+
+vec4 light_of(ivec3 cell, int face) { return cached_light(cell, face); }
+#endif
+#if HAS_TRANSLUCENT_RAYS
+#include "/include/gi/gather.glsl"
+
+flat in int drawing;
+flat in int band;
+#endif
+#if HAS_TRANSLUCENT_MEANS
+#include "/include/gi/history.glsl"
+
+uniform sampler2D colortex10;
+uniform sampler2D colortex11;
 #endif
 
 in vec3 player;
@@ -62,12 +86,18 @@ flat in vec3 block;
 
 uniform sampler2D gtexture;
 
+#if HAS_TRANSLUCENT_MEANS
+/* RENDERTARGETS: 0,12,13 */
+layout(location = 1) out vec4 out_mean;
+layout(location = 2) out vec4 out_plane;
+#else
 /* RENDERTARGETS: 0 */
+#endif
 layout(location = 0) out vec4 out_color;
 
-/// Mean radiance over the hemisphere: with floodfill, lamps from its cells instead of the lightmap;
+/// Mean radiance over the hemisphere, without rays: with floodfill, lamps from its cells instead of the lightmap;
 /// with the face cache, that of the block's face. Both hold the lamps' light, which lamps of a list add themselves.
-vec3 indirect_radiance(vec3 n) {
+vec3 expected_radiance(vec3 n) {
 #if HAS_AIR_LIGHT && !HAS_LAMPS
     vec3 position = to_volume(player);
     if (in_volume(ivec3(floor(position))))
@@ -86,6 +116,76 @@ vec3 indirect_radiance(vec3 n) {
     return mix(lightmap, cached.rgb + AMBIENT_MINIMUM, share);
 #else
     return lightmap;
+#endif
+}
+
+#if HAS_TRANSLUCENT_RAYS
+/// Mean of this frame's rays.
+vec3 gathered_radiance(Surface s) {
+    seed_random(ivec2(gl_FragCoord.xy), frameCounter);
+    vec3 light = light_direction();
+    vec3 radiance = vec3(0.0);
+    for (int i = 0; i < GI_SAMPLES; ++i) radiance += gather(s, light, drawing * GI_SAMPLES + i);
+    return radiance / float(GI_SAMPLES);
+}
+#endif
+
+#if HAS_TRANSLUCENT_MEANS
+// A surface that the frame before has not seen begins as if what is expected were the mean of so many frames: what a cache
+// knows is near the mean; the lightmap is not, and a plain mean of frames would keep it.
+#if HAS_FACE_CACHE || HAS_AIR_LIGHT
+const float expected_frames = 16.0;
+#else
+const float expected_frames = 1.0;
+#endif
+
+/// Mean over frames at this pixel. There is room for one surface, the nearest, which is drawn last: what lies behind it keeps
+/// what is expected, since rays without a mean would flicker. `expected`: radiance without rays.
+vec3 mean_radiance(Surface s, vec3 expected) {
+    Before before = before_of(s);
+    vec4 mean = history(colortex10, colortex11, before.pixel, before.plane);
+    bool is_new = mean.a == 0.0;
+    if (is_new) mean = vec4(expected - AMBIENT_MINIMUM, expected_frames);
+    // Where the picture rests, what the next frame does not keep is not gathered.
+    bool gathers = is_new ? !was_hidden(colortex11, before) : in_band(band, gl_FragCoord.y);
+    if (gathers) mean = accumulate(gathered_radiance(s), mean);
+    out_mean = mean;
+    out_plane = with_stamp(surface_plane(s.player, s.normal));
+#ifdef GI_FILTER
+    // Smoothed for the eye alone, within the face.
+    vec4 sum = vec4(mean.rgb, 1.0);
+    for (int i = 0; i < 25; ++i) {
+        ivec2 offset = ivec2(i % 5, i / 5) - 2;
+        if (offset == ivec2(0)) continue;
+        vec4 near = history(colortex10, colortex11, before.pixel + offset, before.plane);
+        sum += float(near.a > 0.0) * vec4(near.rgb, 1.0);
+    }
+    return sum.rgb / sum.a;
+#else
+    return mean.rgb;
+#endif
+}
+#endif
+
+/// Mean radiance over the hemisphere, without the direct sun.
+vec3 indirect_radiance(vec3 n) {
+    vec3 expected = expected_radiance(n);
+#if HAS_TRANSLUCENT_RAYS
+#if HAS_TRANSLUCENT_MEANS
+    out_mean = vec4(0.0);
+    out_plane = vec4(0.0);
+#endif
+    Surface s = Surface(player, n, vec3(0.0), light, emission, false, 0, false);
+    float share = inside_volume(to_volume(player));
+    if (share <= 0.0) return expected;
+#if HAS_TRANSLUCENT_MEANS
+    vec3 seen = mean_radiance(s, expected);
+#else
+    vec3 seen = gathered_radiance(s);
+#endif
+    return mix(expected, seen + AMBIENT_MINIMUM, share);
+#else
+    return expected;
 #endif
 }
 

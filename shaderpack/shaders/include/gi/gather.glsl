@@ -1,0 +1,131 @@
+// Light from everything but the direct sun at a point of a surface, by a ray through the voxels. Radiance is constant
+// along a ray, so nothing is divided by distance. With the face cache light_of(cell, face), B of a face and its number of
+// updates, belongs to the program.
+#if !defined INCLUDED_GI_GATHER
+#define INCLUDED_GI_GATHER
+
+#include "/include/gbuffer.glsl"
+#include "/include/math/random.glsl"
+#include "/include/gi/hit.glsl"
+#if HAS_AIR_LIGHT
+#include "/include/floodfill/light_field.glsl"
+#endif
+#include "/include/gi/leaves.glsl"
+#if HAS_LAMP_RAYS
+layout(r32ui) uniform readonly uimage2D face_list;
+layout(r32ui) uniform readonly uimage2D face_tally;
+const int lamp_candidates = 4;
+#include "/include/lights/lamp_sample.glsl"
+#endif
+#if HAS_LAMPS
+#include "/include/lights/lamps.glsl"
+#endif
+
+#if GI_METHOD == GI_METHOD_BOUNCE_4
+const int gi_bounces = 4;
+#elif GI_METHOD == GI_METHOD_BOUNCE_2 || HAS_FACE_CACHE
+const int gi_bounces = 2;
+#else
+const int gi_bounces = 1;
+#endif
+
+/// Does deferred4 add the light of a lamp that the ray from the pixel hits here?
+bool lit_directly(int bounce, vec3 position) {
+#if HAS_LAMPS
+    return bounce == 0 && in_lamp_volume(ivec3(floor(to_lamp_space(from_volume(position)))));
+#else
+    return false;
+#endif
+}
+
+/// Plants and leaves look to either side by chance: turns the normal of half of the rays round.
+/// Returns what counts for the light that comes from there.
+vec3 choose_side(Surface s, inout vec3 normal) {
+    if (!s.thin) return vec3(1.0);
+    if (next_random().x < 0.5) return vec3(2.0);
+    normal = -normal;
+    return 2.0 * passed_share(s.albedo);
+}
+
+/// One sample of the mean incoming radiance, the pixel's n-th over all frames.
+vec3 gather(Surface s, vec3 light, int number) {
+    vec3 normal = s.normal;
+    vec3 throughput = choose_side(s, normal);
+    vec3 origin = to_volume(s.player) + normal * pixel_offset(s.player);
+    vec3 radiance = vec3(0.0);
+    begins_on_lamp = s.emission > 0.0;
+#if HAS_LAMP_RAYS
+    // Rays into the hemisphere and to lamps take turns, over frames and over squares of 4 x 4 pixels: processors draw these
+    // together, so that what either kind of ray costs is spent on half of the picture.
+    uint lamps = listed_lamps();
+    ivec2 square = ivec2(gl_FragCoord.xy) / 4;
+    int turn = number + square.x + square.y;
+    bool aimed = lamps > 0u && (turn & 1) == 1;
+    if (lamps > 0u) number = turn >> 1;
+#endif
+    for (int bounce = 0; bounce < gi_bounces; ++bounce) {
+        vec2 u = next_random().xy;
+#if HAS_FACE_CACHE
+        if (bounce == 0) u = spread_point(ivec2(gl_FragCoord.xy), number);
+#endif
+        vec3 direction = cosine_direction(normal, u);
+        vec3 from = origin;
+#if HAS_LAMP_RAYS
+        LampSample lamp;
+        for (int i = 0; i < int(aimed); ++i) {
+            lamp = choose_lamp(Receiver(origin, normal), lamps, u);
+            direction = lamp.direction;
+        }
+        Hit hit = trace_from_face(from, direction);
+        if (lamps > 0u) throughput *= 2.0;
+        if (aimed) {
+            if (hit.found && hit.cell == lamp.cell) radiance += throughput * hit.transmittance * lamp.light;
+            break;
+        }
+#else
+        Hit hit = trace_from_face(from, direction);
+#endif
+        for (int i = 0; i < int(s.thin && bounce == 0 && begins_in_leaves(origin)); ++i)
+            radiance += throughput * light_of_leaves(origin, direction, light, s.light.y);
+        throughput *= hit.transmittance;
+        if (!hit.found) {
+            radiance += throughput * sky_beyond(hit, direction, s.light.y);
+            break;
+        }
+        if (is_lamp_voxel(hit.voxel.code)) {
+#if HAS_LAMP_RAYS
+            radiance += throughput * met_lamp(hit, Receiver(origin, normal), direction);
+#else
+            radiance += throughput * lamp_light(hit.voxel) *
+                        float(!lit_directly(bounce, hit.position));
+#endif
+        }
+        normal = hit.normal;
+        origin = hit.position + normal * face_offset;
+        begins_on_lamp = false;
+        throughput *= voxel_albedo(hit.voxel);
+        radiance += throughput * sun_at(hit, light, s.light.y);
+#if HAS_AIR_LIGHT
+        // The cells before a lamp hold its own light: what it reflects is not known.
+        if (is_lamp_voxel(hit.voxel.code)) break;
+        radiance += throughput * light_at_face(hit.position, normal, next_random().xy) *
+                    FLOODFILL_STRENGTH;
+#elif HAS_FACE_CACHE
+        // From so near the mean of a face is not what is seen of it: gathered anew, as final gathering with photon
+        // maps does (Jensen 2001, "Realistic Image Synthesis Using Photon Mapping").
+        if (bounce == 0 && (distance(hit.position, from) < FACE_NEAR || faces_stained_glass(hit))) {
+#if HAS_LAMP_RAYS
+            aimed = lamps > 0u && next_random().x < 0.5;
+#endif
+            continue;
+        }
+        radiance += throughput * light_of(hit.cell, face_of_hit(hit)).rgb;
+        break;
+#endif
+        // A loop that is not known to end here costs a quarter more on llvmpipe.
+        if (gi_bounces == 1) break;
+    }
+    return radiance;
+}
+
+#endif

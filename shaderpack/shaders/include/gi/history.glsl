@@ -1,0 +1,89 @@
+// What earlier frames gathered, and how a new sample joins it.
+#if !defined INCLUDED_GI_HISTORY
+#define INCLUDED_GI_HISTORY
+
+#include "/include/gbuffer.glsl"
+#include "/include/plane.glsl"
+#include "/include/math/half.glsl"
+#include "/include/gi/rest.glsl"
+#if HAS_FACE_CACHE
+layout(r32ui) uniform readonly uimage2D face_memory;
+#include "/include/face_cache/face_cache.glsl"
+#endif
+
+/// Where a surface was in the frame before.
+struct Before {
+    ivec2 pixel;  // far outside of the picture if it was not on the screen
+    vec3 player;  // seen from there
+    vec4 plane;
+};
+
+Before before_of(Surface s) {
+    vec3 player = s.player + (cameraPosition - previousCameraPosition);
+    vec4 clip = gbufferPreviousProjection * (gbufferPreviousModelView * vec4(player, 1.0));
+    vec2 uv = clip.xy / clip.w * 0.5 + 0.5;
+    bool on_screen = clip.w > 0.0 && all(greaterThanEqual(uv, vec2(0.0))) &&
+                     all(lessThan(uv, vec2(1.0)));
+    ivec2 pixel = on_screen ? ivec2(floor(uv * vec2(viewWidth, viewHeight))) : ivec2(-1000);
+    return Before(pixel, player, surface_plane(player, s.normal));
+}
+
+bool in_picture(ivec2 pixel) {
+    return pixel.x >= 0 && pixel.y >= 0 && pixel.x < int(viewWidth) && pixel.y < int(viewHeight);
+}
+
+/// What earlier frames found at this pixel for the surface: rgb, and how many of them; 0 where it was not seen.
+/// `means`, `planes`: buffers of the frame before.
+vec4 history(sampler2D means, sampler2D planes, ivec2 pixel, vec4 plane) {
+    if (!in_picture(pixel) || !same_plane(texelFetch(planes, pixel, 0), plane)) return vec4(0.0);
+    return texelFetch(means, pixel, 0);
+}
+
+// While the cache still fills, early frames are wrong rather than noisy: let them fade as the
+// frames' number cubed instead of keeping them in a plain mean.
+#if HAS_AIR_LIGHT || HAS_FACE_CACHE
+const float history_ramp = 3.0;
+#else
+const float history_ramp = 1.0;
+#endif
+
+/// Was this surface behind another one, at this pixel?
+bool was_hidden(sampler2D planes, Before before) {
+    if (!in_picture(before.pixel)) return false;
+    vec4 plane = texelFetch(planes, before.pixel, 0);
+    float along = dot(plane.xyz, before.player);
+    // Of the way to the surface, what the plane leaves.
+    float share = along == 0.0 ? 1.0 : plane.w / along;
+    return share > 0.0 && (1.0 - share) * length(before.player) > 0.1;
+}
+
+// Not every frame draws a translucent surface at each pixel: the length of the normal, which is 1 more than the frame's
+// number in this cycle, says when it was. frameCounter begins anew at a multiple of the cycle.
+const int stamp_cycle = 240;
+
+/// The plane of a translucent surface, as colortex13 has it.
+vec4 with_stamp(vec4 plane) { return vec4(plane.xyz * float(1 + frameCounter % stamp_cycle), plane.w); }
+
+/// The plane of what the frame before drew; 0 if it drew nothing.
+vec4 of_last_frame(vec4 stored) {
+    float stamp = float(1 + (frameCounter + stamp_cycle - 1) % stamp_cycle);
+    bool is_last = abs(length(stored.xyz) - stamp) < 0.5;
+    return is_last ? vec4(stored.xyz / stamp, stored.w) : vec4(0.0);
+}
+
+vec4 accumulate(vec3 radiance, vec4 before) {
+#if HAS_FACE_CACHE
+    if (light_changes(imageLoad(face_memory, memory_last).r))
+        before.a = min(before.a, face_edited_updates);
+#endif
+    float floor_weight = camera_is_still() ? 1.0 / float(TEMPORAL_FRAMES) : TEMPORAL_WEIGHT;
+    float weight = max(floor_weight, history_ramp / (before.a + history_ramp));
+    vec3 mean = mix(before.rgb, radiance, weight);
+#if TEMPORAL_FRAMES <= 128
+    // What drivers cut off is lost anew in each frame of the mean: 1.6 % of it at 128.
+    mean = round_to_half(mean);
+#endif
+    return vec4(mean, min(before.a + 1.0, float(TEMPORAL_FRAMES)));
+}
+
+#endif
