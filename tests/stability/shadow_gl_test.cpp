@@ -107,7 +107,8 @@ INSTANTIATE_TEST_SUITE_P(, ShadowBias, testing::Values(5, 45, 60, 75, 85));
 
 const char* const kPoint =
     "float lit_point(vec3 world) {\n"
-    "    return point_visibility(world - cameraPosition, vec3(0.0, 1.0, 0.0), light_direction(), 1.0);\n"
+    "    PlaneInMap plane = plane_in_map(world - cameraPosition, vec3(0.0, 1.0, 0.0));\n"
+    "    return point_visibility(plane, depth_in_texel(plane, floor(plane.position)), 1.0);\n"
     "}\n";
 
 class ShadowOfPoints : public testing::TestWithParam<int> {};
@@ -138,6 +139,38 @@ TEST_P(ShadowOfPoints, is_as_long_as_geometry_says) {
   }
   // In blocks on the floor; a texel is as long as 1 / cosine there, and the mean of eight edges off by a tenth of it.
   EXPECT_NEAR(error, 0, .25 * kTexel / std::cos(radians(GetParam())));
+}
+
+// With voxels an edge is where the block's is, and not where the texels let it be.
+TEST(ShadowOfHits, ends_where_geometry_says) {
+  constexpr int kWalls = 8, kPoints = 768, kFirst = 4, kEveryBlock = 32, kSun = 60;
+  std::string walls;
+  for (int i = 0; i < kWalls; ++i)
+    walls += fmt::format(R"({}{{"box": "stone", "min": [48, 2, {}], "max": [48, {}, {}]}})", i > 0 ? ", " : "", 12 + 5 * i,
+                         1 + kFirst + i, 14 + 5 * i);
+  ShadowLab lab({.blocks = walls,
+                 .sun = double(kSun),
+                 .probe = fmt::format("vec4(lit_hit(vec3(48.0 - (float(pixel.x) + 0.5) / {}.0, 2.0, "
+                                      "13.5 + 5.0 * float(pixel.y))))",
+                                      kEveryBlock),
+                 .functions = "#define HAS_VOXEL_READS\n"
+                              "#include \"/include/gi/hit.glsl\"\n"
+                              "float lit_hit(vec3 world) {\n"
+                              "    vec3 position = to_volume(world - cameraPosition);\n"
+                              "    ivec3 cell = ivec3(floor(position - vec3(0.0, 0.5, 0.0)));\n"
+                              "    vec3 up = vec3(0.0, 1.0, 0.0);\n"
+                              "    Hit hit = Hit(true, cell, position, up, voxel_at(cell), vec3(1.0), false);\n"
+                              "    return sun_share(hit, light_direction(), 1.0).r;\n"
+                              "}\n",
+                 .options = {{"GI_METHOD", "BOUNCE_1"}, {"VOXEL_SIZE", "64"}},
+                 .width = kPoints,
+                 .height = kWalls});
+  lab.draw();
+  for (int wall = 0; wall < kWalls; ++wall) {
+    int dark = 0;
+    for (int x = 0; x < kPoints; ++x) dark += lab.at(x, wall)[0] == 0 ? 1 : 0;
+    EXPECT_NEAR(double(dark) / kEveryBlock, (kFirst + wall) * std::tan(radians(kSun)), 1.5 / kEveryBlock) << "wall " << wall;
+  }
 }
 
 TEST_P(ShadowOfPoints, open_floor_has_no_acne) {

@@ -5,6 +5,7 @@ For kill_list.py --table; rows as in mutants.py.
 
 MAP = "include/shadow/shadow.glsl"
 SPACE = "include/shadow/shadow_space.glsl"
+HIT = "include/gi/hit.glsl"
 DIRECT = "include/brdf/direct.glsl"
 LIT = "program/lighting.glsl"
 TRANSLUCENT = "program/gbuffers/translucent.glsl"
@@ -17,16 +18,19 @@ MUTANTS = [
     ("C3 published bias in blocks", "PublishedShadowBias.detaches*:PublishedShadowBias.leaves*",
      [(MAP, "max(0.05 * (1.0 - cosine), 0.005)",
        "max(0.05 * (1.0 - cosine), 0.005) * depth_per_block")]),
-    ("C3 half of the normal offset", "ShadowBias.normal*", [(MAP, "* 1.4143 *", "* 0.5 *")]),
+    ("C3 half of the normal offset", "ShadowBias.normal*", [(MAP, "(float(radius) + shadow_tap) * 1.4143 *", "(float(radius) + shadow_tap) * 0.5 *")]),
     ("C3 a block of bias", "ShadowBias.normal*",
      [(MAP, "float bias = 0.01 * depth_per_block;", "float bias = 2.0 * depth_per_block;")]),
     ("C3 a block of bias on a world", "DefaultShadowBias.*",
      [(MAP, "float bias = 0.01 * depth_per_block;", "float bias = 2.0 * depth_per_block;")]),
     ("offset of points that rays hit", "ShadowOfPoints.*long*",
-     [(MAP, "if (across.z < 0.8 * shadow_texel(clip + shadow_snap()))", "if (true)")]),
-    ("slope of points that rays hit not followed", "ShadowOfPoints.*acne*", [(MAP, "view.z -= dot(off, across.xy) / across.z;", "")]),
+     [(MAP, "bool aslant = across.z < 0.8 * texel;", "bool aslant = true;")]),
+    ("slope of points that rays hit not followed", "ShadowOfPoints.*acne*", [(MAP, "plane.view.z - dot(off, plane.slope)", "plane.view.z")]),
     ("planes go on into the open beyond a wall", "ShadowOfPointsIndoors.*",
-     [(MAP, "across.z < 0.8 * shadow_texel(clip + shadow_snap())", "across.z < 0.1 * shadow_texel(clip + shadow_snap())")]),
+     [(MAP, "across.z < 0.8 * texel", "across.z < 0.1 * texel")]),
+    ("edges of what rays hit by texels", "ShadowOfHits.*", [(HIT, "bool tells = edge.found", "bool tells = false && edge.found")]),
+    ("edges beside what throws the shadow", "ShadowOfHits.*", [(MAP, "0.25 * (dark.xy - lit.xy)", "0.0 * (dark.xy - lit.xy)")]),
+    ("edges let all light pass", "ShadowOfHits.*", [(HIT, "bool passes = !meets_opaque(from, light, tells);", "bool passes = true;")]),
     ("C4 normal of the camera's space", "ShadowMapStability.shadows*",
      [(MAP, "clamp(dot(normal, light), 0.0, 1.0)",
        "clamp(dot(mat3(gbufferModelView) * normal, light), 0.0, 1.0)")]),

@@ -98,12 +98,34 @@ bool faces_stained_glass(Hit hit) {
     return hit.found && before.code == voxel_translucent && min(before.color.r, min(before.color.g, before.color.b)) < 0.1;
 }
 
+#if HAS_SHADOW_MAP
+/// Share of the sun's light that arrives at a hit. Where the edge of a shadow lies between the texels of the map about the
+/// point, what throws the shadow, if it is a block whose shape voxels have, says itself what it stops: the map's edges, where
+/// they follow its rows, are off by up to half a texel all along, so that a beam through a narrow opening is too wide or
+/// too narrow. `sky`: level where the ray began.
+vec3 sun_share(Hit hit, vec3 light, float sky) {
+    PlaneInMap plane = plane_in_map(from_volume(hit.position), hit.normal);
+    vec3 texel = vec3(floor(plane.position), 0.0);
+    texel.z = depth_in_texel(plane, texel.xy);
+    float lit = point_visibility(plane, texel.z, sky);
+#if SHADOW_COMPARE == SHADOW_COMPARE_TEXEL
+    EdgeInMap edge = edge_in_map(plane);
+    ivec3 cell = ivec3(floor(to_volume(edge.caster - 0.002 * light)));
+    vec3 from = hit.position + hit.normal * face_offset;
+    bool tells = edge.found && cell != ivec3(floor(from)) && octants_of(voxel_at(cell).code, cell) != 0u;
+    bool passes = !meets_opaque(from, light, tells);
+    texel = tells && passes ? edge.lit : texel;
+    lit = tells ? float(passes) : lit;
+#endif
+    return lit * point_tint(ivec2(texel.xy), texel.z, hit.cell + ivec3(hit.normal));
+}
+#else
+vec3 sun_share(Hit hit, vec3 light, float sky) { return vec3(unmapped_visibility(sky)); }
+#endif
+
 /// Sun or moon light that a hit reflects, without its albedo. `sky`: level where the ray began.
 vec3 sun_at(Hit hit, vec3 light, float sky) {
-    vec3 player = from_volume(hit.position);
-    return light_irradiance() * (max(dot(hit.normal, light), 0.0) / pi) *
-           point_visibility(player, hit.normal, light, sky) *
-           sun_tint(player, hit.normal, light, 0, hit.cell + ivec3(hit.normal));
+    return light_irradiance() * (max(dot(hit.normal, light), 0.0) / pi) * sun_share(hit, light, sky);
 }
 
 #endif

@@ -58,32 +58,81 @@ float lit_at(vec2 position, float depth) {
 #endif
 }
 
-/// The middle of the texel of the map into which a point of a plane falls, and the plane's depth there, 0..1. What is
-/// compared lies in the plane: no offset that would hide its slope moves the edges of shadows, which a low sun would
-/// carry on by blocks (Isidoro 2006, "Shadow Mapping: GPU-based Tips and Techniques"). Where the light is so aslant that the
-/// middle would lie a block away, in the open beyond a wall, the point is moved off its plane instead.
-vec3 plane_receiver(vec3 player, vec3 normal, vec3 light) {
-    vec4 view = shadowModelView * vec4(player, 1.0);
+/// A plane as the map sees it about one of its points. What is compared lies in the plane: no offset that would hide its
+/// slope moves the edges of shadows, which a low sun would carry on by blocks (Isidoro 2006, "Shadow Mapping: GPU-based Tips
+/// and Techniques"). Where the light is so aslant that the middle of a texel would lie a block away, in the open beyond a
+/// wall, the point is moved off its plane instead.
+struct PlaneInMap {
+    vec3 view;      // the point in the light's view space
+    vec2 slope;     // of the plane's depth there; x and y per block
+    vec2 clip;      // the point before the distortion
+    vec2 position;  // in texels
+};
+
+PlaneInMap plane_in_map(vec3 player, vec3 normal) {
     vec3 across = mat3(shadowModelView) * normal;
-    vec2 clip = (shadowProjection * view).xy;
-    vec2 size = vec2(shadow_map_size);
-    if (across.z < 0.8 * shadow_texel(clip + shadow_snap()))
-        return shadow_receiver(player, normal, light, 0).xyz;
-    vec2 texel = floor((distort_shadow(clip + shadow_snap()) * 0.5 + 0.5) * size);
-    vec2 middle = straighten_shadow((texel + 0.5) / size * 2.0 - 1.0) - shadow_snap();
-    vec2 off = (middle - clip) / vec2(shadowProjection[0][0], shadowProjection[1][1]);
-    view.z -= dot(off, across.xy) / across.z;
-    return vec3(texel + 0.5, (shadowProjection * view).z * 0.5 + 0.5);
+    vec2 scale = vec2(shadowProjection[0][0], shadowProjection[1][1]);
+    PlaneInMap plane;
+    plane.view = (shadowModelView * vec4(player, 1.0)).xyz;
+    float texel = shadow_texel(plane.view.xy * scale + shadow_snap());
+    bool aslant = across.z < 0.8 * texel;
+    plane.view += aslant ? across * (shadow_tap * 1.4143 * texel) : vec3(0.0);
+    plane.slope = aslant ? vec2(0.0) : across.xy / across.z;
+    plane.clip = plane.view.xy * scale;
+    plane.position = (distort_shadow(plane.clip + shadow_snap()) * 0.5 + 0.5) * vec2(shadow_map_size);
+    return plane;
 }
 
-/// Does light arrive at a point of a plane that rays have hit?
-float point_visibility(vec3 player, vec3 normal, vec3 light, float sky) {
-    vec3 receiver = plane_receiver(player, normal, light);
-    bool outside = any(lessThan(receiver, vec3(0.0))) ||
-                   any(greaterThanEqual(receiver, vec3(shadow_map_size, 1.0)));
-    float bias = 0.005 * abs(shadowProjection[2][2]);  // a hundredth of a block
-    return outside ? unmapped_visibility(sky) : lit_at(receiver.xy, receiver.z - bias);
+vec2 middle_of_texel(vec2 texel) {
+    return straighten_shadow((texel + 0.5) / vec2(shadow_map_size) * 2.0 - 1.0) - shadow_snap();
 }
+
+/// The plane's depth in the middle of a texel, 0..1.
+float depth_in_texel(PlaneInMap plane, vec2 texel) {
+    vec2 off = (middle_of_texel(texel) - plane.clip) / vec2(shadowProjection[0][0], shadowProjection[1][1]);
+    float z = plane.view.z - dot(off, plane.slope);
+    return (shadowProjection[2][2] * z + shadowProjection[3][2]) * 0.5 + 0.5;
+}
+
+/// What is allowed for the rounding of depths: a hundredth of a block.
+float plane_bias() { return 0.005 * abs(shadowProjection[2][2]); }
+
+/// Does light arrive at a point of a plane, as the texel says into which it falls? `depth`: the plane's there.
+float point_visibility(PlaneInMap plane, float depth, float sky) {
+    bool outside = any(lessThan(plane.position, vec2(0.0))) || any(greaterThanEqual(plane.position, vec2(shadow_map_size))) ||
+                   depth < 0.0 || depth >= 1.0;
+    return outside ? unmapped_visibility(sky) : lit_at(floor(plane.position) + 0.5, depth - plane_bias());
+}
+
+#if SHADOW_COMPARE == SHADOW_COMPARE_TEXEL
+/// The edge of a shadow, where it passes between the four texels of the map about a point of a plane.
+struct EdgeInMap {
+    bool found;
+    vec3 caster;  // player space: what throws the shadow
+    vec3 lit;     // a texel that has light, and the plane's depth there
+};
+
+EdgeInMap edge_in_map(PlaneInMap plane) {
+    vec2 own = floor(plane.position);
+    vec2 aside = mix(vec2(-1.0), vec2(1.0), step(0.5, plane.position - own));
+    vec3 dark = vec3(-1.0);
+    vec3 lit = vec3(-1.0);
+    // Of each kind that nearest to the point counts, which comes last.
+    for (int i = 3; i >= 0; --i) {
+        vec2 texel = clamp(own + aside * vec2(i & 1, i >> 1), vec2(0.0), vec2(shadow_map_size) - 1.0);
+        float stored = texelFetch(shadowtex1, ivec2(texel) + ivec2(0, shadow_map_bottom), 0).r;
+        float depth = depth_in_texel(plane, texel);
+        bool is_lit = depth - plane_bias() <= stored;
+        lit = is_lit ? vec3(texel, depth) : lit;
+        dark = is_lit ? dark : vec3(texel, stored);
+    }
+    vec2 scale = vec2(shadowProjection[0][0], shadowProjection[1][1]);
+    // A little away from the light, into what throws the shadow: its very edge may lie in the middle of the texel.
+    vec2 inside = middle_of_texel(dark.xy + 0.25 * (dark.xy - lit.xy));
+    vec3 view = vec3(inside / scale, (dark.z * 2.0 - 1.0 - shadowProjection[3][2]) / shadowProjection[2][2]);
+    return EdgeInMap(min(dark.x, lit.x) >= 0.0, (shadowModelViewInverse * vec4(view, 1.0)).xyz, lit);
+}
+#endif
 
 /// Share of the light that arrives, 0..1.
 float light_visibility(vec3 player, vec3 normal, vec3 light, int radius, float sky) {
@@ -126,8 +175,6 @@ const int shadow_radius = 0;
 float light_visibility(vec3 player, vec3 normal, vec3 light, int radius, float sky) {
     return unmapped_visibility(sky);
 }
-
-float point_visibility(vec3 player, vec3 normal, vec3 light, float sky) { return unmapped_visibility(sky); }
 
 #endif
 

@@ -217,6 +217,20 @@ Meeting meet(Walk walk, int code) {
     return met;
 }
 
+/// Does a ray meet a block that fills its cell, or eighths of it, after its first cell? Not looked for if not `asked`.
+bool meets_opaque(vec3 origin, vec3 direction, bool asked) {
+    Walk walk = begin_walk(origin, direction);
+    bool found = false;
+    for (int i = 0; i < int(asked) * 3 * VOLUME && !found; ++i) {
+        walk_on(walk);
+        ivec3 cell = cell_of(walk);
+        if (!in_volume(cell)) break;
+        uint octants = octants_of(int(texel_of(cell).a * 255.0 + 0.5), cell);
+        found = meet_octants(walk, octants, span_in_cell(walk)).found;
+    }
+    return found;
+}
+
 #if HAS_VOXEL_CHANGES
 /// Of glass that a ray meets from within: its light comes by the side that is opposite, of this block or of glass beyond.
 /// Without one, where that stands before a wall, the light of its own outer side stands for it.
