@@ -67,4 +67,5 @@ MUTANTS = [
      [(TRANSLUCENT, "float share = inside_volume(to_volume(player));", "float share = 0.0;")]),
     ("what gathered for glass is blended", "ReferenceSpot.*glass_*_the_shadow*",
      [("shaders.properties", "blend.gbuffers_water.colortex12 = off", "")]),
+    ("light within glass by its outer side", "ReferenceGlazedRoom.*", [(HIT, " || is_glass(hit.voxel.code)", "")]),
 ]

@@ -30,14 +30,14 @@ vec4 light_of(ivec3 cell, int face) {
 
 #include "/include/gi/leaves.glsl"
 
-/// Radiance along a cosine ray, which goes on from a face in stained glass: a ray more.
+/// Radiance along a cosine ray, which goes on where the light on what it hits is ill known: a ray more.
 vec3 hemisphere_sample(Face f, vec2 u, vec3 light) {
     vec3 direction = cosine_direction(f.from.normal, u);
     Hit hit = trace_from_face(f.from.origin, direction);
     vec3 throughput = hit.transmittance;
     vec3 radiance = hit.found && is_lamp_voxel(hit.voxel.code) ? throughput * met_lamp(hit, f.from, direction) : vec3(0.0);
     vec3 onward = direction;
-    for (int i = 0; i < int(faces_stained_glass(hit)); ++i) {
+    for (int i = 0; i < int(is_ill_known(hit)); ++i) {
         throughput *= voxel_albedo(hit.voxel);
         radiance += throughput * sun_at(hit, light, f.sky);
         onward = cosine_direction(hit.normal, next_random().xy);
