@@ -100,7 +100,7 @@ bool faces_stained_glass(Hit hit) {
 
 /// Does the light on a hit differ too much over its face for the mean to stand for it? Glass has two layers: what comes
 /// through the holes of one is reflected to and fro between them, and the face has the light on the outside.
-bool is_ill_known(Hit hit) { return faces_stained_glass(hit) || is_glass(hit.voxel.code) || is_pane(hit.voxel.code); }
+bool is_ill_known(Hit hit) { return faces_stained_glass(hit) || is_glass(hit.voxel.code); }
 
 #if HAS_SHADOW_MAP
 /// Share of the sun's light that arrives at a hit. Where the edge of a shadow lies between the texels of the map about the
