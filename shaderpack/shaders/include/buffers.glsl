@@ -34,7 +34,7 @@
 //   with AUTO_EXPOSURE: the exposure
 // colortex10   RGBA16F   window  keep   deferred                      translucent
 // colortex11   RGBA16F   window  keep   deferred                      translucent
-//   with TEMPORAL_ACCUMULATION: colortex12 and 13 of the frame before; a plane of 0 where it drew nothing
+//   with TEMPORAL_ACCUMULATION, but not with floodfill: colortex12 and 13 of the frame before; a plane of 0 where it drew nothing
 // colortex12   RGBA16F   window  keep   translucent                   deferred (next frame)
 //   with TEMPORAL_ACCUMULATION: what colortex3 is, for the nearest translucent surface; RGBA32F where that is
 // colortex13   RGBA16F   window  keep   translucent                   deferred (next frame)

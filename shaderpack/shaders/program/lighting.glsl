@@ -100,7 +100,7 @@ vec3 light_surface(Surface s, ivec2 pixel) {
 #if DIRECT_LIGHT != NONE
     vec3 sun = light_irradiance() * sun_visibility(pixel, s.player, n, l, s.light.y);
 #if HAS_GI
-    sun *= sun_tint(s.player, n, l, 1, ivec3(floor(to_volume(s.player + n * 0.02))));
+    sun *= sun_tint(s.player, n, l, ivec3(floor(to_volume(s.player + n * 0.02))));
 #endif
 #if HAS_GLOSSY
     radiance += sun * (s.gloss > 0 ? reflect_glossy(s.gloss, s.albedo, n, v, l)

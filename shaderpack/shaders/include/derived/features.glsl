@@ -72,9 +72,10 @@
 #define HAS_COUNTERS 0
 #endif
 
-// Weather and clouds share the program with water and glass, which have rays of global illumination.
+// Weather and clouds share the program with water and glass, which have rays of global illumination; with floodfill the light
+// of their cells, that of a lamp within the glass, too.
 #if !defined PROGRAM_WEATHER && !defined PROGRAM_CLOUDS
-#define HAS_TRANSLUCENT_RAYS HAS_GI
+#define HAS_TRANSLUCENT_RAYS (HAS_GI && !HAS_AIR_LIGHT)
 #else
 #define HAS_TRANSLUCENT_RAYS 0
 #endif

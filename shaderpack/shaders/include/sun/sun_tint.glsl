@@ -33,15 +33,15 @@ vec3 tint_within(Voxel before, ivec2 texel, float depth) { return filtered(befor
 /// Is light tinted by what it passes in a cell, and not by its surface?
 bool tints_within(Voxel before) { return is_filter_voxel(before.code) && !is_tinted_pane(before.code); }
 
-/// What is left of the light at a point of the surface before which `cell` lies. `radius`: that of light_visibility(), whose
-/// texels the colour comes from, too: one beside a stained window knows only the wall, and would leave all light.
-vec3 sun_tint(vec3 player, vec3 normal, vec3 light, int radius, ivec3 cell) {
+/// What is left of the light at a point of the surface before which `cell` lies. The colour comes from the texels about the
+/// point, as light_visibility() does: one beside a stained window knows only the wall, and would leave all light.
+vec3 sun_tint(vec3 player, vec3 normal, vec3 light, ivec3 cell) {
     Voxel before = voxel_at(cell);
     if (tints_within(before)) {
         vec3 unit = shadow_clip(shadowProjection * (shadowModelView * vec4(player, 1.0))).xyz * 0.5 + 0.5;
         return tint_within(before, sheet_texel(ivec2(floor(unit.xy * vec2(shadow_map_size)))), unit.z);
     }
-    vec3 receiver = shadow_receiver(player, normal, light, radius).xyz;
+    vec3 receiver = shadow_receiver(player, normal, light, 1).xyz;
     ivec2 middle = ivec2(floor(receiver.xy));
     vec4 tint = tint_at(sheet_texel(middle), receiver.z);
     // In a penumbra the colour is that of the texels around which are lit.
@@ -61,7 +61,7 @@ vec3 point_tint(ivec2 texel, float depth, ivec3 cell) {
     return tints_within(before) ? tint_within(before, texel, depth) : tint_at(texel, depth).rgb;
 }
 #else
-vec3 sun_tint(vec3 player, vec3 normal, vec3 light, int radius, ivec3 cell) { return vec3(1.0); }
+vec3 sun_tint(vec3 player, vec3 normal, vec3 light, ivec3 cell) { return vec3(1.0); }
 #endif
 
 #endif

@@ -133,7 +133,7 @@ vec3 gathered_radiance(Surface s) {
 #if HAS_TRANSLUCENT_MEANS
 // A surface that the frame before has not seen begins as if what is expected were the mean of so many frames: what a cache
 // knows is near the mean; the lightmap is not, and a plain mean of frames would keep it.
-#if HAS_FACE_CACHE || HAS_AIR_LIGHT
+#if HAS_FACE_CACHE
 const float expected_frames = 16.0;
 #else
 const float expected_frames = 1.0;

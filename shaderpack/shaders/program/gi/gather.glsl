@@ -47,7 +47,7 @@ flat in int drawing;
 uniform sampler2D colortex3;
 uniform sampler2D colortex5;
 
-#ifdef TEMPORAL_ACCUMULATION
+#if HAS_TRANSLUCENT_MEANS
 uniform sampler2D colortex12;
 uniform sampler2D colortex13;
 
@@ -109,6 +109,8 @@ void main() {
 #ifdef TEMPORAL_ACCUMULATION
     Before before = before_of(s);
     out_radiance = accumulate(radiance, history(colortex3, colortex5, before.pixel, before.plane));
+#endif
+#if HAS_TRANSLUCENT_MEANS
     // What the translucent surfaces of the last frame left is history to those of this one, which cannot read what
     // they write.
     out_translucent = texelFetch(colortex12, pixel, 0);
