@@ -116,10 +116,10 @@ vec3 sun_share(Hit hit, vec3 light, float sky) {
     EdgeInMap edge = edge_in_map(plane);
     ivec3 cell = ivec3(floor(to_volume(edge.caster - 0.002 * light)));
     vec3 from = hit.position + hit.normal * face_offset;
-    bool tells = edge.found && cell != ivec3(floor(from)) && octants_of(voxel_at(cell).code, cell) != 0u;
-    bool passes = !meets_opaque(from, light, tells);
-    texel = tells && passes ? edge.lit : texel;
-    lit = tells ? float(passes) : lit;
+    bool is_exact = edge.found && cell != ivec3(floor(from)) && octants_of(voxel_at(cell).code, cell) != 0u;
+    bool passes = !meets_opaque(from, light, is_exact);
+    texel = is_exact && passes ? edge.lit : texel;
+    lit = is_exact ? float(passes) : lit;
 #endif
     return lit * point_tint(ivec2(texel.xy), texel.z, hit.cell + ivec3(hit.normal));
 }
