@@ -214,11 +214,14 @@ std::string describeWanted(ContextProfile asked) {
                                                               : "");
 }
 
-bool isSoftware(Backend backend) {
+bool softwareIsAsked() {
   const char* software = std::getenv("LIBGL_ALWAYS_SOFTWARE");
-  const bool asked = software && (*software == '1' || *software == 't' || *software == 'y');
+  return software && (*software == '1' || *software == 't' || *software == 'y');
+}
+
+bool isSoftware(Backend backend) {
   if (backend == Backend::Glfw) return false;
-  if (backend == Backend::OSMesa || asked) return true;
+  if (backend == Backend::OSMesa || softwareIsAsked()) return true;
   return backend == Backend::Auto && loadLibrary(ContextRequest().osmesaLibraries) != nullptr;
 }
 
@@ -264,11 +267,19 @@ bool Context::initialise(const GetProcAddress& getProcAddress, Diagnostics& diag
              "use another driver or --backend");
     return false;
   }
+  resetStatus_ = reinterpret_cast<decltype(resetStatus_)>(getProcAddress("glGetGraphicsResetStatus"));
   installDebugCallback(&errors_);
   return true;
 }
 
 std::vector<std::string> Context::takeErrors() {
+  if (const GLenum status = resetStatus_ != nullptr ? resetStatus_() : GLenum(GL_NO_ERROR)) {
+    addOnce(errors_, fmt::format("the GPU was reset and the context is lost: {}",
+                                 status == GL_GUILTY_CONTEXT_RESET
+                                     ? "a program ran too long, or read or wrote where it has no memory"
+                                 : status == GL_INNOCENT_CONTEXT_RESET ? "another process was the cause"
+                                                                       : "the driver names no cause"));
+  }
   // A driver reports the same error twice, in words and by number; the words suffice.
   const bool reported = !errors_.empty();
   for (int i = 0; i < int(kMaxErrors); ++i) {

@@ -65,7 +65,7 @@ class Context {
   /// own, which another context may have replaced. false: it cannot be, or the engine has none current.
   bool makeCurrent();
   /// Messages of high severity (KHR_debug) and glGetError since the last call, oldest first, each
-  /// different text once. Compiler messages are not among them: Program keeps those.
+  /// different text once, and whether the GPU was reset, after which nothing is drawn. Compiler messages are not among them: Program keeps those.
   std::vector<std::string> takeErrors();
 
  protected:
@@ -78,6 +78,7 @@ class Context {
  private:
   DriverInfo driver_;
   GetProcAddress getProcAddress_;
+  unsigned (*resetStatus_)() = nullptr;  // glGetGraphicsResetStatus, which old drivers lack
   std::vector<std::string> errors_;  // written by the driver's debug callback
 };
 

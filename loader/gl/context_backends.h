@@ -19,6 +19,9 @@ std::vector<ContextProfile> profilesToTry(ContextProfile asked);  ///< best firs
 /// "core context of OpenGL 4.3 or newer", for messages.
 std::string describeWanted(ContextProfile asked);
 
+/// LIBGL_ALWAYS_SOFTWARE=1: Mesa's software rasteriser in place of a GPU.
+bool softwareIsAsked();
+
 std::unique_ptr<Context> createOsmesaContext(const ContextRequest&, Diagnostics&);
 std::unique_ptr<Context> createEglContext(const ContextRequest&, Diagnostics&);
 std::unique_ptr<Context> createGlfwContext(const ContextRequest&, Diagnostics&);

@@ -28,6 +28,9 @@ constexpr EglInt kProfileMask = 0x30FD;
 constexpr EglInt kCoreProfileBit = 0x0001;
 constexpr EglInt kCompatibilityProfile = 0x0002;
 constexpr unsigned kOpenglApi = 0x30A2;
+constexpr EglInt kRobustAccess = 0x31B2;
+constexpr EglInt kResetStrategy = 0x31BD;
+constexpr EglInt kLoseContextOnReset = 0x31BF;
 constexpr unsigned kPlatformDevice = 0x313F;
 constexpr unsigned kPlatformSurfaceless = 0x31DD;
 
@@ -46,6 +49,7 @@ struct EglApi {
   // Extensions, may stay null.
   EglDisplay (*getPlatformDisplay)(unsigned platform, void* native, const EglInt*) = nullptr;
   EglBoolean (*queryDevices)(EglInt size, void** devices, EglInt* count) = nullptr;
+  const char* (*queryDeviceString)(void* device, EglInt name) = nullptr;
 
   bool load(void* library) {
     const auto resolve = [library](auto& function, const char* name) {
@@ -62,6 +66,8 @@ struct EglApi {
     getPlatformDisplay =
         reinterpret_cast<decltype(getPlatformDisplay)>(getProcAddress("eglGetPlatformDisplayEXT"));
     queryDevices = reinterpret_cast<decltype(queryDevices)>(getProcAddress("eglQueryDevicesEXT"));
+    queryDeviceString =
+        reinterpret_cast<decltype(queryDeviceString)>(getProcAddress("eglQueryDeviceStringEXT"));
     return true;
   }
 };
@@ -76,22 +82,21 @@ bool hasExtension(const char* list, const char* name) {
   return false;
 }
 
-// Mesa's surfaceless platform, then GPUs by device (NVIDIA has only that one), then whatever the
-// default display is.
+// GPUs, then Mesa's surfaceless platform, then whatever the default display is. A GPU of NVIDIA beside Mesa is found
+// as a device only: the surfaceless platform is then Mesa's software rasteriser.
 std::vector<EglDisplay> candidateDisplays(const EglApi& api) {
   std::vector<EglDisplay> displays;
-  const char* client = api.queryString(nullptr, kExtensions);
   if (api.getPlatformDisplay != nullptr) {
-    if (hasExtension(client, "EGL_MESA_platform_surfaceless")) {
-      displays.push_back(api.getPlatformDisplay(kPlatformSurfaceless, nullptr, nullptr));
-    }
     void* devices[16] = {};
     EglInt count = 0;
-    if (api.queryDevices != nullptr && api.queryDevices(16, devices, &count) != 0) {
-      for (EglInt i = 0; i < count; ++i) {
+    const bool listed = !softwareIsAsked() && api.queryDevices != nullptr && api.queryDeviceString != nullptr &&
+                        api.queryDevices(16, devices, &count) != 0;
+    for (EglInt i = 0; listed && i < count; ++i) {
+      if (!hasExtension(api.queryDeviceString(devices[i], kExtensions), "EGL_MESA_device_software"))
         displays.push_back(api.getPlatformDisplay(kPlatformDevice, devices[i], nullptr));
-      }
     }
+    if (hasExtension(api.queryString(nullptr, kExtensions), "EGL_MESA_platform_surfaceless"))
+      displays.push_back(api.getPlatformDisplay(kPlatformSurfaceless, nullptr, nullptr));
   }
   displays.push_back(api.getDisplay(nullptr));
   return displays;
@@ -151,17 +156,21 @@ class EglContext final : public Context {
     }
     for (const ContextProfile profile : profilesToTry(profile_)) {
       for (const GlVersion& version : kVersions) {
-        if (createOne(display, config, profile, version)) return true;
+        for (const bool robust : {true, false})
+          if (createOne(display, config, profile, version, robust)) return true;
       }
     }
     return fail(("create a " + describeWanted(profile_)).c_str());
   }
 
+  /// Robust: reads beyond a buffer give zeros, and a reset of the GPU is noticed (EGL 1.5; drivers may refuse).
   bool createOne(EglDisplay display, EglConfig config, ContextProfile profile,
-                 const GlVersion& version) {
+                 const GlVersion& version, bool robust) {
     const EglInt mask = profile == ContextProfile::Core ? kCoreProfileBit : kCompatibilityProfile;
-    const EglInt attributes[] = {kEglMajor,    version.major, kEglMinor, version.minor,
-                                 kProfileMask, mask,          kNone};
+    const EglInt attributes[] = {kEglMajor,      version.major,       kEglMinor,
+                                 version.minor,  kProfileMask,        mask,
+                                 robust ? kRobustAccess : kNone,      1,
+                                 kResetStrategy, kLoseContextOnReset, kNone};
     EglHandle handle = api_.createContext(display, config, nullptr, attributes);
     if (handle == nullptr) return false;
     if (api_.makeCurrent(display, nullptr, nullptr, handle) != 0) {

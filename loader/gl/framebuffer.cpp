@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 #include <orris/gl/functions.h>
@@ -55,16 +56,16 @@ void attach(Framebuffer& framebuffer, GLenum point, const Texture& texture) {
 
 // How the texels of a format come back without loss.
 struct Transfer {
-  GLenum format;
+  GLenum format, type;
   int channels;
   FormatClass formatClass;
 };
 
 Transfer transferOf(const Texture& texture) {
   const TextureFormat* format = findFormat(texture.internalFormat);
-  if (format == nullptr && texture.integer) return {GL_STENCIL_INDEX, 1, FormatClass::Uint};
-  if (format == nullptr) return {GL_DEPTH_COMPONENT, 1, FormatClass::Float};
-  return {format->pixelFormat, format->channels, format->formatClass};
+  if (format == nullptr && texture.integer) return {GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, 1, FormatClass::Uint};
+  if (format == nullptr) return {GL_DEPTH_COMPONENT, GL_FLOAT, 1, FormatClass::Float};
+  return {format->pixelFormat, format->pixelType, format->channels, format->formatClass};
 }
 
 /// A part of a level.
@@ -90,6 +91,16 @@ std::vector<float> readAs(const Texture& texture, GLenum format, GLenum type, si
   }
 }
 
+/// As OpenGL has it since 4.2. NVIDIA's driver converts to floats as before: 0 reads as .0039.
+template <typename Texel>
+std::vector<float> readSigned(const Texture& texture, const Transfer& transfer, size_t count,
+                              const std::optional<TexelBox>& box) {
+  std::vector<float> values = readAs<Texel>(texture, transfer.format, transfer.type, count, box);
+  for (float& value : values)
+    value = std::max(value / float(std::numeric_limits<Texel>::max()), -1.0f);
+  return values;
+}
+
 std::vector<float> readPart(const Texture& texture, size_t texels,
                             const std::optional<TexelBox>& box) {
   const Transfer transfer = transferOf(texture);
@@ -103,6 +114,9 @@ std::vector<float> readPart(const Texture& texture, size_t texels,
       return readAs<GLint>(texture, transfer.format, GL_INT, count, box);
     case FormatClass::Uint:
       return readAs<GLuint>(texture, transfer.format, GL_UNSIGNED_INT, count, box);
+    case FormatClass::Snorm:
+      return transfer.type == GL_BYTE ? readSigned<GLbyte>(texture, transfer, count, box)
+                                      : readSigned<GLshort>(texture, transfer, count, box);
     default:
       return readAs<float>(texture, transfer.format, GL_FLOAT, count, box);
   }

@@ -39,7 +39,7 @@ std::vector<float> drawTriangle() {
   EXPECT_TRUE(program.linked);
   BindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
   Viewport(0, 0, kSize, kSize);
-  ClearColor(0, 0, 0.5f, 1);
+  ClearColor(0, 0, 1, 1);
   ClearDepth(1);
   Enable(GL_DEPTH_TEST);
   Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -75,7 +75,7 @@ class DrawTest : public GlTest {};
 
 TEST_F(DrawTest, triangle_from_compatibility_arrays) {
   const std::vector<float> pixels = drawTriangle();
-  const std::vector<float> background = {0, 0, 128 / 255.f, 1};
+  const std::vector<float> background = {0, 0, 1, 1};
   EXPECT_EQ(texelAt(pixels, kSize - 1, kSize - 1), background);
   EXPECT_EQ(texelAt(pixels, kSize - 2, 4), background);
   const std::vector<float> left = texelAt(pixels, 0, 0);
