@@ -7,6 +7,7 @@
 
 #include <orris/render/gpu_program.h>
 #include <orris/gl/functions.h>
+#include <orris/glsl/rewrite/ambiguous_calls.h>
 #include <orris/glsl/rewrite/core_text.h>
 #include <orris/glsl/rewrite/interface_repair.h>
 #include <orris/glsl/rewrite/shared_buffer.h>
@@ -55,10 +56,12 @@ void reportLink(const std::string& log, const StageText& stage, const SourceLine
   }
 }
 
-// Mesa words it so: "extension `GL_KHR_shader_subgroup_basic' unsupported in compute shader".
+// Mesa words it so: "extension `GL_KHR_shader_subgroup_basic' unsupported in compute shader"; NVIDIA: "extension
+// GL_KHR_shader_subgroup_basic not supported".
 bool lacksExtension(const Diagnostic& diagnostic) {
-  return diagnostic.message.starts_with("extension `") &&
-         diagnostic.message.find("' unsupported in ") != std::string::npos;
+  return diagnostic.message.starts_with("extension ") &&
+         (diagnostic.message.find("' unsupported in ") != std::string::npos ||
+          diagnostic.message.ends_with(" not supported"));
 }
 
 /// What a stage does with an extension that the driver lacks is not reported again: whether that is
@@ -129,6 +132,14 @@ bool isSoftwareRasteriser() {
 /// The name of the rule that puts other code in place of what the driver lacks; "" when none does.
 std::string_view replaceLacking(DrawnStages& drawn, GpuProgram& program,
                                 std::vector<std::string>& blocks) {
+  bool settled = false;
+  for (std::size_t i = 0; i < drawn.stages.size(); ++i) {
+    if (!program.program.stageFailed[i]) continue;
+    auto text = settleAmbiguousCalls(*drawn.stages[i], program.program.stageLogs[i]);
+    settled |= text.has_value();
+    if (text) drawn.replace(i, std::move(*text));
+  }
+  if (settled) return kAmbiguousCallsRule;
   bool changed = false;
   for (std::size_t i = 0; i < drawn.stages.size(); ++i) {
     const bool lacks = program.program.stageFailed[i] &&

@@ -47,7 +47,7 @@ struct GpuProgram {
 
 /// Compiles and links; driver messages of failures are mapped into `diagnostics`: errors, but a
 /// warning where the program exceeds a limit of the driver. A core context gets the core text. What
-/// the driver lacks and the host can do in its place is a note: rules subgroups and shared-buffer.
+/// the driver lacks and the host can do in its place is a note: rules subgroups, shared-buffer and ambiguous-calls.
 GpuProgram buildGpuProgram(const std::string& label, const std::vector<const StageText*>& stages,
                            const SourceLines& lines, Diagnostics& diagnostics);
 
