@@ -41,7 +41,6 @@ TEST_F(ContractGL, every_attribute_has_its_value) {
   const std::string vertex = R"(#version 330 compatibility
 in vec3 vaPosition; in vec4 vaColor; in vec2 vaUV0; in ivec2 vaUV2; in vec3 vaNormal;
 in vec2 mc_midTexCoord; in vec4 at_tangent;
-in ivec2 vaUV1; in float mc_chunkFade; in vec3 at_velocity;
 out vec2 uv;
 flat out vec4 same;
 void main() {
@@ -52,8 +51,23 @@ void main() {
   bool light = vaUV2 == ivec2(gl_MultiTexCoord1.xy) && gl_MultiTexCoord1 == gl_MultiTexCoord2;
   bool other = gl_MultiTexCoord3.xy == mc_midTexCoord && gl_MultiTexCoord5 == vec4(0, 0, 0, 1) &&
                abs(dot(at_tangent.xyz, vaNormal)) < 0.01;
-  bool constant = vaUV1 == ivec2(0, 10) && mc_chunkFade == 1.0 && at_velocity == vec3(0);
-  same = vec4(core, light, other, constant);
+  same = vec4(core, light, other, 1.0);
+}
+)";
+  const auto value = drawn("gbuffers_terrain",
+                           "flat in vec4 same;\nvoid main() { gl_FragData[0] = same; }\n", vertex);
+  EXPECT_EQ(value, (std::vector<float>{1, 1, 1, 1}));
+}
+
+TEST_F(ContractGL, attributes_without_data_have_their_constant) {
+  const std::string vertex = R"(#version 330 compatibility
+in ivec2 vaUV1; in float mc_chunkFade; in vec3 at_velocity;
+out vec2 uv;
+flat out vec4 same;
+void main() {
+  gl_Position = ftransform();
+  uv = gl_MultiTexCoord0.xy;
+  same = vec4(vaUV1 == ivec2(0, 10), mc_chunkFade == 1.0, at_velocity == vec3(0), 1.0);
 }
 )";
   const auto value = drawn("gbuffers_terrain",

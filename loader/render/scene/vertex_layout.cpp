@@ -67,20 +67,48 @@ void bindTexCoord(int unit, int components, unsigned type, int stride, size_t of
   gl::TexCoordPointer(components, type, stride, pointer(offset));
 }
 
-// Cheap when unused, so all are set.
-void bindOldArrays(const VertexPlace& place) {
+/// Where old arrays lie among the numbered ones, for drivers that have both at one place (NVIDIA's).
+constexpr int kNormalPlace = 2, kColorPlace = 3, kTexCoordPlace = 8;
+
+/// May the array of an old attribute be read? Not where an attribute of the pack has its place, which then reads the array
+/// in place of its constant. Where both are in use they lie apart.
+bool mayRead(const gl::Program& program, std::string_view name, int place) {
+  bool taken = false;
+  for (const gl::ActiveVariable& attribute : program.attributes) {
+    if (attribute.name == name) return true;
+    taken |= attribute.location == place;
+  }
+  return !taken;
+}
+
+void bindOldArrays(const gl::Program& program, const VertexPlace& place) {
   const int stride = place.stride;
   const auto at = [&place](size_t offset) { return pointer(place.offset + offset); };
   gl::EnableClientState(GL_VERTEX_ARRAY);
   gl::VertexPointer(3, GL_FLOAT, stride, at(offsetof(GpuVertex, position)));
-  gl::EnableClientState(GL_NORMAL_ARRAY);
-  gl::NormalPointer(GL_BYTE, stride, at(offsetof(GpuVertex, normal)));
-  gl::EnableClientState(GL_COLOR_ARRAY);
-  gl::ColorPointer(4, GL_UNSIGNED_BYTE, stride, at(offsetof(GpuVertex, color)));
-  bindTexCoord(0, 2, GL_FLOAT, stride, place.offset + offsetof(GpuVertex, uv));
-  bindTexCoord(1, 2, GL_SHORT, stride, place.offset + offsetof(GpuVertex, light));
-  bindTexCoord(2, 2, GL_SHORT, stride, place.offset + offsetof(GpuVertex, light));
-  bindTexCoord(3, 2, GL_FLOAT, stride, place.offset + offsetof(GpuVertex, midUv));
+  if (mayRead(program, "gl_Normal", kNormalPlace)) {
+    gl::EnableClientState(GL_NORMAL_ARRAY);
+    gl::NormalPointer(GL_BYTE, stride, at(offsetof(GpuVertex, normal)));
+  }
+  if (mayRead(program, "gl_Color", kColorPlace)) {
+    gl::EnableClientState(GL_COLOR_ARRAY);
+    gl::ColorPointer(4, GL_UNSIGNED_BYTE, stride, at(offsetof(GpuVertex, color)));
+  }
+  struct TexCoord {
+    const char* name;
+    int components;
+    unsigned type;
+    size_t offset;
+  };
+  constexpr TexCoord kTexCoords[] = {{"gl_MultiTexCoord0", 2, GL_FLOAT, offsetof(GpuVertex, uv)},
+                                     {"gl_MultiTexCoord1", 2, GL_SHORT, offsetof(GpuVertex, light)},
+                                     {"gl_MultiTexCoord2", 2, GL_SHORT, offsetof(GpuVertex, light)},
+                                     {"gl_MultiTexCoord3", 2, GL_FLOAT, offsetof(GpuVertex, midUv)}};
+  for (int unit = 0; unit < 4; ++unit) {
+    const TexCoord& row = kTexCoords[unit];
+    if (mayRead(program, row.name, kTexCoordPlace + unit))
+      bindTexCoord(unit, row.components, row.type, stride, place.offset + row.offset);
+  }
 }
 
 void unbindOldArrays() {
@@ -96,7 +124,7 @@ void unbindOldArrays() {
 }  // namespace
 
 void bindVertices(const gl::Program& program, const VertexPlace& place) {
-  if (!gl::isCoreProfile()) bindOldArrays(place);
+  if (!gl::isCoreProfile()) bindOldArrays(program, place);
   for (const gl::ActiveVariable& attribute : program.attributes)
     if (attribute.location >= 0) bindGeneric(attribute, place);
 }
@@ -128,7 +156,7 @@ void setOverlay(const gl::Program& program, bool hurt) {
 }
 
 void setConstantColor(const gl::Program& program, const glm::vec4& color) {
-  if (!gl::isCoreProfile()) {
+  if (!gl::isCoreProfile() && mayRead(program, "gl_Color", kColorPlace)) {
     gl::DisableClientState(GL_COLOR_ARRAY);
     gl::Color4f(color.r, color.g, color.b, color.a);
   }
