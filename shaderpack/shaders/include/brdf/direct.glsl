@@ -32,8 +32,10 @@ const float ggx_reflectance = 0.04;
 
 /// What the specular part reflects of light with this cosine, within 0.001; for the two values above.
 float ggx_share(float cosine) { return 0.0275 + 0.06 * pow(max(1.0 - cosine, 1e-6), 3.5); }
-const float ggx_mean_share = 0.0323;
+const float ggx_white = 1.0 / (1.0 - 0.0323);  // 0.0323: its mean over the hemisphere
 
+// Both parts have one constant factor, 1 / pi, and all others stand within sums: NVIDIA's compiler (580.159) gives the
+// second part the constant factor of the first.
 vec3 reflect_ggx(vec3 albedo, vec3 n, vec3 v, vec3 l) {
     vec3 h = normalize(v + l);
     float nl = max(dot(n, l), 1e-4);
@@ -41,12 +43,11 @@ vec3 reflect_ggx(vec3 albedo, vec3 n, vec3 v, vec3 l) {
     float nh = max(dot(n, h), 0.0);
     float fresnel =
         ggx_reflectance + (1.0 - ggx_reflectance) * pow(1.0 - max(dot(v, h), 0.0), 5.0);
-    float a2 = ggx_alpha * ggx_alpha;
-    float d = nh * nh * (a2 - 1.0) + 1.0;
+    float d = (ggx_alpha - 1.0 / ggx_alpha) * nh * nh + 1.0 / ggx_alpha;  // of 1 / d^2
     float k = 0.5 * ggx_alpha;
-    float smith = 1.0 / (4.0 * (nl * (1.0 - k) + k) * (nv * (1.0 - k) + k));
-    float left = (1.0 - ggx_share(nl)) * (1.0 - ggx_share(nv)) / (1.0 - ggx_mean_share);
-    return albedo * (left / pi) + fresnel * smith * a2 / (pi * d * d);
+    float smith = 1.0 / ((nl * (1.0 - k) + k) * (nv * (4.0 - 4.0 * k) + 4.0 * k));
+    float left = (1.0 - ggx_share(nl)) * (ggx_white - ggx_white * ggx_share(nv));
+    return (albedo * left + fresnel * smith / (d * d)) / pi;
 }
 
 /// Radiance toward `v` (unit, from the surface) for irradiance 1 on a plane facing the light.

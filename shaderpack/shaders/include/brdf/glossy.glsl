@@ -48,15 +48,17 @@ vec3 ggx_facet(vec3 n, vec3 v, float alpha, vec2 u) {
     return normalize(alpha * (h - height * n) + max(height, 1e-6) * n);
 }
 
-/// Radiance toward `v` for irradiance 1 on a plane facing the light `l`.
+/// Radiance toward `v` for irradiance 1 on a plane facing the light `l`. Smith's masking of both directions over four times
+/// both cosines is 1 / (sl * sv).
 vec3 reflect_glossy(int gloss, vec3 albedo, vec3 n, vec3 v, vec3 l) {
     float nl = max(dot(n, l), 0.0);
     float nv = max(dot(n, v), 1e-4);
     vec3 h = normalize(v + l);
     float a2 = gloss_alpha(gloss) * gloss_alpha(gloss);
     float d = dot(n, h) * dot(n, h) * (a2 - 1.0) + 1.0;
-    float lobe = a2 / (pi * d * d) * ggx_masking(nl, gloss_alpha(gloss)) * ggx_masking(nv, gloss_alpha(gloss)) / (4.0 * nv);
-    return nl / pi * albedo * diffuse_share(gloss, albedo, nv) + lobe * gloss_fresnel(gloss, albedo, dot(v, h));
+    float sl = nl + sqrt(a2 + (1.0 - a2) * nl * nl), sv = nv + sqrt(a2 + (1.0 - a2) * nv * nv);
+    return (albedo * diffuse_share(gloss, albedo, nv) + gloss_fresnel(gloss, albedo, dot(v, h)) * (a2 / (d * d * sl * sv))) *
+           (nl / pi);
 }
 
 #endif
