@@ -42,11 +42,10 @@ FaceField faceField(PackSession& pack, int volume) {
   return {std::move(light), volume};
 }
 
-// Texel 0 of row 1, counted from the bottom.
-int lastEdit(PackSession& pack) { return static_cast<int>(pack.dump("face_memory").at(0, 0)[0]); }
+// The first texel of the last row.
+int lastEdit(PackSession& pack) { return static_cast<int>(pack.dump("face_list").at(0, 0)[0]); }
 
-int updatedFaces(PackSession& pack) {
-  return static_cast<int>(pack.dump("face_tally").at(0, 0)[0]);
-}
+// The first texel of the last row.
+int updatedFaces(PackSession& pack) { return static_cast<int>(pack.dump("face_seen").at(0, 0)[0]); }
 
 }  // namespace orris::test

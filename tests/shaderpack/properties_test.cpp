@@ -104,7 +104,7 @@ TEST(ReferencePackProperties, images_have_the_size_of_the_volume) {
     };
     const auto faces = with("FACE_CACHE"), flood = with("FLOODFILL");
     EXPECT_EQ(faces.at("face_light"), (Size{9 * v, v, 2 * v}));
-    EXPECT_EQ(faces.at("face_seen"), (Size{v, v, v}));
+    EXPECT_EQ(faces.at("face_seen"), (Size{v, v, v + 1}));
     EXPECT_EQ(faces.at("voxel_bits"), (Size{2 * std::ceil(v / 32), v, v}));
     EXPECT_EQ(faces.at("voxel_distance"), (Size{v / 8, v, v}));
     EXPECT_EQ(flood.at("flood_light"), (Size{v + 8, v + 4, 2 * v}));

@@ -240,6 +240,8 @@ MUTANTS = [
     ("image: sides differ at rest", "FloodfillImage.light_at_rest*", [(POWERS, "same ? own :", "false ? own :")]),
     ("image: codes are cut off", "FloodfillImage.*", [(IMAGE, "bits_of_code_0 - 0x2000u", "bits_of_code_0")]),
     ("image: a lake that drains leaves its tint", "FloodfillImage.change_in*",
+     [("program/voxels/changes.glsl", "int height = lake ? bricks.y : 1;", "int height = 1;")]),
+    ("image: the end of a lake leaves its tint", "FloodfillImage.end_of*",
      [("program/voxels/changes.glsl", "lake_seen).r, 2)", "lake_seen).r, 0)")]),
     ("rays: leaps one cell too long", "VoxelRays.*",
      [(DISTANCE, "uint open = ~0u;", "uint open = ~0u;\n        count(planes, open);")]),

@@ -9,13 +9,13 @@
 //                Behind them (recent_texel) lie means of the last few updates, which updates look up: what is reflected often,
 //                in bright rooms, comes to rest sooner by quick steps, whose noise the slow mean takes away (Polyak &
 //                Juditsky 1992, "Acceleration of Stochastic Approximation by Averaging").
-//   face_list    r32ui, the faces to update in this frame, then the faces of lamps; see pack_face
+//   face_list    r32ui, kept: the faces to update in this frame, then the faces of lamps; see pack_face. Then a row of frames:
+//                of the last edit, of the one before, and of the eye's last motion
 //   face_fresh   rgba16f, the new samples of the faces of the list, as B / face_unit, and on how many updates the old light
 //                rests: all updates read the old light, so that the order in which they run does not matter
-//   face_tally   r32ui, empty when a frame begins: lengths of the lists
-//   face_memory  r32ui, kept: checksums of the bricks in the frame before (include/voxels/changes.glsl),
-//                and when they changed
-//   face_seen    r32ui, empty when a frame begins: which faces of a cell are in the list
+//   face_memory  r32ui, kept: checksums of the bricks in the frame before (include/voxels/changes.glsl)
+//   face_seen    r32ui, empty when a frame begins: which faces of a cell are in the list, and in a layer behind them the
+//                lengths of the lists
 //
 // The shadow pass makes the lists from the quads that it draws: what the mesh hides is not exposed.
 // faces: 0..5 = -x +x -y +y -z +z on the side of the cell; + face_inner: in the middle of it.
@@ -41,15 +41,15 @@ const int lamp_rows = 16;
 const uint face_capacity = uint(list_width * face_rows);
 const uint lamp_capacity = uint(list_width * lamp_rows);
 
-// Row 1 of face_tally.
-const ivec2 tally_faces = ivec2(0, 1);
-const ivec2 tally_lamps = ivec2(1, 1);
-// Row 1 of face_memory: frames of the last edit, of the one before, and of the eye's last motion.
-const ivec2 memory_last = ivec2(0, 1);
-const ivec2 memory_before = ivec2(1, 1);
-const ivec2 memory_moved = ivec2(2, 1);
+// Lengths of the lists, in face_seen.
+const ivec3 listed_faces_texel = ivec3(0, VOLUME - 1, VOLUME);
+const ivec3 listed_lamps_texel = ivec3(1, VOLUME - 1, VOLUME);
+// The last row of face_list.
+const ivec2 last_edit = ivec2(0, face_rows + lamp_rows);
+const ivec2 edit_before = last_edit + ivec2(1, 0);
+const ivec2 last_motion = last_edit + ivec2(2, 0);
 
-/// Do the faces still adapt to an edit? `last`: its frame, of face_memory.
+/// Do the faces still adapt to an edit? `last`: its frame.
 bool light_changes(uint last) {
     int since = frameCounter - int(last);
     return since >= 0 && since <= face_hurry_frames;

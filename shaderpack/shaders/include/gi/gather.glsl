@@ -13,7 +13,7 @@
 #include "/include/gi/leaves.glsl"
 #if HAS_LAMP_RAYS
 layout(r32ui) uniform readonly uimage2D face_list;
-layout(r32ui) uniform readonly uimage2D face_tally;
+layout(r32ui) uniform readonly uimage3D face_seen;
 const int lamp_candidates = 4;
 #include "/include/lights/lamp_sample.glsl"
 #endif

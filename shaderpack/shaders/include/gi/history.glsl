@@ -7,7 +7,7 @@
 #include "/include/math/half.glsl"
 #include "/include/gi/rest.glsl"
 #if HAS_FACE_CACHE
-layout(r32ui) uniform readonly uimage2D face_memory;
+uniform usampler2D face_list_texture;
 #include "/include/face_cache/face_cache.glsl"
 #endif
 
@@ -73,7 +73,7 @@ vec4 of_last_frame(vec4 stored) {
 
 vec4 accumulate(vec3 radiance, vec4 before) {
 #if HAS_FACE_CACHE
-    if (light_changes(imageLoad(face_memory, memory_last).r))
+    if (light_changes(texelFetch(face_list_texture, last_edit, 0).r))
         before.a = min(before.a, face_edited_updates);
 #endif
     float floor_weight = camera_is_still() ? 1.0 / float(TEMPORAL_FRAMES) : TEMPORAL_WEIGHT;

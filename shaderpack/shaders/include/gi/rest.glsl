@@ -18,14 +18,14 @@ const int rest_bands = 8;
 #if HAS_REST && defined VERTEX_STAGE
 #include "/include/face_cache/face_cache.glsl"
 
-uniform usampler2D face_memory_texture;
+uniform usampler2D face_list_texture;
 
 // Means forget what they held before in so many frames, all but a twentieth.
 const int still_frames = 3 * TEMPORAL_FRAMES;
 
 bool picture_rests() {
-    int edited = int(texelFetch(face_memory_texture, memory_last, 0).r) + face_hurry_frames;
-    int moved = int(texelFetch(face_memory_texture, memory_moved, 0).r);
+    int edited = int(texelFetch(face_list_texture, last_edit, 0).r) + face_hurry_frames;
+    int moved = int(texelFetch(face_list_texture, last_motion, 0).r);
     return frameCounter - max(edited, moved) >= still_frames;
 }
 

@@ -1,6 +1,6 @@
 // Light of one lamp, drawn at random from the list of the shadow pass, by a ray to it. Rays into the
 // hemisphere find lamps too, near ones more surely: both count a share of each, by the balance
-// heuristic (Veach & Guibas 1995), and together all of it. The images face_list and face_tally belong to
+// heuristic (Veach & Guibas 1995), and together all of it. The images face_list and face_seen belong to
 // the program, and lamp_candidates: how many lamps are looked at for each that gets a ray; all if there are no more.
 #if !defined INCLUDED_LIGHTS_LAMP_SAMPLE
 #define INCLUDED_LIGHTS_LAMP_SAMPLE
@@ -65,7 +65,7 @@ vec3 point_beside_plate(vec3 point, int code, uint parts) {
     return floor(point) + first + fract(point) * (1.0 - covered);
 }
 
-uint listed_lamps() { return min(imageLoad(face_tally, tally_lamps).r, lamp_capacity); }
+uint listed_lamps() { return min(imageLoad(face_seen, listed_lamps_texel).r, lamp_capacity); }
 
 /// The share that rays to lamps count of light from a direction in which they have this density, were
 /// lamps chosen evenly. Any share would be right that both kinds of rays agree on.

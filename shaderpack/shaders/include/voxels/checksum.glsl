@@ -6,11 +6,6 @@
 #include "/include/math/random.glsl"
 
 layout(r32ui) uniform uimage2D voxel_sums;
-layout(r32ui) uniform writeonly uimage2D voxel_memory;
-
-/// A surface of water is in the volume.
-void note_lake() { imageStore(voxel_memory, lake_seen, uvec4(change_stamp())); }
-
 /// Checksums are sums, so the order of the quads does not matter. `look`: what else the quad shows.
 void add_to_brick(ivec3 cell, int face, int code, vec2 look) {
     uvec3 place = uvec3(volume_origin() + cell) * uvec3(73856093u, 19349663u, 83492791u);

@@ -37,6 +37,9 @@ ivec2 height_texel(ivec2 column) {
 /// And how deep the lowest floor lies that gets light of the sky: height_end - stored_height. 0: there is none.
 ivec2 lit_floor_texel(ivec2 column) { return height_texel(column) + ivec2(0, column_rows); }
 
+/// In a row behind them: 1 where a surface of water is in the volume.
+const ivec2 lake_now = ivec2(0, 1 + octant_rows + 2 * column_rows);
+
 /// Of a height in volume space, in eighths of a block; larger than 0, less than height_end.
 uint stored_height(float y) { return uint(clamp(y * 8.0, -16000.0, 16000.0) + 16384.0); }
 const uint height_end = 32768u;
@@ -63,6 +66,8 @@ uint octants_behind(vec3 low, vec3 high, vec3 normal) {
 void add_octants(ivec3 cell, uint octants) {
     imageAtomicOr(voxel_sums, octants_texel(cell), octants << uint(octants_shift(cell)));
 }
+
+void note_lake() { imageStore(voxel_sums, lake_now, uvec4(1u)); }
 
 /// A place on top of an opaque block, in volume space, and the sky's level there, 0..15.
 void note_height(vec3 top, float level) {

@@ -12,8 +12,7 @@ const ivec3 workGroups = ivec3(16, 1, 1);
 
 layout(rgba16f) uniform image3D face_light;
 layout(rgba16f) uniform readonly image2D face_fresh;
-layout(r32ui) uniform readonly uimage2D face_list;
-layout(r32ui) uniform readonly uimage2D face_tally;
+layout(r32ui) uniform uimage2D face_list;
 layout(r32ui) uniform readonly uimage2D voxel_sums;
 layout(r32ui) uniform uimage2D face_memory;
 layout(r32ui) uniform readonly uimage3D face_seen;
@@ -38,7 +37,7 @@ void add_sample(ivec3 texel, vec4 sampled) {
 }
 
 void commit_faces(uint first, uint stride) {
-    uint count = min(imageLoad(face_tally, tally_faces).r, face_capacity);
+    uint count = min(imageLoad(face_seen, listed_faces_texel).r, face_capacity);
     for (uint i = first; i < count; i += stride) {
         uint entry = imageLoad(face_list, face_slot(i)).r;
         add_sample(face_texel(packed_cell(entry), packed_face(entry)), imageLoad(face_fresh, face_slot(i)));
@@ -92,14 +91,14 @@ void compare_bricks(uint first, uint stride) {
 
         // The first to notice moves the frame of the last edit on.
         uint frame = uint(frameCounter);
-        uint last = imageAtomicExchange(face_memory, memory_last, frame);
-        if (last != frame) imageStore(face_memory, memory_before, uvec4(last));
+        uint last = imageAtomicExchange(face_list, last_edit, frame);
+        if (last != frame) imageStore(face_list, edit_before, uvec4(last));
     }
 }
 
 void note_motion() {
     if (gl_GlobalInvocationID.x == 0u && !camera_is_still())
-        imageStore(face_memory, memory_moved, uvec4(uint(frameCounter)));
+        imageStore(face_list, last_motion, uvec4(uint(frameCounter)));
 }
 
 void main() {

@@ -8,8 +8,7 @@ const ivec3 workGroups = ivec3(16, 1, 1);  // idle threads cost as much as busy 
 layout(rgba16f) uniform readonly image3D face_light;
 layout(rgba16f) uniform writeonly image2D face_fresh;
 layout(r32ui) uniform readonly uimage2D face_list;
-layout(r32ui) uniform readonly uimage2D face_tally;
-layout(r32ui) uniform readonly uimage2D face_memory;
+layout(r32ui) uniform readonly uimage3D face_seen;
 
 #define HAS_VOXEL_READS
 const int lamp_candidates = 16;
@@ -55,8 +54,8 @@ vec3 hemisphere_sample(Face f, vec2 u, vec3 light) {
 
 /// Updates that count, after an edit in the frame before: none, or a few if edits follow each other.
 float trusted_updates(float updates) {
-    int last = int(imageLoad(face_memory, memory_last).r);
-    int before = int(imageLoad(face_memory, memory_before).r);
+    int last = int(imageLoad(face_list, last_edit).r);
+    int before = int(imageLoad(face_list, edit_before).r);
     if (last != frameCounter - 1) return updates;
     return last - before > face_calm_frames ? 0.0 : min(updates, face_edited_updates);
 }
@@ -101,7 +100,7 @@ vec4 fresh_sample(uint entry, vec3 light) {
 }
 
 void main() {
-    uint count = min(imageLoad(face_tally, tally_faces).r, face_capacity);
+    uint count = min(imageLoad(face_seen, listed_faces_texel).r, face_capacity);
     vec3 light = light_direction();
     uint threads = gl_NumWorkGroups.x * gl_WorkGroupSize.x;
     for (uint i = gl_GlobalInvocationID.x; i < count; i += threads) {

@@ -5,12 +5,11 @@
 layout(local_size_x = 64) in;
 const ivec3 workGroups = ivec3(16, 1, 1);
 
-#include "/include/voxels/changes.glsl"
 #include "/include/voxels/octants.glsl"
+#include "/include/voxels/volume.glsl"
 #include "/include/voxels/voxel.glsl"
 
 layout(rgba8) uniform image2D shadowcolorimg0;
-layout(r32ui) uniform readonly uimage2D voxel_memory;
 
 void fill_column(ivec2 column, int height) {
     vec4 water = vec4(0.0);
@@ -30,7 +29,7 @@ void fill_column(ivec2 column, int height) {
 
 void main() {
     // No cells where no water is: a loop of none costs nothing, a branch may.
-    int height = imageLoad(voxel_memory, lake_seen).r == change_stamp() ? VOLUME_HEIGHT : 0;
+    int height = imageLoad(voxel_sums, lake_now).r != 0u ? VOLUME_HEIGHT : 0;
     int stride = int(gl_NumWorkGroups.x * gl_WorkGroupSize.x);
     for (int i = int(gl_GlobalInvocationID.x); i < VOLUME * VOLUME; i += stride)
         fill_column(ivec2(i % VOLUME, i / VOLUME), height);
