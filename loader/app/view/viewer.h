@@ -60,9 +60,9 @@ class Viewer final : public ScriptTarget {
   /// one.
   int runInWindow();
   /// Between the two: has another process draw when one dies of what its pack has become.
-  int keepDrawing(const WindowLink& link);
+  int keepDrawing(WindowLink& link);
   /// In the process that is shut in.
-  int drawApart(const WindowLink& link);
+  int drawApart(WindowLink& link);
   /// In this process, with a window of its own or without one.
   int drawHere(std::unique_ptr<gl::Context> window);
   /// Until it ends(), with a context and a surface.

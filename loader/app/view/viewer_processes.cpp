@@ -76,7 +76,7 @@ AllowedFiles Viewer::filesApart() const {
 int Viewer::runInWindow() {
   // What a script does to files, a process that is shut in could not.
   if (player_) return drawHere(nullptr);
-  const WindowLink link;
+  WindowLink link;
   if (!link.usable()) return drawHere(nullptr);
   KeptPack kept;
   kept_ = &kept;
@@ -103,7 +103,7 @@ int Viewer::runInWindow() {
   return drawHere(std::move(context));
 }
 
-int Viewer::keepDrawing(const WindowLink& link) {
+int Viewer::keepDrawing(WindowLink& link) {
   noteIdle();  // time is counted for the process that draws
   for (;;) {
     bool draws = false;
@@ -125,10 +125,11 @@ int Viewer::keepDrawing(const WindowLink& link) {
   }
 }
 
-int Viewer::drawApart(const WindowLink& link) {
+int Viewer::drawApart(WindowLink& link) {
   addPlacesToRead(options_.pack, worldsBeside_);
   watchEvents_ = BackgroundWatch::openEvents();
   ::setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
+  link.closeWindowEnd();
   confineDrawing({link.drawingEnd(), watchEvents_});
   Diagnostics diagnostics;
   // Not OSMesa: the panels' library finds its functions by way of libGL, which knows the contexts of EGL.

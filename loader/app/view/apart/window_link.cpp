@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <cstring>
 #include <type_traits>
+#include <utility>
 
 namespace orris {
 namespace {
@@ -42,6 +43,10 @@ WindowLink::~WindowLink() {
   for (const int end : {window_, drawing_})
     if (end >= 0) close(end);
   if (pixels_ != nullptr) munmap(pixels_, kMostPixels * kPixelBytes);
+}
+
+void WindowLink::closeWindowEnd() {
+  if (window_ >= 0) close(std::exchange(window_, -1));
 }
 
 bool WindowLink::isShowable(int width, int height) {

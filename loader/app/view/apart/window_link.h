@@ -41,6 +41,8 @@ class WindowLink {
   bool usable() const { return pixels_ != nullptr && window_ >= 0; }
   int windowEnd() const { return window_; }
   int drawingEnd() const { return drawing_; }
+  /// In the process that draws, which needs no other end: its number may soon be that of another file.
+  void closeWindowEnd();
   /// Of the picture: RGBA, rows from the bottom. Room for one that isShowable().
   unsigned char* pixels() const { return pixels_; }
 
