@@ -65,7 +65,8 @@ class Context {
   /// own, which another context may have replaced. false: it cannot be, or the engine has none current.
   bool makeCurrent();
   /// Messages of high severity (KHR_debug) and glGetError since the last call, oldest first, each
-  /// different text once, and whether the GPU was reset, after which nothing is drawn. Compiler messages are not among them: Program keeps those.
+  /// different text once, and whether the GPU was reset, after which nothing is drawn. Compiler messages
+  /// are not among them: Program keeps those.
   std::vector<std::string> takeErrors();
 
  protected:
