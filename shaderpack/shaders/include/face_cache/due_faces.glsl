@@ -1,5 +1,5 @@
-// The shadow pass' part of the face cache: each quad of a block enters its face into the lists. Three images, since Mesa (22.3)
-// compiles a geometry stage with more than four images and textures anew at each start, which takes .7 s.
+// The shadow pass' part of the face cache: each quad of a block enters its face into the lists. With a fourth image Mesa (22.3)
+// would not find the stage in its cache and compile it at each start, which takes .7 s.
 #if !defined INCLUDED_FACE_CACHE_FACE_LIST
 #define INCLUDED_FACE_CACHE_FACE_LIST
 
