@@ -129,27 +129,29 @@ bool isSoftwareRasteriser() {
              std::string_view::npos;
 }
 
+/// Puts what `rewrite` makes of a stage that failed, and of the log of its failure, in its place. Does it make something?
+template <class Rewrite>
+bool replaceFailed(DrawnStages& drawn, const gl::Program& program, const Rewrite& rewrite) {
+  bool replaced = false;
+  for (std::size_t i = 0; i < drawn.stages.size(); ++i) {
+    if (!program.stageFailed[i]) continue;
+    std::optional<StageText> text = rewrite(*drawn.stages[i], program.stageLogs[i]);
+    replaced |= text.has_value();
+    if (text) drawn.replace(i, std::move(*text));
+  }
+  return replaced;
+}
+
+std::optional<StageText> withoutSubgroups(const StageText& stage, const std::string& log) {
+  const bool lacks = log.find("ubgroup") != std::string::npos && isSoftwareRasteriser();
+  return lacks ? emulateSubgroups(stage) : std::nullopt;
+}
+
 /// The name of the rule that puts other code in place of what the driver lacks; "" when none does.
 std::string_view replaceLacking(DrawnStages& drawn, GpuProgram& program,
                                 std::vector<std::string>& blocks) {
-  bool settled = false;
-  for (std::size_t i = 0; i < drawn.stages.size(); ++i) {
-    if (!program.program.stageFailed[i]) continue;
-    auto text = settleAmbiguousCalls(*drawn.stages[i], program.program.stageLogs[i]);
-    settled |= text.has_value();
-    if (text) drawn.replace(i, std::move(*text));
-  }
-  if (settled) return kAmbiguousCallsRule;
-  bool changed = false;
-  for (std::size_t i = 0; i < drawn.stages.size(); ++i) {
-    const bool lacks = program.program.stageFailed[i] &&
-                       program.program.stageLogs[i].find("ubgroup") != std::string::npos;
-    if (!lacks || !isSoftwareRasteriser()) continue;
-    auto text = emulateSubgroups(*drawn.stages[i]);
-    changed |= text.has_value();
-    if (text) drawn.replace(i, std::move(*text));
-  }
-  if (changed) return kSubgroupsRule;
+  if (replaceFailed(drawn, program.program, settleAmbiguousCalls)) return kAmbiguousCallsRule;
+  if (replaceFailed(drawn, program.program, withoutSubgroups)) return kSubgroupsRule;
   const bool tooMuch = program.program.linkLog.find("Too much shared memory") != std::string::npos;
   auto moved = tooMuch && blocks.empty() ? moveSharedToBuffers(*drawn.stages.front()) : std::nullopt;
   if (!moved) return {};

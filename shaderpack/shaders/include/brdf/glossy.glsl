@@ -27,10 +27,12 @@ vec3 diffuse_share(int gloss, vec3 albedo, float cosine) {
     return gloss == gloss_metal ? vec3(0.0) : 1.0 - gloss_fresnel(gloss, albedo, cosine);
 }
 
-/// Smith's masking of one direction (Walter et al. 2007); 0 below the surface.
+/// What twice the cosine is divided by for Smith's masking (Walter et al. 2007).
+float ggx_divisor(float cosine, float alpha) { return cosine + sqrt(mix(cosine * cosine, 1.0, alpha * alpha)); }
+
+/// Smith's masking of one direction; 0 below the surface.
 float ggx_masking(float cosine, float alpha) {
-    float a2 = alpha * alpha;
-    return cosine <= 0.0 ? 0.0 : 2.0 * cosine / (cosine + sqrt(a2 + (1.0 - a2) * cosine * cosine));
+    return cosine <= 0.0 ? 0.0 : 2.0 * cosine / ggx_divisor(cosine, alpha);
 }
 
 /// A normal of the mirror's facets as the view meets them (Dupuy and Benyoub 2023, "Sampling Visible
@@ -48,17 +50,16 @@ vec3 ggx_facet(vec3 n, vec3 v, float alpha, vec2 u) {
     return normalize(alpha * (h - height * n) + max(height, 1e-6) * n);
 }
 
-/// Radiance toward `v` for irradiance 1 on a plane facing the light `l`. Smith's masking of both directions over four times
-/// both cosines is 1 / (sl * sv).
+/// Radiance toward `v` for irradiance 1 on a plane facing the light `l`. Masking of both directions over four times
+/// both cosines is one over both divisors.
 vec3 reflect_glossy(int gloss, vec3 albedo, vec3 n, vec3 v, vec3 l) {
     float nl = max(dot(n, l), 0.0);
     float nv = max(dot(n, v), 1e-4);
     vec3 h = normalize(v + l);
-    float a2 = gloss_alpha(gloss) * gloss_alpha(gloss);
-    float d = dot(n, h) * dot(n, h) * (a2 - 1.0) + 1.0;
-    float sl = nl + sqrt(a2 + (1.0 - a2) * nl * nl), sv = nv + sqrt(a2 + (1.0 - a2) * nv * nv);
-    return (albedo * diffuse_share(gloss, albedo, nv) + gloss_fresnel(gloss, albedo, dot(v, h)) * (a2 / (d * d * sl * sv))) *
-           (nl / pi);
+    float alpha = gloss_alpha(gloss);
+    float d = (dot(n, h) * dot(n, h) * (alpha * alpha - 1.0) + 1.0) / alpha;
+    float lobe = 1.0 / (d * d * ggx_divisor(nl, alpha) * ggx_divisor(nv, alpha));
+    return (albedo * diffuse_share(gloss, albedo, nv) + lobe * gloss_fresnel(gloss, albedo, dot(v, h))) * (nl / pi);
 }
 
 #endif
