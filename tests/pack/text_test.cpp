@@ -41,5 +41,17 @@ TEST(NearestName, a_nearer_sibling_does_not_hide_the_name_that_was_meant) {
   EXPECT_EQ(nearestName("GET_EMISION", {"SET_EMISION", "GET_EMISSION"}), "GET_EMISSION");
 }
 
+TEST(NearestName, of_nothing_there_is_none) {
+  EXPECT_EQ(nearest("", "a"), "");
+  EXPECT_EQ(nearest("", ""), "");
+}
+
+// The first two keep their letters, the third has as many others as a third of its length allows.
+TEST(NearestName, has_at_most_as_many_other_letters_as_slips) {
+  EXPECT_EQ(nearest("shdaowMap", "shadowMap"), "shadowMap");
+  EXPECT_EQ(nearest("colortxe0", "colortex0"), "colortex0");
+  EXPECT_EQ(nearest("nsunPosit", "sunPosition"), "sunPosition");
+}
+
 }  // namespace
 }  // namespace orris

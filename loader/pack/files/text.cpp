@@ -1,6 +1,7 @@
 #include <orris/pack/files/text.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <numeric>
@@ -39,6 +40,20 @@ bool isOtherWord(std::string_view word, std::string_view other) {
   const bool exchanged =
       word.size() > 1 && std::is_permutation(word.begin(), word.end(), other.begin(), other.end());
   return word.size() == other.size() ? !exchanged : distance > 1;
+}
+
+/// The least edit distance that two texts of these characters can have, as an exchange keeps the characters: a bound that
+/// takes a step for each character, where the distance takes one for each pair.
+size_t leastDistance(std::string_view a, std::string_view b) {
+  std::array<int, 256> more{};
+  for (const char c : a) ++more[static_cast<unsigned char>(c)];
+  for (const char c : b) --more[static_cast<unsigned char>(c)];
+  size_t inserted = 0, removed = 0;
+  for (const int count : more) {
+    inserted += static_cast<size_t>(std::max(-count, 0));
+    removed += static_cast<size_t>(std::max(count, 0));
+  }
+  return std::max(inserted, removed);
 }
 
 /// Is `candidate` another name of the same pattern, as windStrength beside rainStrength and 1.0
@@ -170,7 +185,7 @@ size_t editDistance(std::string_view a, std::string_view b) {
 std::string nearestName(std::string_view name, const std::vector<std::string>& names) {
   // Names come from untrusted files: there may be very many, and very long ones.
   constexpr size_t kLongest = 128, kMost = 4096, kShort = 5;
-  if (name.size() > kLongest || names.size() > kMost) return "";
+  if (name.empty() || name.size() > kLongest || names.size() > kMost) return "";
   const std::string lower = lowerCase(name);
   std::string nearest;
   size_t best = name.size() / 3 + 1;
@@ -180,6 +195,7 @@ std::string nearestName(std::string_view name, const std::vector<std::string>& n
     const size_t shorter = std::min(candidate.size(), name.size());
     if (candidate.size() > kLongest || longer - shorter > best) continue;
     const std::string lowerCandidate = lowerCase(candidate);
+    if (leastDistance(lower, lowerCandidate) > best) continue;
     const size_t distance = editDistance(lower, lowerCandidate);
     // In a short name two changed letters are a half: swapped ones at best, seldom the first; of a
     // name of two letters nothing but one more.
