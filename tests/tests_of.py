@@ -91,7 +91,7 @@ ROOMS = {
     "pack/programs/*directive*": "pack/directives_test.cpp",
     "pack/programs/program_reuse": "pack/rebuild_test.cpp",
     "pack/programs/*": "pack/shader_pack_test.cpp",
-    "pack/properties/property_screens": "pack/profile_test.cpp",
+    "pack/properties/property_profiles": "pack/profile_test.cpp",
     "pack/properties/*": "pack/shader_properties_test.cpp",
     "pack/versions/*": "pack/iris_versions_test.cpp",
     "plan/frame/*": "plan/uniforms_test.cpp",
