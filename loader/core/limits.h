@@ -19,6 +19,8 @@ constexpr std::size_t kPrintedOfAKind = 100;
 
 // Folders of a pack (core/files/file_source.h, whose PackLimits has bytes and files).
 constexpr std::size_t kPackFolders = 4'096;
+// core/files/snapshot_source.h
+constexpr std::size_t kSnapshotBytes = std::size_t{64} << 20;
 
 // Text files of a pack (core/files/text_file.h).
 constexpr std::size_t kTextFileBytes = std::size_t{4} << 20;

@@ -12,6 +12,7 @@
 #include <orris/check/pack/open_comments.h>
 #include <orris/check/pack/pack_checks.h>
 #include <orris/check/rules/rules.h>
+#include <orris/core/files/snapshot_source.h>
 #include <orris/core/work_stage.h>
 #include <orris/pack/files/text.h>
 #include <orris/pack/programs/folder_build.h>
@@ -349,7 +350,8 @@ PackVerdict validatePath(const std::string& path, const ValidateOptions& options
   const WorkStage stage("checking", path);
   PackVerdict verdict{.path = path};
   Diagnostics diagnostics;
-  verdict.files = openPack(path, diagnostics);
+  // What is hashed for the cache is what is checked, and most files are read by many checks.
+  if (auto opened = openPack(path, diagnostics)) verdict.files = snapshotOf(std::move(opened));
   if (!verdict.files) verdict.status = statusOf(diagnostics);
   problems.add(diagnostics);
   if (!verdict.files) return verdict;

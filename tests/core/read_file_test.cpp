@@ -80,6 +80,7 @@ TEST_F(ReadFile, a_folder_beside_it_whose_name_begins_alike_is_outside) {
   fs::create_directory(folder_ / "inner");
   EXPECT_FALSE(liesBelow((folder_ / "in").string(), (folder_ / "inner").string()));
   EXPECT_TRUE(liesBelow((folder_ / "in").string(), (folder_ / "in/side").string()));
+  EXPECT_TRUE(liesBelow("/", (folder_ / "in").string()));
 }
 
 TEST_F(ReadFile, what_is_no_file_is_neither_read_nor_waited_for) {

@@ -62,6 +62,22 @@ std::optional<std::string> readOpened(const std::string& path, int flags, bool a
   return bytes;
 }
 
+/// What of `place` lies behind `root`, both without links: "/a/b", or "" for `root` itself; nullopt if it lies elsewhere.
+std::optional<std::string> restBelow(const std::string& root, const std::string& place) {
+  const std::size_t length = root == "/" ? 0 : root.size();
+  const bool below = place.starts_with(root) && (place.size() == length || place[length] == '/');
+  return below ? std::optional(place.substr(length)) : std::nullopt;
+}
+
+std::optional<std::string> resolvedBelow(const std::string& folder, const std::string& path) {
+  std::error_code missing, lost;
+  const fs::path root = fs::canonical(folder, missing), place = fs::canonical(path, lost);
+  return missing || lost ? std::nullopt : restBelow(root.native(), place.native());
+}
+
+/// Of a path without links, "." and "..".
+bool hasHiddenPart(const std::string& path) { return path.find("/.") != std::string::npos; }
+
 }  // namespace
 
 const char* describe(ReadFault fault) {
@@ -100,29 +116,23 @@ std::optional<std::string> readFileBelow(const std::string& folder, const std::s
   const fs::path named = fs::path(folder) / path;
   if (fs::symlink_status(named, error).type() == fs::file_type::not_found)
     return refuseFile(ReadFault::Missing, fault);
+  // Resolved once: each time costs a system call for every folder above.
   const fs::path file = fs::canonical(named, error);
-  if (error || !liesBelow(folder, file)) return refuseFile(ReadFault::Outside, fault);
-  if (isHiddenBelow(folder, file)) return refuseFile(ReadFault::Hidden, fault);
+  const auto inside = error ? std::nullopt : restBelow(fs::canonical(folder, error).native(), file.native());
+  if (error || !inside) return refuseFile(ReadFault::Outside, fault);
+  if (hasHiddenPart(*inside)) return refuseFile(ReadFault::Hidden, fault);
   return readOpened(file.string(), O_NONBLOCK | O_NOFOLLOW, false, limit, fault);
 }
 
 void openFilesBy(FileOpener opener) { openedElsewhere = std::move(opener); }
 
-bool liesBelow(const std::string& folder, const std::string& path) {
-  std::error_code error;
-  const fs::path root = fs::canonical(folder, error);
-  if (error) return false;
-  const fs::path place = fs::canonical(path, error);
-  if (error) return false;
-  return std::mismatch(root.begin(), root.end(), place.begin(), place.end()).first == root.end();
-}
+bool liesBelow(const std::string& folder, const std::string& path) { return resolvedBelow(folder, path).has_value(); }
 
 bool isHiddenName(std::string_view name) { return name.starts_with('.'); }
 
 bool isHiddenBelow(const std::string& folder, const std::string& path) {
-  std::error_code error;
-  const fs::path below = fs::canonical(path, error).lexically_relative(fs::canonical(folder, error));
-  return below != "." && std::ranges::any_of(below, [](const fs::path& part) { return isHiddenName(part.native()); });
+  const auto inside = resolvedBelow(folder, path);
+  return !inside || hasHiddenPart(*inside);
 }
 
 }  // namespace orris

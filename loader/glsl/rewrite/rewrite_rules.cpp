@@ -42,8 +42,10 @@ void TokenEdits::apply(std::vector<Token>& tokens) {
   if (edits_.empty()) return;
   std::stable_sort(edits_.begin(), edits_.end(),
                    [](const Edit& a, const Edit& b) { return a.first < b.first; });
+  std::size_t added = 0;
+  for (const Edit& edit : edits_) added += edit.tokens.size();
   std::vector<Token> result;
-  result.reserve(tokens.size());
+  result.reserve(tokens.size() + added);
   std::size_t position = 0;
   int newlines = 0;
   const auto copyUntil = [&](std::size_t end) {
