@@ -1,6 +1,7 @@
 // The command `orris`: picks the subcommand, and turns what went wrong with the command line into
 // exit status 2.
 #include <fmt/format.h>
+#include <malloc.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -152,6 +153,10 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   int status = orris::kHostFailed;
   std::signal(SIGXFSZ, SIG_IGN);  // a file over the limit is then an error of its writer
+  // As glibc sets them by itself once a block of that size was freed. Until then it gives the end of the heap back each time
+  // 128 kB are free there, and a software rasteriser frees more in every draw: a quarter of a frame went into new pages.
+  mallopt(M_MMAP_THRESHOLD, 32 << 20);
+  mallopt(M_TRIM_THRESHOLD, 64 << 20);
   try {
     status = orris::run(argc, argv);
   } catch (const std::bad_alloc&) {
