@@ -94,14 +94,13 @@ bool precededBy(const std::vector<Token>& tokens, std::size_t index, std::string
 
 std::size_t closingBracket(const std::vector<Token>& tokens, std::size_t open) {
   // Only its own kind counts: a ")" too many in a body must not end the function.
-  const std::string_view opens = tokens[open].text;
-  const std::string_view closes = opens == "(" ? ")" : opens == "[" ? "]" : "}";
+  const char opens = tokens[open].text.front(), closes = opens == '(' ? ')' : opens == '[' ? ']' : '}';
   int depth = 0;
   for (std::size_t i = open; i < tokens.size(); ++i) {
     const Token& token = tokens[i];
-    if (token.kind != TokenKind::Punctuator) continue;
-    if (token.text == opens) ++depth;
-    if (token.text == closes && --depth == 0) return i;
+    if (token.kind != TokenKind::Punctuator || token.text.size() != 1) continue;
+    if (token.text.front() == opens) ++depth;
+    if (token.text.front() == closes && --depth == 0) return i;
   }
   return tokens.size();
 }

@@ -131,14 +131,6 @@ std::size_t tokenizeAtMost(std::string_view text, std::size_t from, std::size_t 
   return text.size();
 }
 
-bool isPunctuator(const Token& token, std::string_view text) {
-  return token.kind == TokenKind::Punctuator && token.text == text;
-}
-
-bool isIdentifier(const Token& token, std::string_view text) {
-  return token.kind == TokenKind::Identifier && token.text == text;
-}
-
 std::vector<Token> tokenize(std::string_view text) {
   std::vector<Token> tokens;
   const std::size_t open = tokenizeFrom(text, 0, tokens);

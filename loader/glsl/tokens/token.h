@@ -23,8 +23,13 @@ struct Token {
   bool unused = false;   ///< of a function that nothing calls: printed as MappedText::Unused
 };
 
-bool isPunctuator(const Token& token, std::string_view text);
-bool isIdentifier(const Token& token, std::string_view text);
+inline bool isPunctuator(const Token& token, std::string_view text) {
+  return token.kind == TokenKind::Punctuator && token.text == text;
+}
+
+inline bool isIdentifier(const Token& token, std::string_view text) {
+  return token.kind == TokenKind::Identifier && token.text == text;
+}
 
 /// A preprocessed stage: no directives remain in `tokens`; comments do.
 struct TokenStream {
