@@ -99,7 +99,7 @@ ROOMS = {
     "plan/scene/*": "plan/vertex_packer_test.cpp",
     "plan/schedule/*": "plan/schedule_test.cpp",
     "render/draw/draw_shadow_volumes": "stability/volume_gl_test.cpp",
-    "render/session/*": "view/script_test.py",
+    "render/session/*": "render/session_change_gl_test.cpp",
     "render/*": "render/frame_renderer_gl_test.cpp",
     "report/*": "report/report_format_test.cpp",
     "trace/export/*": "app/export_test.py",

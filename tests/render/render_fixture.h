@@ -33,6 +33,10 @@ class RenderTest : public ::testing::Test {
       "#version 330 compatibility\nout vec2 uv;\nvoid main() {\n"
       "  gl_Position = ftransform();\n  uv = gl_MultiTexCoord0.xy;\n}\n";
 
+  /// A pass that copies what there is.
+  static inline const std::string kPass =
+      "uniform sampler2D colortex0;\nvoid main() { gl_FragColor = texture2D(colortex0, uv); }\n";
+
   void addProgram(const std::string& name, const std::string& fragment) {
     files_["/" + name + ".vsh"] = kVertex;
     files_["/" + name + ".fsh"] = "#version 330 compatibility\nin vec2 uv;\n" + fragment;
