@@ -11,6 +11,11 @@ namespace {
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
+glm::ivec4 colorOf(const DrawLists& lists, std::size_t draw) {
+  const GpuVertex& vertex = lists.vertices[lists.draws[draw].range.firstVertex];
+  return {vertex.color[0], vertex.color[1], vertex.color[2], vertex.color[3]};
+}
+
 TEST(DrawLists, a_framed_item_is_turned_clockwise) {
   Entity frame = entityOf("minecraft:item_frame", "item_frame");
   frame.item = "minecraft:iron_sword";
@@ -52,12 +57,8 @@ TEST(DrawLists, layers_of_an_item_have_their_colours) {
   scene.content = buildContent(scene.world, &resources, diagnostics);
   const DrawLists lists = buildDrawLists(scene, stateOf(scene));
   ASSERT_THAT(lists.draws, SizeIs(2));
-  const auto color = [&](int draw) {
-    const GpuVertex& vertex = lists.vertices[lists.draws[std::size_t(draw)].range.firstVertex];
-    return glm::ivec4(vertex.color[0], vertex.color[1], vertex.color[2], vertex.color[3]);
-  };
-  EXPECT_EQ(color(0), glm::ivec4(0xA0, 0x65, 0x40, 255));
-  EXPECT_EQ(color(1), glm::ivec4(255));
+  EXPECT_EQ(colorOf(lists, 0), glm::ivec4(0xA0, 0x65, 0x40, 255));
+  EXPECT_EQ(colorOf(lists, 1), glm::ivec4(255));
 }
 
 TEST(DrawLists, what_takes_a_dye_has_it) {
@@ -69,12 +70,8 @@ TEST(DrawLists, what_takes_a_dye_has_it) {
   scene.content = buildContent(scene.world, &resources, diagnostics);
   const DrawLists lists = buildDrawLists(scene, stateOf(scene));
   ASSERT_THAT(lists.draws, SizeIs(2));
-  const auto color = [&](int draw) {
-    const GpuVertex& vertex = lists.vertices[lists.draws[std::size_t(draw)].range.firstVertex];
-    return glm::ivec3(vertex.color[0], vertex.color[1], vertex.color[2]);
-  };
-  EXPECT_EQ(color(0), glm::ivec3(255, 0, 51));
-  EXPECT_EQ(color(1), glm::ivec3(255));
+  EXPECT_EQ(colorOf(lists, 0), glm::ivec4(255, 0, 51, 255));
+  EXPECT_EQ(colorOf(lists, 1), glm::ivec4(255));
 }
 
 TEST(DrawLists, dropped_and_framed_items_lie_as_their_models_say) {

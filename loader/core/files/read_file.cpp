@@ -75,8 +75,9 @@ std::optional<std::string> resolvedBelow(const std::string& folder, const std::s
   return missing || lost ? std::nullopt : restBelow(root.native(), place.native());
 }
 
-/// Of a path without links, "." and "..".
-bool hasHiddenPart(const std::string& path) { return path.find("/.") != std::string::npos; }
+bool hasHiddenPart(const fs::path& path) {
+  return std::ranges::any_of(path, [](const fs::path& part) { return isHiddenName(part.native()); });
+}
 
 }  // namespace
 
