@@ -9,7 +9,6 @@
 #include <limits>
 
 #include <orris/core/add_diagnostic.h>
-#include <orris/image/codecs/image_codecs.h>
 
 namespace orris {
 namespace {
@@ -38,14 +37,27 @@ ImageF colourOnly(const ImageF& image) {
   return result;
 }
 
-double relativeError(const ImageF& image, const ImageF& reference) {
-  double sum = 0;
-  for (size_t i = 0; i < image.pixels.size(); ++i) {
-    const double r = reference.pixels[i];
-    const double difference = image.pixels[i] - r;
-    sum += difference * difference / (r * r + 0.01);
+/// All but ssim. Both have the same size and channels and at least one pixel.
+ImageDifference differenceOf(const ImageF& image, const ImageF& reference, float threshold) {
+  double squared = 0, relative = 0, maximum = 0;
+  std::size_t pixelsAbove = 0;
+  const auto channels = std::size_t(image.channels);
+  for (std::size_t begin = 0; begin < image.pixels.size(); begin += channels) {
+    double ofPixel = 0;
+    for (std::size_t i = begin; i < begin + channels; ++i) {
+      const double r = reference.pixels[i], difference = image.pixels[i] - r;
+      squared += difference * difference;
+      relative += difference * difference / (r * r + 0.01);
+      ofPixel = std::max(ofPixel, std::abs(difference));
+    }
+    maximum = std::max(maximum, ofPixel);
+    pixelsAbove += ofPixel > threshold;
   }
-  return image.pixels.empty() ? 0 : sum / double(image.pixels.size());
+  const auto values = double(image.pixels.size());
+  return {.rmse = std::sqrt(squared / values),
+          .relMse = relative / values,
+          .maxAbsolute = maximum,
+          .fractionAbove = double(pixelsAbove) * double(channels) / values};
 }
 
 /// One value a pixel, row-major.
@@ -144,18 +156,11 @@ std::optional<ImageDifference> compareImages(const ImageF& image, const ImageF& 
     return std::nullopt;
   }
   const ImageF a = colourOnly(image), b = colourOnly(reference);
-  ImageDifference result;
   if (!allFinite(a) || !allFinite(b)) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     return ImageDifference{kInfinity, kInfinity, kInfinity, 1, 0};
   }
-  const ImageCodecs* codecs = imageCodecs("", diagnostics);
-  if (!codecs) return std::nullopt;
-  const PictureComparison compared = codecs->compare(a, b, threshold);
-  result.rmse = compared.rms;
-  result.maxAbsolute = compared.maximum;
-  result.fractionAbove = double(compared.pixelsAbove) / (double(a.width) * a.height);
-  result.relMse = relativeError(a, b);
+  ImageDifference result = differenceOf(a, b, threshold);
   result.ssim = structuralSimilarity(a, b);
   return result;
 }

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include <orris/core/add_diagnostic.h>
+#include <orris/core/files/read_file.h>
 #include <orris/core/files/replace_file.h>
 #include <orris/image/codecs/image_codecs.h>
 #include <orris/image/image.h>
@@ -105,6 +106,22 @@ bool reportUnwritten(const std::string& path, const std::error_code& error,
       "check that the folder exists and is writable");
 }
 
+/// A PNG file of at most 8 bits a channel. nullopt: the module has to read it, or to say why it cannot be read.
+std::optional<ImageF> readPlainPng(const std::string& path) {
+  if (lowerExtension(path) != ".png") return std::nullopt;
+  ReadFault fault{};
+  const auto bytes = readFile(path, kMaxTextBytes, fault);
+  std::string reason;
+  Diagnostics refused;
+  const auto header = bytes ? readPngHeader(*bytes, reason) : std::nullopt;
+  if (!header || header->bits > 8 || !sizeAllowed(*header, path, refused)) return std::nullopt;
+  const auto stored = decodePng(*bytes, reason);
+  if (!stored) return std::nullopt;
+  ImageF image(stored->width, stored->height, stored->channels);
+  std::ranges::transform(stored->pixels, image.pixels.begin(), [](std::uint8_t value) { return float(value) / 255; });
+  return image;
+}
+
 Image8 toBytes(const ImageF& image) {
   Image8 bytes(image.width, image.height, image.channels);
   for (std::size_t i = 0; i < bytes.pixels.size(); ++i) {
@@ -198,6 +215,7 @@ std::optional<Image8> decodeImage(const std::string& bytes, const std::string& n
 }
 
 std::optional<ImageF> readImage(const std::string& path, Diagnostics& diagnostics) {
+  if (auto plain = readPlainPng(path)) return plain;
   const ImageCodecs* codecs = imageCodecs(path, diagnostics);
   if (!codecs) return std::nullopt;
   std::string reason;

@@ -79,12 +79,14 @@ class PngWriting {
 bool readHeader(png_structp png, png_infop info, PngHeader& header) {
   if (png == nullptr || info == nullptr || setjmp(png_jmpbuf(png)) != 0) return false;
   png_read_info(png, info);
+  header.bits = int(png_get_bit_depth(png, info));
   png_set_expand(png);
   png_set_scale_16(png);
   png_set_interlace_handling(png);
   png_read_update_info(png, info);
-  header = {int(png_get_image_width(png, info)), int(png_get_image_height(png, info)),
-            int(png_get_channels(png, info))};
+  header.width = int(png_get_image_width(png, info));
+  header.height = int(png_get_image_height(png, info));
+  header.channels = int(png_get_channels(png, info));
   return true;
 }
 

@@ -9,9 +9,10 @@
 
 namespace orris {
 
-/// What the header states; nothing of it is checked yet. Channels are those of decodePng().
+/// What the header states; nothing of it is checked yet. Channels are those of decodePng(), bits those of one
+/// channel in the file.
 struct PngHeader {
-  int width = 0, height = 0, channels = 0;
+  int width = 0, height = 0, channels = 0, bits = 8;
 };
 /// nullopt and the reason where there is no whole header.
 std::optional<PngHeader> readPngHeader(const std::string& bytes, std::string& reason);

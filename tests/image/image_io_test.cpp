@@ -7,6 +7,7 @@
 #include <thread>
 
 #include <orris/image/image.h>
+#include <orris/image/png_file.h>
 #include "support/folder_test.h"
 
 namespace orris {
@@ -84,6 +85,19 @@ TEST_F(ImageIo, integer_images_become_fractions) {
     EXPECT_FLOAT_EQ(read->pixels[1], 0.2f);
     EXPECT_FLOAT_EQ(read->pixels[3], 0.4f);
   }
+}
+
+TEST_F(ImageIo, png_of_16_bits_keeps_them) {
+  BasicImage<std::uint16_t> image(2, 1, 1);
+  image.pixels = {257 * 100, 257 * 100 + 64};  // one value of 8 bits
+  std::string reason;
+  const auto bytes = pngOf(image, reason);
+  ASSERT_TRUE(bytes) << reason;
+  std::ofstream(path("a.png"), std::ios::binary) << *bytes;
+  const auto read = readImage(path("a.png"), diagnostics_);
+  ASSERT_TRUE(read);
+  EXPECT_FLOAT_EQ(read->pixels[0], 100.0f / 255);
+  EXPECT_FLOAT_EQ(read->pixels[1], (257 * 100 + 64) / 65535.0f);
 }
 
 TEST_F(ImageIo, floats_are_rounded_and_clamped_in_png) {

@@ -36,12 +36,6 @@ struct PictureToWrite {
   std::vector<std::string> channelNames;  ///< empty: the format's own
 };
 
-/// Differences over all channels.
-struct PictureComparison {
-  double rms = 0, maximum = 0;
-  std::uint64_t pixelsAbove = 0;  ///< pixels with a channel that differs by more than the threshold
-};
-
 class ImageCodecs {
  public:
   virtual ~ImageCodecs() = default;
@@ -57,8 +51,6 @@ class ImageCodecs {
   /// Writes `path` as the format of `extension`. Returns the reason on failure.
   virtual std::optional<std::string> write(const std::string& path, const std::string& extension,
                                            const PictureToWrite& picture) const = 0;
-  /// Both pictures have the same size and channels.
-  virtual PictureComparison compare(const ImageF& a, const ImageF& b, float threshold) const = 0;
 };
 
 /// The name of the one function that the module exports: `const ImageCodecs* orrisImageCodecs()`.

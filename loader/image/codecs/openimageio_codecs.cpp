@@ -1,6 +1,4 @@
 #include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imagebuf.h>
-#include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
 
 #include <orris/image/codecs/image_codecs.h>
@@ -78,12 +76,6 @@ OIIO::ImageSpec specOf(const PictureToWrite& picture, const std::string& extensi
   return spec;
 }
 
-OIIO::ImageBuf wrap(const ImageF& image) {
-  const OIIO::ImageSpec spec(image.width, image.height, image.channels, OIIO::TypeDesc::FLOAT);
-  // OpenImageIO only reads these pixels, but its wrapper takes no const pointer.
-  return OIIO::ImageBuf(spec, const_cast<float*>(image.pixels.data()));
-}
-
 std::unique_ptr<OIIO::ImageOutput> outputFor(const std::string& extension) {
   auto output = OIIO::ImageOutput::create(extension.empty() ? "" : extension.substr(1));
   if (!output) OIIO::geterror();  // else it prints the message when the process ends
@@ -114,11 +106,6 @@ class OiioCodecs : public ImageCodecs {
         output->close())
       return std::nullopt;
     return firstLine(output->geterror());
-  }
-  PictureComparison compare(const ImageF& a, const ImageF& b, float threshold) const override {
-    const OIIO::ImageBufAlgo::CompareResults found =
-        OIIO::ImageBufAlgo::compare(wrap(a), wrap(b), threshold, threshold, OIIO::ROI(), 1);
-    return {found.rms_error, found.maxerror, std::uint64_t(found.nfail)};
   }
 };
 
