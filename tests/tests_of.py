@@ -99,6 +99,8 @@ ROOMS = {
     "plan/scene/*": "plan/vertex_packer_test.cpp",
     "plan/schedule/*": "plan/schedule_test.cpp",
     "render/draw/draw_shadow_volumes": "stability/volume_gl_test.cpp",
+    "render/draw/draw_sky": "render/sky_gl_test.cpp",
+    "render/draw/*": "render/draw_blocks_gl_test.cpp",
     "render/session/*": "render/session_change_gl_test.cpp",
     "render/*": "render/frame_renderer_gl_test.cpp",
     "report/*": "report/report_format_test.cpp",

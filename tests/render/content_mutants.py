@@ -26,8 +26,8 @@ MUTANTS = {
     ],
     "loader/render/scene/gpu_scene.cpp": [
         ("sight: as it was before an edit", "DrawTerrainGL.*", "  seenFor_.reset();\n", ""),
-        ("light: a dark Nether", "FrameRendererGL.*", "ambientLightOf(state.environment.dimension)", "0.0f"),
-        ("light: a dark End", "FrameRendererGL.*", "== \"minecraft:the_end\" ? glm::mix", "== \"\" ? glm::mix"),
+        ("light: a dark Nether", "SkyGL.*", "ambientLightOf(state.environment.dimension)", "0.0f"),
+        ("light: a dark End", "SkyGL.*", "== \"minecraft:the_end\" ? glm::mix", "== \"\" ? glm::mix"),
         ("animation: items stand still", "AnimatedTilesGL.*", "  animatedContent_ = AnimatedTiles(atlas.animations);\n", ""),
     ],
     "loader/render/draw/draw_terrain.cpp": [
@@ -35,9 +35,9 @@ MUTANTS = {
         ("sight: from beside the camera", "DrawTerrainGL.*", "glm::length(glm::vec3(state.gbufferModelView[3])) < kBobbing", "true"),
         ("sight: in parallel", "DrawTerrainGL.*", "return !parallel && ", "return "),
         ("sight: none in rock", "DrawTerrainGL.*", "!parallel && !state.eyeInBlock &&", "!parallel &&"),
-        ("block entities' shadows: all", "FrameRendererGL.*", "return !scene.emits(entry.second->state);", "return false;"),
+        ("block entities' shadows: all", "DrawBlocksGL.*", "return !scene.emits(entry.second->state);", "return false;"),
     ],
     "loader/render/draw/draw_sky.cpp": [
-        ("the End: no sky", "FrameRendererGL.*", "    scene.drawQuads(scene.endCube, program.patches);\n", ""),
+        ("the End: no sky", "SkyGL.*", "    scene.drawQuads(scene.endCube, program.patches);\n", ""),
     ],
 }
