@@ -90,6 +90,13 @@ TEST_F(ValidatePack, theCauseOfAFailedLoadIsTheStatus) {
   EXPECT_THAT(idsOf(result), ElementsAre("pack-unreadable"));
 }
 
+TEST_F(ValidatePack, aFileThatIsSavedMeanwhileStaysWhatItWas) {
+  writeFinal("vec4(A)");
+  const ValidateResult result = validatePack(options_);
+  writeFinal("vec4(nothing)");
+  EXPECT_THAT(result.packs[0].verdict.files->read("/final.fsh").value_or(""), HasSubstr("vec4(A)"));
+}
+
 TEST_F(ValidatePack, aProfileOfThePackThatIsMissingIsAProblemOfThePack) {
   writeFinal("vec4(A)");
   write("shaders/shaders.properties", "profile.LOW = profile.NONE A=2.0\n");
