@@ -18,7 +18,8 @@ using ::testing::Not;
 using ::testing::StartsWith;
 
 /// "line: message" of what is reported of conditionals in `file`, over all folders.
-Lines reported(const Files& files, const std::vector<std::string>& dimensions, bool settle) {
+Lines reported(const Files& files, const std::vector<std::string>& dimensions, bool settle,
+               std::size_t* made = nullptr) {
   std::vector<ShaderPack> folders;
   std::vector<Diagnostics> found;
   for (const std::string& dimension : dimensions) {
@@ -29,6 +30,7 @@ Lines reported(const Files& files, const std::vector<std::string>& dimensions, b
   }
   TrialMemo trials;
   if (settle) settleConditionals(folders, 1, trials, found);
+  if (made) *made = trials.made();
   Lines lines;
   for (const Diagnostics& diagnostics : found) {
     for (const Diagnostic& d : diagnostics) {
@@ -148,6 +150,23 @@ TEST(ConditionalPlace, a_slip_and_what_pairs_stay_as_they_are) {
   const Files files{{"/composite.vsh", kVertexStage},
                     {"/composite.fsh", kVersion + "#ifdef A\n#endfi\nvoid main() {}\n"}};
   EXPECT_EQ(reported(files, {"/"}, true), reported(files, {"/"}, false));
+}
+
+// Two are missing, so that no place is good, and each is tried with eight conditions.
+TEST(ConditionalPlace, trials_of_one_file_are_bounded) {
+  std::string lib = "#endif\nfloat light = lost();\n#endif\n";
+  for (int i = 0; i < 40; ++i)
+    lib += "#ifdef FSH_" + std::to_string(i % 5) + "\nlight *= 0.5;\n\nlight += 0.1;\n\n#endif\n\n";
+  const std::string program = kVersion + "#include \"/lib.glsl\"\nvoid main() { gl_FragColor = vec4(light); }\n";
+  std::size_t made = 0;
+  reported({{"/lib.glsl", lib},
+            {"/composite.vsh", kVertexStage},
+            {"/composite.fsh", program},
+            {"/deferred.vsh", kVertexStage},
+            {"/deferred.fsh", program + "\n"}},
+           {"/"}, true, &made);
+  EXPECT_GT(made, 100u);
+  EXPECT_LT(made, 250u);
 }
 
 }  // namespace

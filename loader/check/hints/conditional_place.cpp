@@ -16,6 +16,8 @@ constexpr const char* kUnbalancedBlock = "conditional-unbalanced";
 // Each trial compiles this many programs of each folder; the rest are taken to be like them.
 constexpr std::size_t kMostOfFolder = 2;
 constexpr std::size_t kMostConditions = 5;
+// Of a file: the likeliest places come first, and where these fail the file has more than one mistake.
+constexpr std::size_t kMostPlaceTrials = 200;
 
 struct User {
   const ShaderPack* folder = nullptr;
@@ -107,7 +109,7 @@ class PlaceSearch {
   /// What to report with the place that was tried; nullopt: no program could be made.
   std::optional<Diagnostic> run() {
     const auto& repairs = unbalanced_.what.repairs;
-    for (std::size_t i = 0; i < repairs.size() && least_ > 0; ++i) {
+    for (std::size_t i = 0; i < repairs.size() && least_ > 0 && made_ < kMostPlaceTrials; ++i) {
       for (const LineEdit& edit : editsOf(repairs[i])) {
         const int left = problemsWith({edit.file, edit.line, "", edit.text});
         if (left < least_) least_ = left, best_ = i, bestEdit_ = edit;
@@ -149,6 +151,7 @@ class PlaceSearch {
   int problemsOf(const User& sample, const AddedLine& added) {
     const auto trial = trialHash(*sample.folder, sample.unit, added);
     if (const auto known = trial ? trials_.find(*trial) : std::nullopt) return *known;
+    ++made_;
     const auto left = diagnosticsWith(*sample.folder, sample.unit, added, CompileErrors::First);
     const int problems = countProblems(left ? *left : sample.unit.program->diagnostics);
     if (trial && left) trials_.add(*trial, problems);
@@ -161,6 +164,7 @@ class PlaceSearch {
   std::size_t best_ = 0;
   LineEdit bestEdit_;
   int least_ = kUnknown;
+  std::size_t made_ = 0;  ///< trials that were not known
 };
 
 /// Replaces what was reported of the file's place.
