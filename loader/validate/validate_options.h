@@ -22,7 +22,7 @@ struct ValidateOptions {
   PackOptions pack;                   ///< its versions are not used
   std::vector<std::string> profiles;  ///< {"all"}, names, or none: the values as they are
   std::vector<std::string> dimensions{"all"};
-  int jobs = std::max(1, int(std::thread::hardware_concurrency()));  ///< processes
+  int jobs = std::max(1, int(std::thread::hardware_concurrency()));  ///< processes; 0: none but this (isolated_jobs.h)
   const TargetLimits* target = findTarget("iris");
   std::optional<VersionRange> versions;  ///< nullopt: from what the pack states to the newest
   std::string patched;  ///< folder for the sources as the driver gets them; "": they are not written

@@ -251,7 +251,7 @@ void checkVersion(const PackOutline& outline, const std::vector<std::string>& pr
     }
     if (folders.size() == outline.pack->dimensions.size()) {
       Diagnostics diagnostics = checkWholePack(folders);
-      checkUnusedFunctions(folders, checker.glslang, diagnostics);
+      checkUnusedFunctions(folders, checker.jobs, checker.glslang, diagnostics);
       problems.add(diagnostics);
     }
     checkMatrix(folders, request, options, checker, verdict, problems);

@@ -53,6 +53,17 @@ TEST(IsolatedJobs, each_job_gives_its_result_whatever_the_workers) {
   }
 }
 
+TEST(IsolatedJobs, without_workers_all_is_done_in_this_process) {
+  const auto work = [](std::size_t) { return std::to_string(getpid()); };
+  int taken = 0;
+  runIsolated({.count = 3, .workers = 0, .work = work}, [&](std::size_t index, JobOutcome outcome) {
+    EXPECT_EQ(index, std::size_t(taken));
+    EXPECT_EQ(outcomeText(outcome), std::to_string(getpid()));
+    return ++taken < 2;
+  });
+  EXPECT_EQ(taken, 2);
+}
+
 TEST(IsolatedJobs, job_that_kills_its_worker_is_reported_and_the_rest_goes_on) {
   const auto outcomes = outcomesOf({.count = 5, .workers = 2, .work = [](std::size_t i) {
                                if (i == 1) raise(SIGKILL);

@@ -29,7 +29,7 @@ Files packCalling(const std::string& library) {
 std::vector<std::string> unused(const std::string& library) {
   Diagnostics diagnostics;
   const ShaderPack pack = loadJudged(packCalling(library), diagnostics);
-  checkUnusedFunctions(std::span(&pack, 1), {}, diagnostics);
+  checkUnusedFunctions(std::span(&pack, 1), 1, {}, diagnostics);
   std::vector<std::string> lines;
   for (const Diagnostic& d : diagnostics)
     lines.push_back(d.at.file + ":" + std::to_string(d.at.line) + " " + severityName(d.severity) +
@@ -60,7 +60,7 @@ TEST(UnusedFunctions, that_another_program_calls_are_a_librarys) {
       "void main() { gl_FragColor = vec4(used()); }\n";
   Diagnostics diagnostics;
   const ShaderPack pack = loadJudged(files, diagnostics);
-  checkUnusedFunctions(std::span(&pack, 1), {}, diagnostics);
+  checkUnusedFunctions(std::span(&pack, 1), 1, {}, diagnostics);
   EXPECT_THAT(diagnostics, IsEmpty());
 }
 
@@ -72,7 +72,7 @@ TEST(UnusedFunctions, of_a_program_that_fails_wait_until_it_compiles) {
   Verdicts verdicts;
   checkWithGlslang(pack, 1, verdicts, diagnostics);
   ASSERT_TRUE(hasErrors(diagnostics));
-  checkUnusedFunctions(std::span(&pack, 1), verdicts, found);
+  checkUnusedFunctions(std::span(&pack, 1), 1, verdicts, found);
   EXPECT_THAT(found, IsEmpty());
 }
 

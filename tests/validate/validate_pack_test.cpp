@@ -11,6 +11,7 @@
 namespace orris {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -74,6 +75,21 @@ TEST_F(ValidatePack, noIncludeIsTriedAgainForAMistakeElsewhere) {
   const std::size_t made = trialsWith("  }\n");
   EXPECT_GT(made, 0u);
   EXPECT_EQ(trialsWith(""), made);
+}
+
+// A missing include, a broken function that nothing calls and an #endif too many are compiled elsewhere than programs.
+TEST_F(ValidatePack, withoutWorkersTheFindingsAreTheSame) {
+  const std::string head = "#version 330 compatibility\n";
+  write("shaders/a.glsl", "float shade(float x) { return x; }\nvoid unused() { int i = vec3(1.0); }\n");
+  write("shaders/composite.vsh", head + "void main() { gl_Position = ftransform(); }\n");
+  write("shaders/composite.fsh", head + "void main() { gl_FragColor = vec4(shade(1.0)); }\n");
+  write("shaders/final.fsh", head + "#include \"/a.glsl\"\n#ifdef A\n#endif\n#endif\n"
+                                    "void main() { gl_FragColor = vec4(1.0); }\n");
+  const std::string apart = writeJson(validatePack(options_));
+  EXPECT_THAT(apart, AllOf(HasSubstr("include-probably-missing"), HasSubstr("unused-function-broken"),
+                           HasSubstr("conditional-unbalanced")));
+  options_.jobs = 0;
+  EXPECT_EQ(writeJson(validatePack(options_)), apart);
 }
 
 TEST_F(ValidatePack, theCauseOfAFailedLoadIsTheStatus) {

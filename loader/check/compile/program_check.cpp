@@ -185,7 +185,7 @@ void checkWithGlslang(const ShaderPack& pack, int jobs, Verdicts& verdicts, Diag
                                                      entryFile(units[i]))};
                 return true;
               });
-  mergeMissingIncludes(pack, units, trials, found);
+  mergeMissingIncludes(pack, units, jobs, trials, found);
   for (size_t i = 0; i < units.size(); ++i) {
     verdicts[units[i].hash] = !hasErrors(found[i]) && !units[i].incomplete && !units[i].refused &&
                               !lacksVersion(units[i]);

@@ -233,14 +233,14 @@ void checkUnusedSyntax(const ShaderPack& pack, const StageText& stage, Diagnosti
   }
 }
 
-void checkUnusedFunctions(std::span<const ShaderPack> folders, const Verdicts& verdicts,
+void checkUnusedFunctions(std::span<const ShaderPack> folders, int jobs, const Verdicts& verdicts,
                           Diagnostics& diagnostics) {
   if (folders.empty()) return;
   // In a process of its own, as the functions may be anything.
   const auto work = [&](std::size_t) {
     return encodeDiagnostics(UnusedFunctions(folders, verdicts).run());
   };
-  runIsolated({.count = 1, .work = work}, [&](std::size_t, const JobOutcome& outcome) {
+  runIsolated({.count = 1, .workers = jobs, .work = work}, [&](std::size_t, const JobOutcome& outcome) {
     if (outcome.kind != JobOutcome::Kind::Done) return true;
     const Diagnostics found = decodeDiagnostics(outcome.result);
     diagnostics.insert(diagnostics.end(), found.begin(), found.end());

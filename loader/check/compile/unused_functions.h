@@ -14,8 +14,8 @@ void checkUnusedSyntax(const ShaderPack& pack, const StageText& stage, Diagnosti
 
 /// Warnings of functions that no program of `folders` calls and that compile in none of those that
 /// contain them and have no bad verdict: a program that fails has its own errors first.
-/// Iris: CompatibilityTransformer.transformEach.
-void checkUnusedFunctions(std::span<const ShaderPack> folders, const Verdicts& verdicts,
+/// Iris: CompatibilityTransformer.transformEach. `jobs` as in isolated_jobs.h.
+void checkUnusedFunctions(std::span<const ShaderPack> folders, int jobs, const Verdicts& verdicts,
                           Diagnostics& diagnostics);
 
 }  // namespace orris

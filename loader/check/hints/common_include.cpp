@@ -183,7 +183,7 @@ bool replaceEqual(const Diagnostics& better, std::vector<Diagnostics>& found) {
 
 }  // namespace
 
-void mergeMissingIncludes(const ShaderPack& pack, const std::vector<ProgramUnit>& units,
+void mergeMissingIncludes(const ShaderPack& pack, const std::vector<ProgramUnit>& units, int jobs,
                           TrialMemo& trials, std::vector<Diagnostics>& found) {
   const auto first = std::ranges::find_if(found, missingOf);
   if (first == found.end()) return;
@@ -191,7 +191,7 @@ void mergeMissingIncludes(const ShaderPack& pack, const std::vector<ProgramUnit>
   const auto work = [&](std::size_t) {
     return trials.encode(CommonInclude(pack, units, found, trials).find());
   };
-  runIsolated({.count = 1, .workers = 1, .work = work}, [&](std::size_t, JobOutcome outcome) {
+  runIsolated({.count = 1, .workers = jobs, .work = work}, [&](std::size_t, JobOutcome outcome) {
     if (outcome.kind == JobOutcome::Kind::Done) reported = trials.decode(outcome.result);
     return true;
   });

@@ -12,8 +12,8 @@ namespace orris {
 /// Where programs lack an include of something at different places, looks for one line that repairs
 /// them all; if there is one, only that is reported. At each place so are the next likely ones that
 /// repair as well, as warnings. `found` are the diagnostics of each unit. Compiles, so it works in
-/// a process of its own; nothing changes when that is lost.
-void mergeMissingIncludes(const ShaderPack& pack, const std::vector<ProgramUnit>& units,
+/// a process of its own, unless `jobs` is 0 (isolated_jobs.h); nothing changes when that is lost.
+void mergeMissingIncludes(const ShaderPack& pack, const std::vector<ProgramUnit>& units, int jobs,
                           TrialMemo& trials, std::vector<Diagnostics>& found);
 
 }  // namespace orris

@@ -109,7 +109,7 @@ class Pool {
 
   void run() {
     const auto wanted =
-        std::min<std::size_t>(static_cast<std::size_t>(std::max(1, jobs_.workers)), jobs_.count);
+        std::min<std::size_t>(static_cast<std::size_t>(jobs_.workers), jobs_.count);
     for (std::size_t i = 0; i < wanted; ++i) workers_.emplace_back();
     for (Worker& worker : workers_) give(worker);
     while (std::any_of(workers_.begin(), workers_.end(), [](auto& w) { return w.busy; })) {
@@ -242,11 +242,18 @@ class Pool {
   bool stopped_ = false;
 };
 
+void runHere(const IsolatedJobs& jobs, const std::function<bool(std::size_t, JobOutcome)>& take) {
+  for (std::size_t i = 0; i < jobs.count; ++i) {
+    if (jobs.until && Clock::now() >= *jobs.until) return;
+    if (!take(i, {JobOutcome::Kind::Done, jobs.work(i), ""})) return;
+  }
+}
+
 }  // namespace
 
 void runIsolated(const IsolatedJobs& jobs,
                  const std::function<bool(std::size_t, JobOutcome)>& take) {
-  Pool(jobs, take).run();
+  jobs.workers == 0 ? runHere(jobs, take) : Pool(jobs, take).run();
 }
 
 }  // namespace orris

@@ -20,7 +20,7 @@ struct JobOutcome {
 
 struct IsolatedJobs {
   std::size_t count = 0;
-  int workers = 1;
+  int workers = 1;  ///< 0: all in this process, without any of what follows but `work` and `until`: debuggers, fuzzing
   std::function<std::string(std::size_t)> work;    ///< runs in a worker, with what the caller had
   std::chrono::seconds time{30};                   ///< processor time that one job may take
   std::size_t memoryBytes = std::size_t{4} << 30;  ///< addresses that a worker may use, 0: any
