@@ -112,7 +112,7 @@ void FrameRenderer::render(const FrameState& given, const DrawLists& lists) {
   loaded_->scene->animate(state);
   if (!lists.draws.empty()) loaded_->scene->uploadLists(lists);
   loaded_->resources->bindBuffers();
-  setFog(state);
+  setFog(state, 0);
   loaded_->custom.evaluate(
       [&](const std::string& name) {
         const UniformRow* row = findUniform(name);

@@ -73,7 +73,7 @@ inline const GrammarRules& packRules() {
       {"macro",
        {"#define <name>(x) (x * <value>)\n", "#undef <name>\n", "#define <name> <name>\n", "#define <name>(x, y) x ## y\n",
         "#extension GL_ARB_shader_image_load_store : enable\n", "#pragma <name>\n", "#error <name>\n", "#line <number>\n"}},
-      {"struct", {"struct S { float a; vec3 b; };\n", "layout(std430, binding = <number>) buffer B { <type> <name>[]; };\n"}},
+      {"struct", {"struct S { float a; vec3 b; };\n", "layout(std430, binding = <number>) buffer Data { <type> <name>[]; };\n"}},
       {"statement",
        {"\n", "  <type> <name> = <value>;\n", "  <name> = <value>;\n", "  gl_FragData[<number>] = vec4(<value>);\n",
         "  if (<value> > 0.0) {\n<statement>  }\n", "  for (int i = 0; i < <number>; ++i) {\n<statement>  }\n", "<block>",

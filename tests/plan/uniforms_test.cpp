@@ -24,18 +24,6 @@ TEST(Uniforms, values_have_the_type_their_row_states) {
   }
 }
 
-TEST(Uniforms, fog_is_exponential_in_water) {
-  FrameState state;
-  const auto value = [&](const char* name) { return findUniform(name)->value(state, DrawState()); };
-  EXPECT_EQ(value("fogDensity").f[0], 0.0f);
-  EXPECT_EQ(value("fogMode").i[0], 9729);
-  state.isEyeInWater = 1;
-  EXPECT_EQ(value("fogDensity").f[0], 0.02f);
-  EXPECT_EQ(value("fogMode").i[0], 2049);
-  state.isEyeInWater = 2;
-  EXPECT_EQ(value("fogDensity").f[0], 0.0f);
-}
-
 TEST(Uniforms, the_time_of_the_year_follows_from_date_and_time) {
   FrameState state;
   const auto seconds = [&] {
@@ -47,26 +35,6 @@ TEST(Uniforms, the_time_of_the_year_follows_from_date_and_time) {
   EXPECT_EQ(seconds(), glm::ivec2(59 * 86400 + 3723, 306 * 86400 - 3723));
   state.environment.stated["currentDate"] = {2023, 2, 30};
   EXPECT_EQ(seconds().x, 3723) << "no such day";
-}
-
-TEST(Uniforms, near_fog_is_a_sphere) {
-  FrameState state;
-  DrawState draw;
-  const auto shape = [&] { return findUniform("fogShape")->value(state, draw).i[0]; };
-  EXPECT_EQ(shape(), 1);
-  state.isEyeInWater = 1;
-  EXPECT_EQ(shape(), 0);
-  state = {};
-  state.environment.player.blindness = 0.5f;
-  EXPECT_EQ(shape(), 0);
-  state = {};
-  state.environment.dimension = "minecraft:the_nether";
-  EXPECT_EQ(shape(), 0);
-  state = {};
-  state.environment.stated["heavyFog"] = {1, 0, 0};
-  EXPECT_EQ(shape(), 0);
-  draw.fullscreen = true;
-  EXPECT_EQ(shape(), -1);
 }
 
 TEST(Uniforms, newer_ones_have_values_of_the_game) {

@@ -52,6 +52,21 @@ TEST_F(SkyGL, the_sky_program_runs_in_every_direction) {
               ElementsAre(FloatNear(0.75f, .01f), FloatNear(0.25f, .01f), 1, 1));
 }
 
+TEST_F(SkyGL, the_sky_has_a_fog_of_its_own) {
+  const std::string range = "void main() { gl_FragData[0] = vec4(gl_Fog.start, gl_Fog.end, 0.0, 256.0) / 256.0; }\n";
+  addProgram("gbuffers_skybasic", range);
+  addProgram("composite", "/* RENDERTARGETS: 1 */\n" + range);
+  addProgram("final", kPass);
+  files_["/shaders.properties"] = "stars=false\nsun=false\nmoon=false\n";
+  World world = floorWorld();
+  world.blocks = BlockWorld({0, 0, 0}, {1, 1, 1});
+  world.environment.renderDistance = 128;
+  ASSERT_TRUE(start(world)) << messages();
+  draw();
+  EXPECT_THAT(pixel("colortex0", 5, 5), ElementsAre(0, FloatNear(0.5f, .01f), 0, 1));
+  EXPECT_THAT(pixel("colortex1", 5, 5), ElementsAre(FloatNear(0.45f, .01f), FloatNear(0.5f, .01f), 0, 1));
+}
+
 TEST_F(SkyGL, the_nether_and_the_end_are_never_wholly_dark) {
   addProgram("gbuffers_terrain",
              "uniform sampler2D lightmap;\nvoid main() { gl_FragData[0] = texture(lightmap, vec2(0.5 / 16.0)); }\n");

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <orris/plan/frame/fog.h>
+
 namespace orris {
 namespace {
 
@@ -34,9 +36,9 @@ constexpr UniformRow kCoreUniforms[] = {
     {"iris_FogColor", ValueType::Vec4, true,
      [](CS s, CD) { return valueOf(glm::vec4(s.environment.fogColor, 1)); }},
     {"iris_FogDensity", ValueType::Float, true, [](CS s, CD) { return valueOf(fogDensityOf(s)); }},
-    {"iris_FogStart", ValueType::Float, true, [](CS s, CD) { return valueOf(fogStartOf(s)); }},
+    {"iris_FogStart", ValueType::Float, true, [](CS s, CD d) { return valueOf(fogRangeOf(s, d.renderStage).start); }},
     {"iris_FogEnd", ValueType::Float, true,
-     [](CS s, CD) { return valueOf(static_cast<float>(s.environment.renderDistance)); }},
+     [](CS s, CD d) { return valueOf(fogRangeOf(s, d.renderStage).end); }},
     {"iris_AlphaFunction", ValueType::Int, true,
      [](CS, CD d) { return Value::ofInt(d.alphaFunction); }},
     {"iris_AlphaReference", ValueType::Float, true,
@@ -53,10 +55,6 @@ const UniformRow* findCoreUniform(std::string_view name) {
 
 glm::mat4 lightTextureMatrix() {
   return glm::scale(glm::translate(glm::mat4(1), glm::vec3(1.0f / 32)), glm::vec3(1.0f / 256));
-}
-
-float fogStartOf(const FrameState& state) {
-  return 0.9f * static_cast<float>(state.environment.renderDistance);
 }
 
 }  // namespace orris

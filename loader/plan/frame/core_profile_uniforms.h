@@ -12,7 +12,4 @@ const UniformRow* findCoreUniform(std::string_view name);
 /// Texture coordinates of the light level: 16 L becomes (16 L + 8) / 256. Contract: uniforms.csv.
 glm::mat4 lightTextureMatrix();
 
-/// Where the game's fog begins.
-float fogStartOf(const FrameState& state);
-
 }  // namespace orris

@@ -10,7 +10,7 @@
 
 #include <orris/pack/expressions/expression_functions.h>
 #include <orris/plan/frame/clouds.h>
-#include <orris/plan/frame/core_profile_uniforms.h>
+#include <orris/plan/frame/fog.h>
 #include <orris/pack/shader_pack.h>
 #include <orris/world/dimension_look.h>
 
@@ -101,13 +101,6 @@ glm::ivec2 yearTimeOf(const FrameState& s) {
   const auto seconds = [](auto days) { return int(std::chrono::seconds(days).count()); };
   const int since = seconds(day - begin) + (time.x * 60 + time.y) * 60 + time.z;
   return {since, seconds(end - begin) - since};
-}
-
-// The game: FogRenderer. Near and thick fog lies around the eye as a sphere, that of the distance as a cylinder.
-int fogShapeOf(const FrameState& s) {
-  const Player& player = s.environment.player;
-  const bool around = s.isEyeInWater != 0 || player.blindness > 0 || player.darkness > 0;
-  return around || isNether(s) || statedVector(s, "heavyFog").x != 0 ? 0 : 1;
 }
 
 using S = const FrameState&;
@@ -230,8 +223,8 @@ std::vector<UniformRow> makeTable() {
     FRAME("far", Float, valueOf(static_cast<float>(s.environment.renderDistance))),
     FRAME("skyColor", Vec3, valueOf(s.environment.skyColor)),
     DRAW("fogColor", Vec3, valueOf(s.environment.fogColor)),
-    DRAW("fogStart", Float, valueOf(fogStartOf(s))),
-    DRAW("fogEnd", Float, valueOf(static_cast<float>(s.environment.renderDistance))),
+    DRAW("fogStart", Float, valueOf(fogRangeOf(s, d.renderStage).start)),
+    DRAW("fogEnd", Float, valueOf(fogRangeOf(s, d.renderStage).end)),
     DRAW("fogDensity", Float, valueOf(fogDensityOf(s))),
     DRAW("fogMode", Int, Value::ofInt(d.fullscreen ? 0 : fogDensityOf(s) > 0 ? kExp2Fog : kLinearFog)),
     DRAW("fogShape", Int, Value::ofInt(d.fullscreen ? -1 : fogShapeOf(s))),
@@ -305,9 +298,6 @@ std::vector<UniformRow> makeTable() {
 #undef DRAW
 
 }  // namespace
-
-// Iris: MixinFogRenderer; of an eye that has been in the water for long.
-float fogDensityOf(const FrameState& state) { return state.isEyeInWater == 1 ? 0.02f : 0.0f; }
 
 Value valueOf(float v) { return Value::ofFloat(v); }
 Value valueOf(const glm::vec2& v) { return packFloats(ValueType::Vec2, v, 2); }

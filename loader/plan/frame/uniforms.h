@@ -33,9 +33,6 @@ struct DrawState {
   glm::vec4 entityColor{0};
 };
 
-/// The game's fog is linear, but exponential in water.
-float fogDensityOf(const FrameState& state);
-
 struct UniformRow {
   std::string_view name;
   ValueType type;

@@ -33,6 +33,7 @@ void FrameRenderer::drawSky(const Step& step, const GpuProgram& program, const F
   draw.projection = state.gbufferProjection;
   draw.atlasSize = glm::ivec2(0);
   loadMatrices(draw, true);
+  setFog(state, draw.renderStage);
   useProgram(program, step, state, draw);
   scene.bindShapes();
   bindVertices(program.program);
@@ -60,6 +61,7 @@ void FrameRenderer::drawSky(const Step& step, const GpuProgram& program, const F
     if (-sunHeight > kLowest && pack_->properties.flag("moon", true))
       scene.drawQuads(scene.moon, program.patches);
   }
+  setFog(state, 0);
   unbindVertices(program.program);
   SamplerBinder::unbind(program);
 }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include <orris/plan/frame/core_profile_uniforms.h>
+#include <orris/plan/frame/fog.h>
 #include <orris/gl/functions.h>
 
 namespace orris {
@@ -253,13 +254,13 @@ void unsetAlphaTest() {
   if (!gl::isCoreProfile()) gl::Disable(GL_ALPHA_TEST);
 }
 
-void setFog(const FrameState& state) {
+void setFog(const FrameState& state, int renderStage) {
   if (gl::isCoreProfile()) return;
-  const float far = static_cast<float>(state.environment.renderDistance);
+  const FogRange range = fogRangeOf(state, renderStage);
   const float color[4] = {state.environment.fogColor.r, state.environment.fogColor.g,
                           state.environment.fogColor.b, 1};
-  gl::Fogf(GL_FOG_START, fogStartOf(state));
-  gl::Fogf(GL_FOG_END, far);
+  gl::Fogf(GL_FOG_START, range.start);
+  gl::Fogf(GL_FOG_END, range.end);
   gl::Fogf(GL_FOG_DENSITY, fogDensityOf(state));
   gl::Fogfv(GL_FOG_COLOR, color);
 }

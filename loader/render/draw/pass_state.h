@@ -18,7 +18,8 @@ void setGeometryState(const Step& step, const ProgramSource* program, DrawState&
 /// shaders read. In a core context uniforms hold them (plan/frame/core_profile_uniforms.h).
 void loadMatrices(DrawState& draw, bool lightmapMatrix);
 void loadModelView(const glm::mat4& modelView);
-void setFog(const FrameState& state);
+/// GL's own fog for what is drawn in an MC_RENDER_STAGE_* (plan/frame/fog.h).
+void setFog(const FrameState& state, int renderStage);
 void unsetAlphaTest();
 /// Buffers of the step for which the program has no output stay as they are: GL leaves open what they get, and a software
 /// rasteriser blends with whatever was there. `outputs`: outputsOf().
