@@ -105,5 +105,45 @@ TEST_F(Fog, that_is_near_is_a_sphere) {
   EXPECT_EQ(shape(), -1);
 }
 
+void expectColor(const glm::vec3& color, const glm::vec3& expected) {
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(color[i], expected[i], 1e-3f) << i;
+}
+
+TEST_F(Fog, has_the_colour_of_what_the_eye_is_in) {
+  state_.environment.fogColor = {0.7f, 0.8f, 0.9f};
+  expectColor(fogColorOf(state_), {0.7f, 0.8f, 0.9f});
+  state_.isEyeInWater = 1;
+  expectColor(fogColorOf(state_), {5 / 51.0f, 5 / 51.0f, 1});
+  state_.environment.biome = "minecraft:warm_ocean";
+  expectColor(fogColorOf(state_), {4 / 51.0f, 31 / 51.0f, 1});
+  state_.isEyeInWater = 2;
+  expectColor(fogColorOf(state_), {0.6f, 0.1f, 0});
+  state_.isEyeInWater = 3;
+  expectColor(fogColorOf(state_), {0.623f, 0.734f, 0.785f});
+}
+
+TEST_F(Fog, darkens_and_brightens_with_effects) {
+  state_.environment.fogColor = {0.2f, 0.1f, 0.4f};
+  Player& player = state_.environment.player;
+  player.nightVision = 1;
+  expectColor(fogColorOf(state_), {0.5f, 0.25f, 1});
+  player.nightVision = 0.5f;
+  expectColor(fogColorOf(state_), {0.35f, 0.175f, 0.7f});
+  player.darkness = 0.5f;
+  expectColor(fogColorOf(state_), {0.05f, 0.025f, 0.1f});
+  player.blindness = 1;
+  expectColor(fogColorOf(state_), {0, 0, 0});
+}
+
+TEST_F(Fog, of_a_frame_is_that_of_its_eye) {
+  FrameInput input;
+  input.environment.time = 6000;
+  expectColor(nextFrameState(input, {}, nullptr).environment.fogColor, input.environment.fogColor);
+  input.eye.fluid = 1;
+  const FrameState below = nextFrameState(input, {}, nullptr);
+  expectColor(below.environment.fogColor, {5 / 51.0f, 5 / 51.0f, 1});
+  expectColor(nextFrameState(input, {}, &below).environment.fogColor, {5 / 51.0f, 5 / 51.0f, 1});
+}
+
 }  // namespace
 }  // namespace orris

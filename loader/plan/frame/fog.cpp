@@ -1,6 +1,7 @@
 #include <orris/plan/frame/fog.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <string_view>
 
@@ -10,6 +11,7 @@ namespace orris {
 namespace {
 
 enum Fluid { kWater = 1, kLava = 2, kPowderSnow = 3 };  // isEyeInWater
+constexpr std::string_view kNamespace = "minecraft:";
 constexpr int kFirstSkyStage = 1, kStarsStage = 6, kLastSkyStage = 7;
 
 bool isFoggyPlace(const FrameState& state) {
@@ -43,12 +45,45 @@ FogRange rangeOf(const FrameState& state, bool sky) {
   return {sky ? 0 : far - std::clamp(far / 10, 4.0f, 64.0f), far};
 }
 
+glm::vec3 rgb(unsigned color) { return glm::vec3(color >> 16, color >> 8 & 255, color & 255) / 255.0f; }
+
+/// Biomes whose water has not the fog of the others; without "minecraft:".
+glm::vec3 fogOfWater(std::string_view biome) {
+  struct Row {
+    std::string_view biome;
+    unsigned color;
+  };
+  static constexpr Row kRows[] = {{"swamp", 0x232317},       {"mangrove_swamp", 0x4d7a60}, {"warm_ocean", 0x041f33},
+                                  {"lukewarm_ocean", 0x041633}, {"deep_lukewarm_ocean", 0x041633},
+                                  {"cherry_grove", 0x5db7ef}};
+  constexpr unsigned kOthers = 0x050533;
+  biome.remove_prefix(biome.starts_with(kNamespace) ? kNamespace.size() : 0);
+  const auto* row = std::ranges::find(kRows, biome, &Row::biome);
+  return rgb(row == std::end(kRows) ? kOthers : row->color);
+}
+
+/// Towards the brightest colour of the same hue.
+glm::vec3 brightened(const glm::vec3& color, float share) {
+  if (color.r <= 0 || color.g <= 0 || color.b <= 0) return color;
+  return glm::mix(color, color / std::max({color.r, color.g, color.b}), share);
+}
+
 }  // namespace
 
 FogRange fogRangeOf(const FrameState& state, int renderStage) {
   FogRange range = rangeOf(state, renderStage >= kFirstSkyStage && renderStage <= kLastSkyStage);
   if (renderStage == kStarsStage) range.start = std::numeric_limits<float>::max();
   return range;
+}
+
+glm::vec3 fogColorOf(const FrameState& state) {
+  const Player& player = state.environment.player;
+  if (state.isEyeInWater == kLava) return {0.6f, 0.1f, 0};
+  if (state.isEyeInWater == kPowderSnow) return brightened({0.623f, 0.734f, 0.785f}, player.nightVision);
+  const bool water = state.isEyeInWater == kWater;
+  const float sight = 1 - std::clamp(player.blindness > 0 ? player.blindness : player.darkness, 0.0f, 1.0f);
+  const glm::vec3 color = (water ? fogOfWater(state.environment.biome) : state.environment.fogColor) * sight * sight;
+  return brightened(color, water ? 1 : player.darkness > 0 ? 0 : player.nightVision);
 }
 
 float fogDensityOf(const FrameState& state) { return state.isEyeInWater == kWater ? 0.02f : 0.0f; }

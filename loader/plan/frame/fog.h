@@ -13,6 +13,10 @@ struct FogRange {
 /// the game makes a start farther than anything.
 FogRange fogRangeOf(const FrameState& state, int renderStage);
 
+/// What it is in: of the air `environment.fogColor` as daylight leaves it, of fluids their own; brighter with night vision
+/// and for an eye that is used to the water, black with blindness and darkness.
+glm::vec3 fogColorOf(const FrameState& state);
+
 /// Fog is linear (0), but exponential in water (Iris: MixinFogRenderer).
 float fogDensityOf(const FrameState& state);
 /// 0 sphere, 1 cylinder: near and thick fog lies around the eye, that of the distance around its vertical axis.

@@ -5,6 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <orris/plan/frame/celestial.h>
+#include <orris/plan/frame/fog.h>
 #include <orris/world/dimension_look.h>
 
 namespace orris {
@@ -118,6 +119,7 @@ FrameState nextFrameState(const FrameInput& input, const PackDirectives& directi
   dimColors(state);
   setShadow(state, directives);
   setSmoothed(state, input, directives, previous);
+  state.environment.fogColor = fogColorOf(state);
   const FrameState& last = previous != nullptr ? *previous : state;
   state.previousCameraPosition = last.cameraPosition;
   state.gbufferPreviousModelView = last.gbufferModelView;

@@ -213,7 +213,7 @@ typedef struct OrrisFrame {
   int32_t clouds;          /**< of Orris: 0 none, 1 flat, 2 boxes; the pack may decide otherwise */
   const char* biome;       /**< "minecraft:plains" */
   float temperature, rainfall;
-  float sky_color[3], fog_color[3]; /**< by day; Orris darkens them at night */
+  float sky_color[3], fog_color[3]; /**< of the air by day; Orris darkens them at night */
   /* The player. */
   const char* main_hand;   /**< item, "minecraft:torch"; "" for none. heldItemId */
   const char* off_hand;
