@@ -23,6 +23,14 @@ class ContractGL : public RenderTest {
     draw();
     return pixel("colortex1", 16, 16);
   }
+
+  /// What the vertex shader of `program` stores in `value`, a vec4.
+  std::vector<float> vertexValue(const std::string& attributes, const std::string& code,
+                                 const std::string& program = "gbuffers_terrain") {
+    return drawn(program, "flat in vec4 value;\nvoid main() { gl_FragData[0] = value; }\n",
+                 "#version 330 compatibility\n" + attributes + "\nout vec2 uv;\nflat out vec4 value;\nvoid main() {\n" +
+                     "  gl_Position = ftransform();\n  uv = gl_MultiTexCoord0.xy;\n" + code + "\n}\n");
+  }
 };
 
 TEST_F(ContractGL, fixed_function_state_reaches_fullscreen_programs) {
@@ -38,54 +46,30 @@ void main() {
 }
 
 TEST_F(ContractGL, every_attribute_has_its_value) {
-  const std::string vertex = R"(#version 330 compatibility
-in vec3 vaPosition; in vec4 vaColor; in vec2 vaUV0; in ivec2 vaUV2; in vec3 vaNormal;
-in vec2 mc_midTexCoord; in vec4 at_tangent;
-out vec2 uv;
-flat out vec4 same;
-void main() {
-  gl_Position = ftransform();
-  uv = gl_MultiTexCoord0.xy;
+  const auto value = vertexValue(R"(in vec3 vaPosition; in vec4 vaColor; in vec2 vaUV0; in ivec2 vaUV2; in vec3 vaNormal;
+in vec2 mc_midTexCoord; in vec4 at_tangent;)",
+                                 R"(
   bool core = vaPosition == gl_Vertex.xyz && vaColor == gl_Color && vaUV0 == gl_MultiTexCoord0.xy &&
               distance(vaNormal, gl_Normal) < 0.01;
   bool light = vaUV2 == ivec2(gl_MultiTexCoord1.xy) && gl_MultiTexCoord1 == gl_MultiTexCoord2;
   bool other = gl_MultiTexCoord3.xy == mc_midTexCoord && gl_MultiTexCoord5 == vec4(0, 0, 0, 1) &&
                abs(dot(at_tangent.xyz, vaNormal)) < 0.01;
-  same = vec4(core, light, other, 1.0);
-}
-)";
-  const auto value = drawn("gbuffers_terrain",
-                           "flat in vec4 same;\nvoid main() { gl_FragData[0] = same; }\n", vertex);
+  value = vec4(core, light, other, 1.0);)");
   EXPECT_EQ(value, (std::vector<float>{1, 1, 1, 1}));
 }
 
 TEST_F(ContractGL, attributes_without_data_have_their_constant) {
-  const std::string vertex = R"(#version 330 compatibility
-in ivec2 vaUV1; in float mc_chunkFade; in vec3 at_velocity;
-out vec2 uv;
-flat out vec4 same;
-void main() {
-  gl_Position = ftransform();
-  uv = gl_MultiTexCoord0.xy;
-  same = vec4(vaUV1 == ivec2(0, 10), mc_chunkFade == 1.0, at_velocity == vec3(0), 1.0);
-}
-)";
-  const auto value = drawn("gbuffers_terrain",
-                           "flat in vec4 same;\nvoid main() { gl_FragData[0] = same; }\n", vertex);
+  const auto value = vertexValue("in ivec2 vaUV1; in float mc_chunkFade; in vec3 at_velocity;",
+                                 "value = vec4(vaUV1 == ivec2(0, 10), mc_chunkFade == 1.0, at_velocity == vec3(0), 1.0);");
   EXPECT_EQ(value, (std::vector<float>{1, 1, 1, 1}));
 }
 
 TEST_F(ContractGL, chunks_have_faded_in_and_nothing_else_has) {
-  const std::string vertex = R"(#version 330 compatibility
-in float mc_chunkFade;
-out vec2 uv;
-flat out float fade;
-void main() { gl_Position = ftransform(); uv = gl_MultiTexCoord0.xy; fade = mc_chunkFade; }
-)";
-  const std::string fragment =
-      "flat in float fade;\nvoid main() { gl_FragData[0] = vec4(fade, 0, 0, 1); }\n";
-  EXPECT_EQ(drawn("gbuffers_terrain", fragment, vertex), (std::vector<float>{1, 0, 0, 1}));
-  EXPECT_EQ(drawn("composite", fragment, vertex), (std::vector<float>{-1, 0, 0, 1}));
+  const auto fade = [&](const std::string& program) {
+    return vertexValue("in float mc_chunkFade;", "value = vec4(mc_chunkFade, 0, 0, 1);", program);
+  };
+  EXPECT_EQ(fade("gbuffers_terrain"), (std::vector<float>{1, 0, 0, 1}));
+  EXPECT_EQ(fade("composite"), (std::vector<float>{-1, 0, 0, 1}));
 }
 
 TEST_F(ContractGL, samplers_of_geometry_programs_have_their_textures) {
