@@ -92,6 +92,20 @@ TEST_F(ValidatePack, withoutWorkersTheFindingsAreTheSame) {
   EXPECT_EQ(writeJson(validatePack(options_)), apart);
 }
 
+TEST_F(ValidatePack, aFileThatIsIncludedTwiceIsOneMistake) {
+  write("shaders/a.glsl", "float shade() { return 1.0; }\nconst float level = 1.0;\nfloat glow() { return level; }\n");
+  write("shaders/b.glsl", "#include \"/a.glsl\"\n");
+  write("shaders/final.fsh", "#version 330 compatibility\n#include \"/b.glsl\"\n\n#include \"/a.glsl\"\n"
+                             "void main() { gl_FragColor = vec4(shade() * glow()); }\n");
+  const ValidateResult result = validatePack(options_);
+  ASSERT_THAT(idsOf(result), ElementsAre("glsl-compile"));
+  const Diagnostic& d = result.packs[0].findings[0].diagnostic;
+  EXPECT_EQ(d.at.file, "/a.glsl");
+  EXPECT_THAT(d.hint, HasSubstr("reads this file twice"));
+  ASSERT_EQ(d.related.size(), 1u);
+  EXPECT_EQ(d.related[0].at, (SourceLocation{"/b.glsl", 1, 1}));
+}
+
 TEST_F(ValidatePack, theCauseOfAFailedLoadIsTheStatus) {
   writeFinal("vec4(A)");
   options_.pack.values["B"] = "1";
