@@ -191,16 +191,16 @@ void checkNewNames(const ProgramInterface& program, DeclarationReport& report) {
 }
 
 void checkNewProperties(const FolderInput& input, Diagnostics& diagnostics) {
-  constexpr const char* kFile = "/shaders.properties";
+  constexpr const char* kPropertiesPath = "/shaders.properties";
   const auto host = checkedHost(input.pack);
-  const auto text = host ? input.pack.source->read(kFile) : std::nullopt;
+  const auto text = host ? input.pack.source->read(kPropertiesPath) : std::nullopt;
   if (!text) return;
   Diagnostics reported;
   const std::string active =
-      preprocessProperties(kFile, *text, input.pack.propertyMacros, reported);
+      preprocessProperties(kPropertiesPath, *text, input.pack.propertyMacros, reported);
   NewWords words(*host, diagnostics);
   for (const PropertyEntry& entry :
-       parseProperties(kFile, active, Continuation::Preprocessed, *text))
+       parseProperties(kPropertiesPath, active, Continuation::Preprocessed, *text))
     words.check(entry);
 }
 
