@@ -1,10 +1,9 @@
 #include <orris/check/hints/double_include.h>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <map>
+#include <string>
 #include <string_view>
 
 namespace orris {

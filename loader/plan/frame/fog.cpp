@@ -53,9 +53,9 @@ glm::vec3 fogOfWater(std::string_view biome) {
     std::string_view biome;
     unsigned color;
   };
-  static constexpr Row kRows[] = {{"swamp", 0x232317},       {"mangrove_swamp", 0x4d7a60}, {"warm_ocean", 0x041f33},
-                                  {"lukewarm_ocean", 0x041633}, {"deep_lukewarm_ocean", 0x041633},
-                                  {"cherry_grove", 0x5db7ef}};
+  static constexpr Row kRows[] = {{"swamp", 0x232317},          {"mangrove_swamp", 0x4d7a60},
+                                  {"warm_ocean", 0x041f33},     {"lukewarm_ocean", 0x041633},
+                                  {"deep_lukewarm_ocean", 0x041633}, {"cherry_grove", 0x5db7ef}};
   constexpr unsigned kOthers = 0x050533;
   biome.remove_prefix(biome.starts_with(kNamespace) ? kNamespace.size() : 0);
   const auto* row = std::ranges::find(kRows, biome, &Row::biome);
