@@ -63,6 +63,7 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 
 // Face cache
 #define FACE_SHARE 4 // [1 2 4 8]
+#define FACE_RAYS 1 // [1 2 4 8 16]
 #define FACE_WINDOW 128 // [16 32 64 128 256]
 #define FACE_GAIN 8.0 // [1.0 4.0 8.0 16.0]
 #define FACE_NEAR 0.35 // [0.0 0.25 0.35 0.5 1.0]

@@ -346,24 +346,42 @@ TEST(FaceCache, only_a_share_of_the_faces_is_updated_while_nothing_changes) {
 }
 
 // Boiling. FACE_GAIN=1 only shortens the time until a face rests on a whole window.
-TEST(FaceCache, settled_light_hardly_changes) {
+/// A room with nine lamps, at rest.
+struct Settled {
+  FaceBoiling boiling{{0, 0, 0}, {14, 8, 14}};
+  double floor = 0;  // mean red
+};
+
+Settled settledRoom(const std::string& rays) {
   std::string world = R"({"size": [14, 8, 14],
       "cameras": [{"name": "eye", "position": [6.5, 3.5, 6.5]}], "environment": {"time": 18000},
       "blocks": [{"hollow": "light_gray_concrete", "min": [0, 0, 0], "max": [13, 7, 13]})";
   for (int i = 0; i < 9; ++i)
     world += fmt::format(R"(, {{"block": "glowstone", "at": [{}, {}, {}]}})", 3 + i % 3 * 3,
                          2 + i % 2 * 3, 3 + i / 3 * 3);
-  PackSession pack(world + "]}", cacheOptions({{"FACE_SHARE", "1"}, {"FACE_GAIN", "1.0"}}), 8, 8);
-  FaceBoiling boiling({0, 0, 0}, {14, 8, 14});
+  PackSession pack(
+      world + "]}",
+      cacheOptions({{"FACE_SHARE", "1"}, {"FACE_GAIN", "1.0"}, {"FACE_RAYS", rays}}), 8, 8);
+  Settled settled;
   pack.renderFrames(150);
   for (int i = 0; i < 24; ++i) {
     pack.renderFrames(8);
-    boiling.add(faceField(pack, kFaceVolume));
+    const FaceField field = faceField(pack, kFaceVolume);
+    settled.boiling.add(field);
+    settled.floor += field.meanRed({1, 0, 1}, {12, 0, 12}, kUp) / 24;
   }
-  EXPECT_EQ(boiling.faces(), 12 * 12 * 2 + 12 * 6 * 4 + 9 * 6) << "walls and lamps";
-  RecordProperty("boiling", fmt::format("{:.4f}", boiling.ofFaces()));
-  EXPECT_LT(boiling.ofFaces(), .05);
-  EXPECT_GT(boiling.ofFaces(), .01) << "nothing is sampled";
+  return settled;
+}
+
+TEST(FaceCache, settled_light_hardly_changes_and_half_as_much_by_four_rays_a_face) {
+  const Settled one = settledRoom("1"), four = settledRoom("4");
+  const double boiling = one.boiling.ofFaces();
+  RecordProperty("boiling", fmt::format("{:.4f}", boiling));
+  EXPECT_EQ(one.boiling.faces(), 12 * 12 * 2 + 12 * 6 * 4 + 9 * 6) << "walls and lamps";
+  EXPECT_LT(boiling, .05);
+  EXPECT_GT(boiling, .01) << "nothing is sampled";
+  EXPECT_NEAR(four.boiling.ofFaces() / boiling, .5, .05);
+  EXPECT_NEAR(four.floor / one.floor, 1, .01);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// One sample of the light on each face of this frame's list: a ray into the hemisphere, and a ray
+// A sample of the light on each face of this frame's list: the mean of FACE_RAYS rays into the hemisphere, each with a ray
 // to a lamp. commit.glsl adds it to the means.
 #include "/settings.glsl"
 
@@ -93,10 +93,13 @@ vec4 fresh_sample(uint entry, vec3 light) {
     uvec3 place = uvec3(face_texel(f.cell, f.face));
     // Independent numbers: along a sequence, what a face looks up would follow how it came about.
     seed_random(ivec2(place.x + 2048u * place.y, place.z), frameCounter);
-    f.from.origin = point_of(f.cell, f.face, next_random().xy);
-    vec3 sampled = hemisphere_sample(f, next_random().xy, light) + lamp_sample(f.from);
-
-    return vec4(min(sampled, vec3(face_light_max)) / face_unit, trusted_updates(light_of(f.cell, f.face).a));
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < FACE_RAYS; ++i) {
+        f.from.origin = point_of(f.cell, f.face, next_random().xy);
+        vec3 sampled = hemisphere_sample(f, next_random().xy, light) + lamp_sample(f.from);
+        sum += min(sampled, vec3(face_light_max));
+    }
+    return vec4(sum / (face_unit * float(FACE_RAYS)), trusted_updates(light_of(f.cell, f.face).a));
 }
 
 void main() {
