@@ -53,6 +53,7 @@ ROOMS = {
     "check/frame/*": "check/frame_checks_test.cpp",
     "check/graph/*": "check/pass_graph_test.cpp",
     "check/hints/double_include": "validate/validate_pack_test.cpp",
+    "check/hints/language_hints": "check/language_hints_test.cpp",
     "check/hints/*": "check/compile_hints_test.cpp",
     "check/ids/*": "check/id_checks_test.cpp",
     "check/interface/name_checks": "check/declaration_names_test.cpp",

@@ -11,6 +11,7 @@
 #include <orris/check/hints/common_include.h>
 #include <orris/check/hints/compile_hints.h>
 #include <orris/check/hints/double_include.h>
+#include <orris/check/hints/language_hints.h>
 #include <orris/check/hints/line_trial.h>
 #include <orris/check/pack/open_comments.h>
 #include <orris/glsl/compile/validate.h>
@@ -171,6 +172,7 @@ void checkWithGlslang(const ShaderPack& pack, int jobs, Verdicts& verdicts, Diag
         !readsOpenEndedFile(pack, units[i])) {
       if (units[i].judged != units[i].stages) explainVersions(units[i].judged, lines, messages);
       explainDoubleIncludes(units[i].judged, messages);
+      explainLanguage(index, units[i].judged, messages);
       const Diagnostics errors = messages;
       const IncludeTrial trial = [&](const MissingInclude& added) {
         return fixedBy(pack, units[i], added, errors, trials);
