@@ -256,6 +256,44 @@ TEST(ReferenceGlazedRoom, light_between_the_layers_of_glass_is_found) {
   EXPECT_NEAR(pack.meanRadiance().g / .004572, 1, .04);
 }
 
+/// A window of clear glass, and green in the mean of a picture of 16x9: orris trace --noise 0.002.
+struct Skylight {
+  const char* name;
+  const char* glass;
+  double green;
+};
+void PrintTo(const Skylight& skylight, std::ostream* out) { *out << skylight.name; }
+
+class ReferenceSky : public testing::TestWithParam<Skylight> {};
+
+// Rays pass two layers of the same texture, whose holes lie behind each other. Panes part what lights the sides of their
+// opening, which are much of what is seen of low ones.
+TEST_P(ReferenceSky, comes_through_clear_glass) {
+  const Skylight& skylight = GetParam();
+  OptionValues options = kSettling;
+  options.insert_or_assign("SUN_STRENGTH", "0.0");
+  options.insert_or_assign("GI_SAMPLES", "16");
+  options.insert_or_assign("FACE_RAYS", "8");
+  std::string world = R"({"size": [26, 12, 24],
+      "blocks": [{"box": "black_concrete", "min": [0, 0, 0], "max": [25, 0, 23]},
+                 {"hollow": "white_concrete", "min": [4, 0, 4], "max": [16, 8, 18]})";
+  for (const int y : {2, 4, 6})
+    world += fmt::format(R"(, {{"box": "{0}", "min": [4, {1}, 6], "max": [4, {1}, 16]}})", skylight.glass, y);
+  PackSession pack(world + R"(],
+      "cameras": [{"name": "eye", "position": [6.5, 4.6, 10.5], "target": [16, 3.4, 10.7], "fov": 70}],
+      "environment": {"time": 6000}})",
+                   options, 16, 9);
+  pack.renderFrames(100);
+  const double ratio = pack.meanRadiance().g / skylight.green;
+  RecordProperty("ratio", fmt::format("{:.4f}", ratio));
+  EXPECT_NEAR(ratio, 1, .015);
+}
+
+INSTANTIATE_TEST_SUITE_P(, ReferenceSky,
+                         testing::Values(Skylight{"glass", "glass", 0.02193},
+                                         Skylight{"low_panes", "glass_pane[north=true,south=true]", 0.02532}),
+                         [](const auto& tested) { return std::string(tested.param.name); });
+
 /// What a lamp lights near it: the mean of a picture of 16x9 as orris trace finds it.
 struct Spot {
   const char* name;

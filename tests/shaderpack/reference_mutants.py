@@ -10,6 +10,7 @@ HIT = "include/gi/hit.glsl"
 OCTANTS = "include/voxels/octants.glsl"
 VOXEL = "include/voxels/voxel.glsl"
 TRACE = "include/voxels/trace.glsl"
+HOLES = "include/voxels/holes.glsl"
 SHADOW = "program/shadow/shadow.glsl"
 TINT = "include/sun/sun_tint.glsl"
 TRANSLUCENT = "program/gbuffers/translucent.glsl"
@@ -67,5 +68,8 @@ MUTANTS = [
      [(TRANSLUCENT, "float share = inside_volume(to_volume(player));", "float share = 0.0;")]),
     ("what gathered for glass is blended", "ReferenceSpot.*glass_*_the_shadow*",
      [("shaders.properties", "blend.gbuffers_water.colortex12 = off", "")]),
+    ("holes of one row of glass in the next", "ReferenceSky.*/glass", [(HOLES, "texel.y >> 1u, 0", "0, 0")]),
+    ("panes part no light", "ReferenceSky.*/low_panes", [(OCTANTS, "is_pane(code) ? kept_shape(cell) & arms_of_pane : 0u", "0u")]),
+    ("both halves beside a pane lit alike", "ReferenceSky.*/low_panes", [(UPDATE, "bool parts = dot(face_normal(face), axis) == 0.0;", "bool parts = false;")]),
     ("light within glass by its outer side", "ReferenceGlazedRoom.*", [(HIT, " || is_glass(hit.voxel.code)", "")]),
 ]

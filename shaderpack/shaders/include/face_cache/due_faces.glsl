@@ -51,11 +51,11 @@ void list_cube(ivec3 cell, int code, int sky) {
     for (int face = 0; face < 6; ++face) list_face(cell, face, code, sky);
 }
 
-/// The upper halves of the faces beside a stained pane, should there be blocks.
-void list_halves(ivec3 pane, int code, int sky) {
+/// The upper halves of the faces beside a pane that lies across `axis`, should there be blocks.
+void list_halves(ivec3 pane, vec3 axis, int sky) {
     for (int face = 0; face < 6; ++face) {
         ivec3 cell = pane - ivec3(face_normal(face));
-        bool parted = dot(face_normal(face), pane_axis(code)) == 0.0;
+        bool parted = dot(face_normal(face), axis) == 0.0;
         if (parted && in_volume(cell)) list_face(cell, face + face_inner, voxel_solid, sky);
     }
 }

@@ -80,8 +80,8 @@ Hit trace_from_face(vec3 origin, vec3 direction) {
         if (own.code == voxel_water_surface)
             span = below_surface(span, float(cell.y) + water_height - origin.y, direction.y);
         hit.transmittance *= filtered(own.color, filter_depth(own.code, to_center, walk.inverse, span));
-        hit.inner = hit.inner || (is_tinted_pane(own.code) && is_beyond_pane(hit, vec3(cell), own.code));
     }
+    hit.inner = hit.inner || is_beyond_pane(hit, vec3(cell), own.code);
     return hit;
 }
 

@@ -90,6 +90,13 @@ uint kept_shape(ivec3 cell) {
 #endif
 }
 
+/// What a pane lies across, if it parts its cell: a stained one, or a straight one of clear glass; else 0.
+vec3 parted_axis(int code, ivec3 cell) {
+    if (is_tinted_pane(code)) return pane_axis(code);
+    uint arms = is_pane(code) ? kept_shape(cell) & arms_of_pane : 0u;
+    return vec3(arms == arms_along_z, 0.0, arms == arms_along_x);
+}
+
 /// Does light of the sky come to a place at the edge of the volume? Above all opaque blocks of its column, and above the
 /// lowest of their floors that gets some: caves lie below that. Only the face cache keeps the heights.
 bool sky_comes_to(vec3 position) {

@@ -6,6 +6,9 @@
 
 #include "/include/voxels/voxel.glsl"
 
+const uint arms_along_x = 3u;
+const uint arms_along_z = 12u;
+const uint arms_of_pane = 15u;
 const uint part_post = 16u;
 const uint part_bottom = 32u;  // of water: below it there is none
 
@@ -78,8 +81,20 @@ Box post_box(int code, int index) {
     return Box(vec3(x.x, bottom, z.x), vec3(x.y, top, z.y));
 }
 
-/// Axes across which a box of a pane has sides; the others end it where the pane goes on.
-vec3 pane_sides(int index) { return vec3(index == 0 || index > 2, 0.0, index < 3); }
+/// Is the side of a box drawn? Of panes not where the pane goes on, above and below, and from the post to an arm.
+bool has_side(int code, uint parts, int index, vec3 normal) {
+    if (!is_pane(code)) return true;
+    int side = normal.x != 0.0 ? int(normal.x > 0.0) : 2 + int(normal.z > 0.0);
+    bool to_arm = index == 0 && (parts >> uint(side) & 1u) == 1u;
+    bool along_arm = index > 0 && (side < 2) == (index < 3);
+    return normal.y == 0.0 && !to_arm && !along_arm;
+}
+
+/// Out of the block, of the plate with this index.
+vec3 plate_normal(int index) {
+    vec3 axis = vec3(index < 2, index >= 4, index >= 2 && index < 4);
+    return (index & 1) == 1 ? axis : -axis;
+}
 
 int post_boxes(int code) {
     int boxes = code == voxel_fence ? 9 : has_plates(code) ? 6 : 5;

@@ -5,6 +5,7 @@
 
 #include "/include/debug/count.glsl"
 #include "/include/math/random.glsl"
+#include "/include/voxels/holes.glsl"
 #include "/include/voxels/octants.glsl"
 #include "/include/voxels/voxel.glsl"
 #if HAS_DISTANCES
@@ -100,9 +101,10 @@ float filter_depth(int code, vec3 middle, vec3 inverse, vec2 span) {
     return is_tinted_pane(code) ? crossed : max(0.0, span.y - span.x);
 }
 
-/// Stained panes part what light falls on the two halves of the faces beside them. Is a hit on the upper one?
+/// Panes part what light falls on the two halves of the faces beside them. Is a hit on the upper one?
 bool is_beyond_pane(Hit hit, vec3 cell, int code) {
-    vec3 axis = pane_axis(code);
+    vec3 axis = parted_axis(code, ivec3(cell));
+    if (axis == vec3(0.0)) return false;
     bool beside = vec3(hit.cell) + hit.normal == cell && dot(hit.normal, axis) == 0.0 && is_full(hit.voxel.code);
     return beside && dot(hit.position - cell, axis) > 0.5;
 }
@@ -133,23 +135,11 @@ Meeting meet_octants(Walk walk, uint octants, vec2 span) {
     return Meeting(t <= max(span.x, span.y), t, t < at.w ? axis : vec3(0.0));
 }
 
-/// Holes of glass as its textures have them: inside a frame of one texel of 16, single texels; which is not known, so they
-/// are chosen at random, for all sides alike.
-bool in_glass_hole(int code, vec3 within, vec3 axis) {
-    const float inside = 14.0 * 14.0 / 256.0;
-    float share = hole_share(code);
-    vec3 off = abs(within - 0.5) * (1.0 - axis);
-    bool is_frame = max(off.x, max(off.y, off.z)) > 7.0 / 16.0;
-    float open = is_frame ? (share - inside) / (1.0 - inside) : share / inside;
-    uvec3 texel = uvec3(clamp(within * 16.0, 0.0, 15.0) * (1.0 - axis) + axis * 16.0);
-    return float(hash(texel).x >> 8u) * (1.0 / 16777216.0) < open;
-}
-
 /// Is this point of a block's side in one of its holes? Those of doors: a square in each quarter, as large as what the
-/// texture leaves open. `within`: from the lower end of the cell; `axis`: that of the side.
-bool in_hole(int code, vec3 within, vec3 axis) {
-    if (is_glass(code) || is_pane(code)) return in_glass_hole(code, within, axis);
-    vec3 off = abs(fract(2.0 * within) - 0.5) * (1.0 - axis);
+/// texture leaves open. `within`: from the lower end of the cell; `normal`: of the side, out of the block.
+bool in_hole(int code, vec3 within, vec3 normal) {
+    if (is_glass(code) || is_pane(code)) return in_glass_hole(code, face_of(normal), within);
+    vec3 off = abs(fract(2.0 * within) - 0.5) * (1.0 - abs(normal));
     return max(off.x, max(off.y, off.z)) < 0.5 * sqrt(hole_share(code));
 }
 
@@ -177,12 +167,14 @@ Meeting meet_post(Walk walk, int code) {
         bool hit = has_part(code, parts, i) && t > 0.0 && t <= leave;
         if (!hit || t >= met.t) continue;
         vec3 axis = axis_of(t, near);
-        vec3 sides = is_pane(code) ? pane_sides(i) : vec3(1.0);
-        bool passes = dot(axis, sides) == 0.0 || in_hole(code, from + walk.direction * t + 0.5, axis);
+        vec3 normal = -axis * walk.stride;
+        if (is_glass(code)) normal = plate_normal(i);
+        bool passes = !has_side(code, parts, i, normal) || in_hole(code, from + walk.direction * t + 0.5, normal);
         if (passes && is_pane(code)) {
             t = leave;
             axis = axis_of(t, far);
-            passes = t >= met.t || dot(axis, sides) == 0.0 || in_hole(code, from + walk.direction * t + 0.5, axis);
+            normal = axis * walk.stride;
+            passes = t >= met.t || !has_side(code, parts, i, normal) || in_hole(code, from + walk.direction * t + 0.5, normal);
         }
         if (!passes) met = Meeting(true, t, axis);
     }
@@ -273,8 +265,8 @@ Hit trace(vec3 origin, vec3 direction) {
     Hit hit;
     hit.transmittance = vec3(1.0);
     Meeting met = Meeting(false, 0.0, vec3(0.0));
-    vec3 filter_cell = vec3(-1.0);
-    int filter_code = voxel_air;
+    vec3 last_cell = vec3(-1.0);
+    int last_code = voxel_air;
     walk_on(walk);
     // What a full block stops has no turn here, and branches save nothing on some drivers.
     for (int i = 0; i < 3 * VOLUME && walk.reach != stopped && in_volume(cell_of(walk)); ++i) {
@@ -288,15 +280,15 @@ Hit trace(vec3 origin, vec3 direction) {
                 span = below_surface(span, walk.cell.y + water_height - origin.y, walk.direction.y);
             float depth = filter_depth(code, walk.cell + 0.5 - origin, walk.inverse, span);
             hit.transmittance *= filtered(decode_voxel(texel).color, depth);
-            filter_cell = walk.cell;
-            filter_code = code;
         }
+        last_cell = walk.cell;
+        last_code = code;
         walk_on(walk);
     }
     hit.found = in_volume(cell_of(walk));
     vec4 texel = hit.found ? texel_of(cell_of(walk)) : vec4(0.0);
     describe(hit, walk, met, texel);
-    hit.inner = hit.inner || (is_tinted_pane(filter_code) && is_beyond_pane(hit, filter_cell, filter_code));
+    hit.inner = hit.inner || is_beyond_pane(hit, last_cell, last_code);
     return hit;
 }
 

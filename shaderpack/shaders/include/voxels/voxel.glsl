@@ -16,8 +16,8 @@ const int voxel_fence = 7;   // posts with arms: include/voxels/posts.glsl
 const int voxel_wall = 8;
 const int voxel_chest = 9;
 const int voxel_plate = 10;  // .. 15: doors and trapdoors, with holes of 0..5 eighths
-const int voxel_glass = 16;       // .. 23: the sides that are drawn, with holes of 0..7 eighths
-const int voxel_pane = 24;        // .. 31: a post with arms, thin, with such holes
+const int voxel_glass = 16;  // the sides that are drawn, with holes: include/voxels/holes.glsl
+const int voxel_pane = 17;   // a post with arms, thin, with such holes
 const int voxel_small_lamp = 32;  // + light level 1..15, a ball in the cell
 const int voxel_cover = 48;       // a carpet on the floor of the cell
 const int voxel_tinted_pane = 49;  // a stained pane across x; + 1: across z
@@ -71,15 +71,12 @@ bool is_lamp_voxel(int code) { return code >= voxel_lamp || is_ball(code); }
 
 bool is_plate(int code) { return code >= voxel_plate && code < voxel_glass; }
 
-bool is_glass(int code) { return code >= voxel_glass && code < voxel_pane; }
+bool is_glass(int code) { return code == voxel_glass; }
 
-bool is_pane(int code) { return code >= voxel_pane && code < voxel_small_lamp; }
+bool is_pane(int code) { return code == voxel_pane; }
 
-/// What holes take of a side of the block.
-float hole_share(int code) {
-    float glass = code >= voxel_glass && code < voxel_small_lamp ? float(code & 7) / 8.0 : 0.0;
-    return is_plate(code) ? float(code - voxel_plate) / 8.0 : glass;
-}
+/// What holes take of a side of a door or trapdoor.
+float hole_share(int code) { return is_plate(code) ? float(code - voxel_plate) / 8.0 : 0.0; }
 
 /// Light of the propagation does not pass; slabs leave half of their cell open.
 bool is_opaque_voxel(int code) {

@@ -62,10 +62,10 @@ float trusted_updates(float updates) {
 
 uint octants_at(ivec3 cell) { return octants_of(voxel_at(cell).code, cell); }
 
-/// Of a face beside a stained pane the half on one side of it: the upper one has the place of an inner face.
-vec2 half_beside_pane(vec2 at, int pane, int face) {
-    vec3 axis = pane_axis(pane);
-    bool parts = is_tinted_pane(pane) && dot(face_normal(face), axis) == 0.0;
+/// Of a face beside a pane the half on one side of it: the upper one has the place of an inner face.
+vec2 half_beside_pane(vec2 at, ivec3 pane, int face) {
+    vec3 axis = parted_axis(voxel_at(pane).code, pane);
+    bool parts = dot(face_normal(face), axis) == 0.0;
     return mix(at, 0.5 * (at + float(face >= face_inner)), axis.xz * float(parts));
 }
 
@@ -73,7 +73,7 @@ vec3 point_of(ivec3 cell, int face, vec2 at) {
     int code = voxel_at(cell).code;
     if (is_post(code)) return point_of_post(cell, code, face, at);
     ivec3 before = cell + ivec3(face_normal(face));
-    at = half_beside_pane(at, voxel_at(before).code, face);
+    at = half_beside_pane(at, before, face);
     if (is_full(code)) face &= 7;
     if (code == voxel_lava && face == face_up && !is_whole_lava(cell))
         return point_of_side(cell, vec3(0.0, 1.0, 0.0), at) - vec3(0.0, 1.0 - water_height, 0.0);

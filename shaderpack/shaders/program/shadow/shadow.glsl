@@ -149,7 +149,7 @@ void emit_lamp() {
 #include "/include/voxels/checksum.glsl"
 #include "/include/debug/count.glsl"
 #define HAS_OCTANT_WRITES
-#include "/include/voxels/octants.glsl"
+#include "/include/voxels/holes.glsl"
 #endif
 #if HAS_FACE_CACHE
 #include "/include/face_cache/due_faces.glsl"
@@ -219,8 +219,8 @@ vec4 block_voxel(int id, float emission, vec3 normal, ivec3 cell) {
     if (id == block_fence) return encode_voxel(color, voxel_fence);
     if (id == block_wall) return encode_voxel(color, voxel_wall);
     if (id == block_chest) return encode_voxel(color, voxel_chest);
-    if (id == block_glass) return encode_voxel(color, voxel_glass + min(in_eighths(open_texels(), cell), 7));
-    if (id == block_pane) return encode_voxel(color, voxel_pane + min(in_eighths(open_texels(), cell), 7));
+    if (id == block_glass) return encode_voxel(color, voxel_glass);
+    if (id == block_pane) return encode_voxel(color, voxel_pane);
     if (id == block_cover) return encode_voxel(color, voxel_cover);
 #else
     bool is_thin = id == block_glass || id == block_pane || id == block_cover;
@@ -248,6 +248,7 @@ void emit_voxel() {
     int face = face_of(vertex_normal[0]);
     add_to_brick(cell, face, code, vertex_mid_uv[0]);
     if (code == voxel_water_surface) note_lake();
+    if (is_glass(code) || (is_pane(code) && face != 2 && face != 3)) note_holes(code, face, block.middle);
     // Not the underside of its surface.
     bool bottom = vertex_normal[0].y < -0.5 && vertex_player[0].y - block.middle.y < -0.4;
     if (block.id == block_water && bottom) add_octants(cell, part_bottom);
@@ -266,7 +267,8 @@ void emit_voxel() {
     int sky = int(clamp(vertex_sky[0], 0.0, 15.0) + 0.5);
     list_face(cell, inner ? face + face_inner : face, code, sky);
     if (code >= voxel_lamp && abs(outward) < 0.3) list_cube(cell, code, sky);
-    if (is_tinted_pane(code)) list_halves(cell, code, sky);
+    if (is_tinted_pane(code)) list_halves(cell, pane_axis(code), sky);
+    if (is_pane(code) && face != 2 && face != 3) list_halves(cell, abs(face_normal(face)), sky);
 #endif
 
     // The faces of a block share one texel; depth lets the one with the largest holes win, and the top of those

@@ -1,0 +1,54 @@
+// Which texels of clear glass light passes: for each of its sides, and of those of panes, 16 x 16 bits, as the texture of the
+// first such block that the shadow pass meets has them. In voxel_sums, behind lake_now: two rows of texels a word, and a
+// word that is 1 where a side is known.
+#if !defined INCLUDED_VOXELS_HOLES
+#define INCLUDED_VOXELS_HOLES
+
+#include "/include/voxels/octants.glsl"
+
+const int hole_words = 8;
+
+/// The first word of a side: `face` looks out of the block.
+ivec2 holes_of_side(int code, int face) {
+    return lake_now + ivec2(1 + (hole_words + 1) * (face + (is_pane(code) ? 6 : 0)), 0);
+}
+
+#if defined HAS_OCTANT_WRITES
+/// The texture of the quad at places of its block's whole side, of which panes are made in parts. The first triangle of a
+/// quad has its corners in order.
+void note_holes(int code, int face, vec3 middle) {
+    ivec2 words = holes_of_side(code, face);
+    if (imageLoad(voxel_sums, words + ivec2(hole_words, 0)).r != 0u) return;
+    vec3 a = vertex_player[1] - vertex_player[0];
+    vec3 b = vertex_player[2] - vertex_player[1];
+    vec2 uv_a = (vertex_uv[1] - vertex_uv[0]) / dot(a, a);
+    vec2 uv_b = (vertex_uv[2] - vertex_uv[1]) / dot(b, b);
+    vec3 across = face < 2 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
+    vec3 up = face == 2 || face == 3 ? vec3(0.0, 0.0, 1.0) : vec3(0.0, 1.0, 0.0);
+    vec3 first = middle - vertex_player[0] - 0.46875 * (across + up);  // the middle of the first texel
+    for (int word = 0; word < hole_words; ++word) {
+        uint open = 0u;
+        for (int i = 0; i < 32; ++i) {
+            vec3 at = first + float(i & 15) / 16.0 * across + float(2 * word + (i >> 4)) / 16.0 * up;
+            vec2 uv = vertex_uv[0] + uv_a * dot(at, a) + uv_b * dot(at, b);
+            open |= uint(textureLod(gtexture, uv, 0.0).a < cutout_alpha) << uint(i);
+        }
+        imageStore(voxel_sums, words + ivec2(word, 0), uvec4(open));
+    }
+    imageStore(voxel_sums, words + ivec2(hole_words, 0), uvec4(1u));
+}
+#else
+/// Is this point of a side in one of its holes? `within`: from the lower end of the cell.
+bool in_glass_hole(int code, int face, vec3 within) {
+#if HAS_VOXEL_CHANGES
+    vec2 at = face < 2 ? within.zy : face < 4 ? within.xz : within.xy;
+    uvec2 texel = uvec2(clamp(at * 16.0, 0.0, 15.0));
+    uint open = imageLoad(voxel_sums, holes_of_side(code, face) + ivec2(texel.y >> 1u, 0)).r;
+    return (open >> (texel.x + 16u * (texel.y & 1u)) & 1u) == 1u;
+#else
+    return false;
+#endif
+}
+#endif
+
+#endif
