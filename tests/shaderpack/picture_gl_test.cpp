@@ -41,6 +41,20 @@ TEST(PackPicture, four_bounces_bleed_more) { EXPECT_GT(colourBleeding("BOUNCE_4"
 
 TEST(PackPicture, lightmap_alone_does_not_bleed) { EXPECT_NEAR(colourBleeding("NONE", 2), 1, 0.1); }
 
+// Where a quad is a pixel or two wide, rasterisers move its corners by a thousandth of it, and the middle of a pixel may lie
+// beyond its end in the texture.
+TEST(PackPicture, no_pixel_of_a_wall_shows_the_texture_beside_its_own) {
+  PackSession pack(R"({"size": [26, 12, 24],
+      "blocks": [{"box": "grass_block", "min": [0, 0, 0], "max": [25, 0, 23]},
+                 {"hollow": "white_concrete", "min": [4, 0, 4], "max": [16, 8, 18]}],
+      "cameras": [{"name": "eye", "position": [6.5, 4.6, 10.5], "target": [16, 3.5, 10.5], "fov": 70}]})",
+                   {{"GI_METHOD", "NONE"}}, 16, 9);
+  pack.renderFrames(1);
+  const ImageF albedo = pack.dump("colortex1");
+  for (std::size_t i = 0; i < albedo.pixels.size(); i += 4)
+    EXPECT_NEAR(albedo.pixels[i], albedo.pixels[0], .1F) << i / 4;
+}
+
 // Radiance 16 at level 15, of a portal (11) 16 * (11 / 15)^2 = 8.6 times its texture, which is violet and .7 to .8 dense;
 // by the lightmap alone it would have a seventeenth.
 TEST(PackPicture, portals_shine_where_the_camera_sees_them) {

@@ -34,9 +34,10 @@ struct VertexStyle {
   bool operator==(const VertexStyle&) const = default;
 };
 
-// A sample at exactly the far edge of a tile would read the next one; the game shrinks its quads'
-// coordinates towards their middle for the same reason. 1/250 texel of a 16-texel tile.
-inline constexpr float kUvInset = 1.0f / 2048;
+// How far texture coordinates lie towards the middle of their quad. Rasterisers move corners by up to 1/512 of a pixel, so
+// that a sample at the edge of a small quad would read the next tile. The game moves them by 4 texels over the size of
+// its atlas (TextureAtlasSprite.uvShrinkRatio), which is 1024.
+inline constexpr float kUvInset = 1.0f / 256;
 
 VertexStyle vertexStyleOf(const ShaderPack& pack);
 

@@ -4,14 +4,12 @@
 #include <array>
 #include <tuple>
 
+#include <orris/plan/scene/gpu_vertex.h>
 #include <orris/trace/light/pack_lighting.h>
 #include <orris/world/atlas/atlas_levels.h>
 
 namespace orris {
 namespace {
-
-// Texture coordinates at a tile's end would read the next tile.
-constexpr float kInset = 1e-4f;
 
 int faceOf(const glm::vec3& normal) {
   for (int face = 0; face < 6; ++face) {
@@ -33,9 +31,9 @@ PlacedQuad placeQuad(const std::array<BlockVertex, 4>& v, const MeshSection& sec
   quad.edgeV = v[1].position - v[0].position;
   quad.normal = glm::normalize(v[0].normal);
   const glm::vec2 u = (v[3].uv - v[0].uv) * texels, w = (v[1].uv - v[0].uv) * texels;
-  quad.uvCorner = v[0].uv * texels + (u + w) * kInset;
-  quad.uvU = u * (1 - 2 * kInset);
-  quad.uvV = w * (1 - 2 * kInset);
+  quad.uvCorner = v[0].uv * texels + (u + w) * (kUvInset / 2);
+  quad.uvU = u * (1 - kUvInset);
+  quad.uvV = w * (1 - kUvInset);
   quad.tint = packToLinear(glm::vec3(glm::ivec3(v[0].tint)) / 255.0f);
   quad.state = v[0].state;
   quad.emission = std::uint8_t(glm::clamp(int(v[0].midBlock.w), 0, 15));
