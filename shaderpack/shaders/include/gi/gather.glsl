@@ -119,7 +119,7 @@ vec3 gather(Surface s, vec3 light, int number) {
 #endif
             continue;
         }
-        radiance += throughput * light_of(hit.cell, face_of_hit(hit)).rgb;
+        radiance += throughput * share_of_face(hit) * light_of(hit.cell, face_of_hit(hit)).rgb;
         break;
 #endif
         // A loop that is not known to end here costs a quarter more on llvmpipe.

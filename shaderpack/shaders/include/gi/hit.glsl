@@ -98,9 +98,17 @@ bool faces_stained_glass(Hit hit) {
     return hit.found && before.code == voxel_translucent && min(before.color.r, min(before.color.g, before.color.b)) < 0.1;
 }
 
-/// Does the light on a hit differ too much over its face for the mean to stand for it? Glass has two layers: what comes
-/// through the holes of one is reflected to and fro between them, and the face has the light on the outside.
-bool is_ill_known(Hit hit) { return faces_stained_glass(hit) || is_glass(hit.voxel.code); }
+/// Has a ray passed the first side of a pane, and met the second?
+bool is_within_pane(Hit hit) {
+    return is_pane(hit.voxel.code) && dot(hit.position - vec3(hit.cell) - 0.5, hit.normal) < 0.0;
+}
+
+/// What of the light on its face comes to a hit.
+float share_of_face(Hit hit) { return is_within_pane(hit) ? open_share(hit.voxel.code, face_of(hit.normal)) : 1.0; }
+
+/// Does the light on a hit differ too much over its face for the mean to stand for it? Glass and panes have two layers: what
+/// comes through the holes of one is reflected to and fro between them, and the face has the light on the outside.
+bool is_ill_known(Hit hit) { return faces_stained_glass(hit) || is_glass(hit.voxel.code) || is_within_pane(hit); }
 
 #if HAS_SHADOW_MAP
 /// Share of the sun's light that arrives at a hit. Where the edge of a shadow lies between the texels of the map about the

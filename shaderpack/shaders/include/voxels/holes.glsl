@@ -1,6 +1,6 @@
 // Which texels of clear glass light passes: for each of its sides, and of those of panes, 16 x 16 bits, as the texture of the
 // first such block that the shadow pass meets has them. In voxel_sums, behind lake_now: two rows of texels a word, and a
-// word that is 1 where a side is known.
+// word that is one more than all that are open, where a side is known.
 #if !defined INCLUDED_VOXELS_HOLES
 #define INCLUDED_VOXELS_HOLES
 
@@ -26,16 +26,19 @@ void note_holes(int code, int face, vec3 middle) {
     vec3 across = face < 2 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
     vec3 up = face == 2 || face == 3 ? vec3(0.0, 0.0, 1.0) : vec3(0.0, 1.0, 0.0);
     vec3 first = middle - vertex_player[0] - 0.46875 * (across + up);  // the middle of the first texel
+    uint known = 1u;
     for (int word = 0; word < hole_words; ++word) {
         uint open = 0u;
         for (int i = 0; i < 32; ++i) {
             vec3 at = first + float(i & 15) / 16.0 * across + float(2 * word + (i >> 4)) / 16.0 * up;
             vec2 uv = vertex_uv[0] + uv_a * dot(at, a) + uv_b * dot(at, b);
-            open |= uint(textureLod(gtexture, uv, 0.0).a < cutout_alpha) << uint(i);
+            uint is_open = uint(textureLod(gtexture, uv, 0.0).a < cutout_alpha);
+            open |= is_open << uint(i);
+            known += is_open;
         }
         imageStore(voxel_sums, words + ivec2(word, 0), uvec4(open));
     }
-    imageStore(voxel_sums, words + ivec2(hole_words, 0), uvec4(1u));
+    imageStore(voxel_sums, words + ivec2(hole_words, 0), uvec4(known));
 }
 #else
 /// Is this point of a side in one of its holes? `within`: from the lower end of the cell.
@@ -47,6 +50,15 @@ bool in_glass_hole(int code, int face, vec3 within) {
     return (open >> (texel.x + 16u * (texel.y & 1u)) & 1u) == 1u;
 #else
     return false;
+#endif
+}
+
+/// What the holes take of a side.
+float open_share(int code, int face) {
+#if HAS_VOXEL_CHANGES
+    return float(max(imageLoad(voxel_sums, holes_of_side(code, face) + ivec2(hole_words, 0)).r, 1u) - 1u) / 256.0;
+#else
+    return 0.0;
 #endif
 }
 #endif

@@ -151,7 +151,7 @@ vec3 axis_of(float t, vec3 at) {
 }
 
 /// The first box of a fence, wall or chest that the ray comes into from outside. Of a pane only the two large sides are
-/// drawn: a ray passes the holes of both, or stops at the inside of the second.
+/// drawn: a ray passes the holes of both, or stops at the inside of the second, where it may begin.
 Meeting meet_post(Walk walk, int code) {
     Meeting met = Meeting(false, 1e9, vec3(0.0));
     uint parts = post_boxes(code) > 0 ? kept_shape(cell_of(walk)) : 0u;
@@ -164,12 +164,13 @@ Meeting meet_post(Walk walk, int code) {
         vec3 far = max(a, b);
         float t = max(near.x, max(near.y, near.z));
         float leave = min(far.x, min(far.y, far.z));
-        bool hit = has_part(code, parts, i) && t > 0.0 && t <= leave;
+        bool within = is_pane(code) && t <= 0.0 && leave > 0.0;
+        bool hit = has_part(code, parts, i) && (t > 0.0 || within) && t <= leave;
         if (!hit || t >= met.t) continue;
         vec3 axis = axis_of(t, near);
         vec3 normal = -axis * walk.stride;
         if (is_glass(code)) normal = plate_normal(i);
-        bool passes = !has_side(code, parts, i, normal) || in_hole(code, from + walk.direction * t + 0.5, normal);
+        bool passes = within || !has_side(code, parts, i, normal) || in_hole(code, from + walk.direction * t + 0.5, normal);
         if (passes && is_pane(code)) {
             t = leave;
             axis = axis_of(t, far);

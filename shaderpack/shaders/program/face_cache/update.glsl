@@ -45,7 +45,7 @@ vec3 hemisphere_sample(Face f, vec2 u, vec3 light) {
         if (hit.found && is_lamp_voxel(hit.voxel.code)) radiance += throughput * lamp_light(hit.voxel);
     }
     radiance += throughput * (hit.found ? voxel_albedo(hit.voxel) * (sun_at(hit, light, f.sky) +
-                                                                     light_of(hit.cell, face_of_hit(hit)).rgb)
+                                                                     share_of_face(hit) * light_of(hit.cell, face_of_hit(hit)).rgb)
                                         : sky_beyond(hit, onward, f.sky));
     for (int i = 0; i < int(begins_in_leaves(f.from.origin)); ++i)
         radiance += light_of_leaves(f.from.origin, direction, light, f.sky);
