@@ -122,11 +122,19 @@ vec3 sun_share(Hit hit, vec3 light, float sky) {
     float lit = point_visibility(plane, texel.z, sky);
 #if SHADOW_COMPARE == SHADOW_COMPARE_TEXEL
     EdgeInMap edge = edge_in_map(plane);
-    ivec3 cell = ivec3(floor(to_volume(edge.caster - 0.002 * light)));
+    vec3 caster = to_volume(edge.caster - 0.002 * light);
+    ivec3 cell = ivec3(floor(caster));
     vec3 from = hit.position + hit.normal * face_offset;
     bool is_exact = edge.found && cell != ivec3(floor(from)) && octants_of(voxel_at(cell).code, cell) != 0u;
     bool passes = !meets_opaque(from, light, is_exact);
-    texel = is_exact && passes ? edge.lit : texel;
+#if HAS_VOXEL_CHANGES
+    // The map's texels are as wide as a pane is thick.
+    bool beside_pane = is_pane(voxel_at(ivec3(floor(from))).code);
+    bool near_pane = edge.dark && is_pane(voxel_at(cell).code) && (beside_pane || distance(caster, from) < 0.5);
+    passes = passes && !meets_pane(from, light, near_pane || beside_pane);
+    is_exact = is_exact || near_pane || (beside_pane && !passes);
+#endif
+    texel = is_exact && passes && edge.found ? edge.lit : texel;
     lit = is_exact ? float(passes) : lit;
 #endif
     return lit * point_tint(ivec2(texel.xy), texel.z, hit.cell + ivec3(hit.normal));

@@ -108,6 +108,7 @@ float point_visibility(PlaneInMap plane, float depth, float sky) {
 /// The edge of a shadow, where it passes between the four texels of the map about a point of a plane.
 struct EdgeInMap {
     bool found;
+    bool dark;    // is one of the texels?
     vec3 caster;  // player space: what throws the shadow
     vec3 lit;     // a texel that has light, and the plane's depth there
 };
@@ -128,9 +129,9 @@ EdgeInMap edge_in_map(PlaneInMap plane) {
     }
     vec2 scale = vec2(shadowProjection[0][0], shadowProjection[1][1]);
     // A little away from the light, into what throws the shadow: its very edge may lie in the middle of the texel.
-    vec2 inside = middle_of_texel(dark.xy + 0.25 * (dark.xy - lit.xy));
+    vec2 inside = middle_of_texel(dark.xy + 0.25 * (dark.xy - (lit.x < 0.0 ? dark.xy : lit.xy)));
     vec3 view = vec3(inside / scale, (dark.z * 2.0 - 1.0 - shadowProjection[3][2]) / shadowProjection[2][2]);
-    return EdgeInMap(min(dark.x, lit.x) >= 0.0, (shadowModelViewInverse * vec4(view, 1.0)).xyz, lit);
+    return EdgeInMap(min(dark.x, lit.x) >= 0.0, dark.x >= 0.0, (shadowModelViewInverse * vec4(view, 1.0)).xyz, lit);
 }
 #endif
 

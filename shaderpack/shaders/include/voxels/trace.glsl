@@ -225,6 +225,17 @@ bool meets_opaque(vec3 origin, vec3 direction, bool asked) {
 }
 
 #if HAS_VOXEL_CHANGES
+/// Does a ray meet a side of glass or a pane in its first cell or the next? Not looked for if not `asked`.
+bool meets_pane(vec3 origin, vec3 direction, bool asked) {
+    Walk walk = begin_walk(origin, direction);
+    bool found = false;
+    for (int i = 0; i < int(asked) * 2 && !found; ++i) {
+        found = meet_post(walk, int(texel_of(cell_of(walk)).a * 255.0 + 0.5)).found;
+        leave_cube(walk, 1.0);
+    }
+    return found;
+}
+
 /// Of glass that a ray meets from within: its light comes by the side that is opposite, of this block or of glass beyond.
 /// Without one, where that stands before a wall, the light of its own outer side stands for it.
 void find_lit_side(inout Hit hit) {
