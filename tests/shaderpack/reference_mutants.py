@@ -70,7 +70,7 @@ MUTANTS = [
      [("shaders.properties", "blend.gbuffers_water.colortex12 = off", "")]),
     ("holes of one row of glass in the next", "ReferenceSky.*/glass", [(HOLES, "texel.y >> 1u, 0", "0, 0")]),
     ("light within panes by their outer side", "ReferenceSunlitPanes.light*", [(HIT, " || is_within_pane(hit)", "")]),
-    ("rays from within a pane pass its sides", "ReferenceSunlitPanes.light*", [(TRACE, "(t > 0.0 || within)", "t > 0.0")]),
+    ("rays from within a pane pass its sides", "ReferenceSunlitPanes.light*", [(TRACE, "(t > 0.0 || begins)", "t > 0.0")]),
     ("panes beside a point do not shade it", "ReferenceSunlitPanes.shade*", [(HIT, "|| (beside_pane && !passes)", "")]),
     ("panes part no light", "ReferenceSky.*/low_panes", [(OCTANTS, "is_pane(code) ? kept_shape(cell) & arms_of_pane : 0u", "0u")]),
     ("both halves beside a pane lit alike", "ReferenceSky.*/low_panes", [(UPDATE, "bool parts = dot(face_normal(face), axis) == 0.0;", "bool parts = false;")]),

@@ -164,13 +164,13 @@ Meeting meet_post(Walk walk, int code) {
         vec3 far = max(a, b);
         float t = max(near.x, max(near.y, near.z));
         float leave = min(far.x, min(far.y, far.z));
-        bool within = is_pane(code) && t <= 0.0 && leave > 0.0;
-        bool hit = has_part(code, parts, i) && (t > 0.0 || within) && t <= leave;
+        bool begins = is_pane(code) && t <= 0.0 && leave > 0.0;
+        bool hit = has_part(code, parts, i) && (t > 0.0 || begins) && t <= leave;
         if (!hit || t >= met.t) continue;
         vec3 axis = axis_of(t, near);
         vec3 normal = -axis * walk.stride;
         if (is_glass(code)) normal = plate_normal(i);
-        bool passes = within || !has_side(code, parts, i, normal) || in_hole(code, from + walk.direction * t + 0.5, normal);
+        bool passes = begins || !has_side(code, parts, i, normal) || in_hole(code, from + walk.direction * t + 0.5, normal);
         if (passes && is_pane(code)) {
             t = leave;
             axis = axis_of(t, far);
