@@ -44,7 +44,7 @@ MUTANTS = [
     ("sun through glass by mean alpha", GLASS, [(SHADOW, "textureLod(gtexture, place, 0.0).a < cutout_alpha", "textureLod(gtexture, place, 4.0).a < cutout_alpha")]),
     ("sun through glass by an edge that repeats", GLASS, [(SHADOW, "fract((place - tile.xy) / size)", "clamp((place - tile.xy) / size, 0.0, 1.0)")]),
     ("sun behind stained glass white", GLASS, [(TINT, "blocks_below(texel, depth) > sheet_distance ?", "false ?")]),
-    ("sun beside a stained window white", "*ReferenceWindow.*roof", [(HIT, "texel = is_exact && passes ? edge.lit : texel;", "")]),
+    ("sun beside a stained window white", "*ReferenceWindow.*roof", [(HIT, "texel = is_exact && passes && edge.found ? edge.lit : texel;", "")]),
     ("faces in stained glass are looked up", "*ReferenceWindow.*wall", [(HIT, "return hit.found && before.code == voxel_translucent", "return false && before.code == voxel_translucent")]),
     ("updates look up the slow mean", "*ReferenceRoom.*wool", [(UPDATE, "recent_texel(face_texel(cell, face))", "face_texel(cell, face)")]),
     ("slow means rounded to the next step", "*ReferenceRoom.*", [("program/face_cache/commit.glsl", "dithered_half(mean, chance)", "dithered_half(mean, 0.0)")]),
