@@ -260,8 +260,8 @@ TEST(ReferenceGlazedRoom, light_between_the_layers_of_glass_is_found) {
   EXPECT_NEAR(pack.meanRadiance().g / .004572, 1, .04);
 }
 
-/// Green in a picture of a room that the sun lights through a window of panes, over what orris trace --noise 0.003 finds.
-double sunlitPanes(const char* camera, double traced) {
+/// A picture of a room that the sun lights through a window of panes, over what orris trace --noise 0.003 finds.
+double sunlitPanes(const char* panes, const char* camera, int channel, double traced) {
   OptionValues options = kSettling;
   options.insert_or_assign("SKY_STRENGTH", "0.0");
   options.insert_or_assign("GI_SAMPLES", "16");
@@ -269,29 +269,33 @@ double sunlitPanes(const char* camera, double traced) {
   PackSession pack(fmt::format(R"({{"size": [26, 12, 24],
       "blocks": [{{"box": "grass_block", "min": [0, 0, 0], "max": [25, 0, 23]}},
                  {{"hollow": "oak_planks", "min": [4, 0, 4], "max": [16, 8, 18]}},
-                 {{"box": "glass_pane[north=true,south=true]", "min": [16, 3, 8], "max": [16, 6, 13]}}],
+                 {{"box": "{}[north=true,south=true]", "min": [16, 3, 8], "max": [16, 6, 13]}}],
       "cameras": [{{"name": "eye", {}}}], "environment": {{"time": 1500}}}})",
-                               camera),
+                               panes, camera),
                    options, 16, 9);
   pack.renderFrames(100);
-  return pack.meanRadiance().g / traced;
+  return pack.meanRadiance()[channel] / traced;
 }
 
 // Sunlight comes through the holes of the outer side of a pane to the inside of the inner one, from there to that of the outer,
 // and down: half of what lights the floor below.
 TEST(ReferenceSunlitPanes, light_between_the_sides_of_panes_is_found) {
-  EXPECT_NEAR(
-      sunlitPanes(R"("position": [13.5, 4.6, 10.5], "target": [14, 1, 10.5], "fov": 40)", .002499),
-      1, .06);
+  const char* const floor = R"("position": [13.5, 4.6, 10.5], "target": [14, 1, 10.5], "fov": 40)";
+  EXPECT_NEAR(sunlitPanes("glass_pane", floor, 1, .002499), 1, .06);
 }
 
 // A strip of the opening's side, narrower than the texels of the shadow map, which the frame of the pane shades: of what is seen of
 // the pane beside it, it is half of what lights it.
 TEST(ReferenceSunlitPanes, shade_the_side_of_their_opening) {
-  EXPECT_NEAR(
-      sunlitPanes(R"("position": [13.5, 5, 10.5], "target": [16.4375, 5.5, 8.035], "fov": 1)",
-                  0.028745),
-      1, .06);
+  const char* const strip =
+      R"("position": [13.5, 5, 10.5], "target": [16.4375, 5.5, 8.035], "fov": 1)";
+  EXPECT_NEAR(sunlitPanes("glass_pane", strip, 1, .028745), 1, .06);
+}
+
+// Of a side that the sun meets on both sides of the pane, the inner half has lost its red.
+TEST(ReferenceSunlitPanes, tint_the_side_of_their_opening) {
+  const char* const side = R"("position": [14.5, 5, 10.5], "target": [16.3, 5.2, 14], "fov": 3)";
+  EXPECT_NEAR(sunlitPanes("lime_stained_glass_pane", side, 0, .004561), 1, .06);
 }
 
 /// A window of clear glass, and green in the mean of a picture of 16x9: orris trace --noise 0.002.

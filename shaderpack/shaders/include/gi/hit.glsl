@@ -111,6 +111,14 @@ float share_of_face(Hit hit) { return is_within_pane(hit) ? open_share(hit.voxel
 bool is_ill_known(Hit hit) { return faces_stained_glass(hit) || is_glass(hit.voxel.code) || is_within_pane(hit); }
 
 #if HAS_SHADOW_MAP
+/// What a stained pane leaves of light that comes to a point of its cell: of the map's texels one may be as wide as the part of
+/// a face that it shades.
+vec3 tint_beside_pane(Voxel pane, ivec3 cell, vec3 position, vec3 light) {
+    Walk walk = begin_walk(position, light);
+    vec2 span = vec2(0.0, distance_out(vec3(cell) + clamp(position - vec3(cell), 0.001, 0.999), light));
+    return filtered(pane.color, filter_depth(pane.code, vec3(cell) + 0.5 - position, walk.inverse, span));
+}
+
 /// Share of the sun's light that arrives at a hit. Where the edge of a shadow lies between the texels of the map about the
 /// point, what throws the shadow, if it is a block whose shape voxels have, says itself what it stops: the map's edges, where
 /// they follow its rows, are off by up to half a texel all along, so that a beam through a narrow opening is too wide or
@@ -137,7 +145,10 @@ vec3 sun_share(Hit hit, vec3 light, float sky) {
     texel = is_exact && passes && edge.found ? edge.lit : texel;
     lit = is_exact ? float(passes) : lit;
 #endif
-    return lit * point_tint(ivec2(texel.xy), texel.z, hit.cell + ivec3(hit.normal));
+    ivec3 before = hit.cell + ivec3(hit.normal);
+    Voxel pane = voxel_at(before);
+    return lit * (is_tinted_pane(pane.code) ? tint_beside_pane(pane, before, hit.position, light)
+                                            : point_tint(ivec2(texel.xy), texel.z, before));
 }
 #else
 vec3 sun_share(Hit hit, vec3 light, float sky) { return vec3(unmapped_visibility(sky)); }
