@@ -104,7 +104,11 @@ bool is_within_pane(Hit hit) {
 }
 
 /// What of the light on its face comes to a hit.
-float share_of_face(Hit hit) { return is_within_pane(hit) ? open_share(hit.voxel.code, face_of(hit.normal)) : 1.0; }
+float share_of_face(Hit hit) {
+    float share = 1.0;
+    for (int i = 0; i < int(is_within_pane(hit)); ++i) share = open_share(hit.voxel.code, face_of(hit.normal));
+    return share;
+}
 
 /// Does the light on a hit differ too much over its face for the mean to stand for it? Glass and panes have two layers: what
 /// comes through the holes of one is reflected to and fro between them, and the face has the light on the outside.
@@ -147,8 +151,9 @@ vec3 sun_share(Hit hit, vec3 light, float sky) {
 #endif
     ivec3 before = hit.cell + ivec3(hit.normal);
     Voxel pane = voxel_at(before);
-    return lit * (is_tinted_pane(pane.code) ? tint_beside_pane(pane, before, hit.position, light)
-                                            : point_tint(ivec2(texel.xy), texel.z, before));
+    vec3 tint = point_tint(ivec2(texel.xy), texel.z, pane);
+    for (int i = 0; i < int(is_tinted_pane(pane.code)); ++i) tint = tint_beside_pane(pane, before, hit.position, light);
+    return lit * tint;
 }
 #else
 vec3 sun_share(Hit hit, vec3 light, float sky) { return vec3(unmapped_visibility(sky)); }

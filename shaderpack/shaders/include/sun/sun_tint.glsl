@@ -55,8 +55,7 @@ vec3 sun_tint(vec3 player, vec3 normal, vec3 light, ivec3 cell) {
 }
 
 /// The same at a point of a plane for the texel of the map that says whether light arrives there.
-vec3 point_tint(ivec2 texel, float depth, ivec3 cell) {
-    Voxel before = voxel_at(cell);
+vec3 point_tint(ivec2 texel, float depth, Voxel before) {
     texel = sheet_texel(texel);
     return tints_within(before) ? tint_within(before, texel, depth) : tint_at(texel, depth).rgb;
 }

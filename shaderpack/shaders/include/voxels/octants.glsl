@@ -92,9 +92,10 @@ uint kept_shape(ivec3 cell) {
 
 /// What a pane lies across, if it parts its cell: a stained one, or a straight one of clear glass; else 0.
 vec3 parted_axis(int code, ivec3 cell) {
-    if (is_tinted_pane(code)) return pane_axis(code);
-    uint arms = is_pane(code) ? kept_shape(cell) & arms_of_pane : 0u;
-    return vec3(arms == arms_along_z, 0.0, arms == arms_along_x);
+    uint arms = 0u;
+    for (int i = 0; i < int(is_pane(code)); ++i) arms = kept_shape(cell) & arms_of_pane;
+    vec3 axis = vec3(arms == arms_along_z, 0.0, arms == arms_along_x);
+    return is_tinted_pane(code) ? pane_axis(code) : axis;
 }
 
 /// Does light of the sky come to a place at the edge of the volume? Above all opaque blocks of its column, and above the

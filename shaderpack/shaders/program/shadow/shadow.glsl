@@ -248,7 +248,8 @@ void emit_voxel() {
     int face = face_of(vertex_normal[0]);
     add_to_brick(cell, face, code, vertex_mid_uv[0]);
     if (code == voxel_water_surface) note_lake();
-    if (is_glass(code) || (is_pane(code) && face != 2 && face != 3)) note_holes(code, face, block.middle);
+    bool holes = is_glass(code) || (is_pane(code) && face != 2 && face != 3);
+    for (int i = 0; i < int(holes); ++i) note_holes(code, face, block.middle);
     // Not the underside of its surface.
     bool bottom = vertex_normal[0].y < -0.5 && vertex_player[0].y - block.middle.y < -0.4;
     if (block.id == block_water && bottom) add_octants(cell, part_bottom);
