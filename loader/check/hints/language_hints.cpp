@@ -1,13 +1,15 @@
-#include <fmt/format.h>
-#include <orris/check/compile/stage_files.h>
 #include <orris/check/hints/language_hints.h>
-#include <orris/check/pack/pack_texts.h>
-#include <orris/pack/files/text.h>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <optional>
 #include <string>
 #include <string_view>
+
+#include <orris/check/compile/stage_files.h>
+#include <orris/check/pack/pack_texts.h>
+#include <orris/pack/files/text.h>
 
 namespace orris {
 namespace {

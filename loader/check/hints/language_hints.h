@@ -1,11 +1,11 @@
 // What an error has to do with what GLSL lacks beside other languages, or with a macro that stands where a name was meant.
 #pragma once
 
+#include <vector>
+
 #include <orris/check/hints/definition_index.h>
 #include <orris/core/diagnostic.h>
 #include <orris/glsl/compile/validate.h>
-
-#include <vector>
 
 namespace orris {
 

@@ -117,10 +117,10 @@ bool is_ill_known(Hit hit) { return faces_stained_glass(hit) || is_glass(hit.vox
 #if HAS_SHADOW_MAP
 /// What a stained pane leaves of light that comes to a point of its cell: of the map's texels one may be as wide as the part of
 /// a face that it shades.
-vec3 tint_beside_pane(Voxel pane, ivec3 cell, vec3 position, vec3 light) {
-    Walk walk = begin_walk(position, light);
-    vec2 span = vec2(0.0, distance_out(vec3(cell) + clamp(position - vec3(cell), 0.001, 0.999), light));
-    return filtered(pane.color, filter_depth(pane.code, vec3(cell) + 0.5 - position, walk.inverse, span));
+vec3 tint_beside_pane(Voxel pane, vec3 point, vec3 light) {
+    Walk walk = begin_walk(point, light);
+    vec2 span = vec2(0.0, distance_out(point, light));
+    return filtered(pane.color, filter_depth(pane.code, walk.cell + 0.5 - point, walk.inverse, span));
 }
 
 /// Share of the sun's light that arrives at a hit. Where the edge of a shadow lies between the texels of the map about the
@@ -132,11 +132,11 @@ vec3 sun_share(Hit hit, vec3 light, float sky) {
     vec3 texel = vec3(floor(plane.position), 0.0);
     texel.z = depth_in_texel(plane, texel.xy);
     float lit = point_visibility(plane, texel.z, sky);
+    vec3 from = hit.position + hit.normal * face_offset;
 #if SHADOW_COMPARE == SHADOW_COMPARE_TEXEL
     EdgeInMap edge = edge_in_map(plane);
     vec3 caster = to_volume(edge.caster - 0.002 * light);
     ivec3 cell = ivec3(floor(caster));
-    vec3 from = hit.position + hit.normal * face_offset;
     bool is_exact = edge.found && cell != ivec3(floor(from)) && octants_of(voxel_at(cell).code, cell) != 0u;
     bool passes = !meets_opaque(from, light, is_exact);
 #if HAS_VOXEL_CHANGES
@@ -149,10 +149,9 @@ vec3 sun_share(Hit hit, vec3 light, float sky) {
     texel = is_exact && passes && edge.found ? edge.lit : texel;
     lit = is_exact ? float(passes) : lit;
 #endif
-    ivec3 before = hit.cell + ivec3(hit.normal);
-    Voxel pane = voxel_at(before);
-    vec3 tint = point_tint(ivec2(texel.xy), texel.z, pane);
-    for (int i = 0; i < int(is_tinted_pane(pane.code)); ++i) tint = tint_beside_pane(pane, before, hit.position, light);
+    Voxel before = voxel_at(hit.cell + ivec3(hit.normal));
+    vec3 tint = point_tint(ivec2(texel.xy), texel.z, before);
+    for (int i = 0; i < int(is_tinted_pane(before.code)); ++i) tint = tint_beside_pane(before, from, light);
     return lit * tint;
 }
 #else

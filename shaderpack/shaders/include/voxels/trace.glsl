@@ -225,12 +225,12 @@ bool meets_opaque(vec3 origin, vec3 direction, bool asked) {
 }
 
 #if HAS_VOXEL_CHANGES
-/// Does a ray meet a side of glass or a pane in its first cell or the next? Not looked for if not `asked`.
+/// Does a ray meet a pane, or another block of boxes, in its first cell or the next? Not looked for if not `asked`.
 bool meets_pane(vec3 origin, vec3 direction, bool asked) {
     Walk walk = begin_walk(origin, direction);
     bool found = false;
     for (int i = 0; i < int(asked) * 2 && !found; ++i) {
-        found = meet_post(walk, int(texel_of(cell_of(walk)).a * 255.0 + 0.5)).found;
+        found = meet_post(walk, voxel_at(cell_of(walk)).code).found;
         leave_cube(walk, 1.0);
     }
     return found;

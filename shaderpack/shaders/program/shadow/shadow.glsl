@@ -248,8 +248,8 @@ void emit_voxel() {
     int face = face_of(vertex_normal[0]);
     add_to_brick(cell, face, code, vertex_mid_uv[0]);
     if (code == voxel_water_surface) note_lake();
-    bool holes = is_glass(code) || (is_pane(code) && face != 2 && face != 3);
-    for (int i = 0; i < int(holes); ++i) note_holes(code, face, block.middle);
+    bool side_of_pane = is_pane(code) && face != 2 && face != 3;
+    for (int i = 0; i < int(is_glass(code) || side_of_pane); ++i) note_holes(code, face, block.middle);
     // Not the underside of its surface.
     bool bottom = vertex_normal[0].y < -0.5 && vertex_player[0].y - block.middle.y < -0.4;
     if (block.id == block_water && bottom) add_octants(cell, part_bottom);
@@ -269,7 +269,7 @@ void emit_voxel() {
     list_face(cell, inner ? face + face_inner : face, code, sky);
     if (code >= voxel_lamp && abs(outward) < 0.3) list_cube(cell, code, sky);
     if (is_tinted_pane(code)) list_halves(cell, pane_axis(code), sky);
-    if (is_pane(code) && face != 2 && face != 3) list_halves(cell, abs(face_normal(face)), sky);
+    if (side_of_pane) list_halves(cell, abs(face_normal(face)), sky);
 #endif
 
     // The faces of a block share one texel; depth lets the one with the largest holes win, and the top of those
