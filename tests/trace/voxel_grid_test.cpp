@@ -69,5 +69,21 @@ TEST(VoxelGrid, meets_what_a_search_through_all_quads_finds) {
   }
 }
 
+TEST(VoxelGrid, a_texture_beside_a_ray_along_its_plane_is_read_in_the_coarsest_level) {
+  const TraceScene scene = test::sceneOf({{{1, 1, 1}, {glm::vec3(0.5f), glm::vec3(0)}}});
+  const auto level = [&](const glm::vec3& first, const glm::vec3& right, const glm::vec3& lower) {
+    const PixelFootprint footprint{{0.5f, 3, 0.5f}, {first, right, lower}};
+    for (std::uint32_t i = 1; i < scene.grid.quads().size(); ++i)
+      if (scene.grid.quad(i).normal.y > 0) return scene.grid.textureLevel(i, &footprint);
+    return TextureLevel{-1, 0};
+  };
+  const glm::vec3 down(0.3f, -1, 0.3f), along(1, 0, 0.1f), beside(1, 0, 0.2f);
+  EXPECT_EQ(level(down, down, down).level, 0);
+  for (const TextureLevel& found : {level(along, beside, down), level(down, along, down), level(down, down, along)}) {
+    EXPECT_EQ(found.level, TraceTexture::kLevels - 1);
+    EXPECT_EQ(found.next, 0);
+  }
+}
+
 }  // namespace
 }  // namespace orris

@@ -6,6 +6,9 @@
 namespace orris {
 namespace {
 
+// Squared, in texels: from here on the coarsest level is read, whatever the texture's size.
+constexpr float kMostStep = 1e12f;
+
 // Alpha tests of the sides of a cube need no search for the quad.
 bool isHollow(const TraceCell& cell, const std::vector<TraceQuad>& quads) {
   if (cell.cube || cell.quadCount == 0 || cell.quadCount != kFaceRanks.rank[cell.faces][6])
@@ -162,11 +165,13 @@ TextureLevel VoxelGrid::textureLevel(std::uint32_t quad, const PixelFootprint* f
                 quads_[quad].uvV * (glm::dot(point, plane.alongV) - plane.startV);
   }
   const glm::vec2 across = texels[1] - texels[0], down = texels[2] - texels[0];
-  const float squared = std::max(glm::dot(across, across), glm::dot(down, down));
+  const float wide = glm::dot(across, across), high = glm::dot(down, down);
+  // A ray along the quad's plane (a level camera's middle row) never meets it: its place is no number, and GL's step endless.
+  if (!(wide < kMostStep && high < kMostStep)) return {TraceTexture::kLevels - 1, 0};
   int power = 0;
-  const float mantissa = 2 * std::frexp(std::min(squared, 1e12f), &power);
+  const float mantissa = 2 * std::frexp(std::max(wide, high), &power);
   const float level = 0.5f * (float(power - 1) + mantissa - 1);
-  if (!(level > 0)) return {};
+  if (level <= 0) return {};
   const int lower = std::min(int(level), TraceTexture::kLevels - 1);
   return {lower, lower < TraceTexture::kLevels - 1 ? level - float(lower) : 0};
 }
