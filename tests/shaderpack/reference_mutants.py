@@ -72,6 +72,7 @@ MUTANTS = [
     ("light within panes by their outer side", "ReferenceSunlitPanes.light*", [(HIT, " || is_within_pane(hit)", "")]),
     ("rays from within a pane pass its sides", "ReferenceSunlitPanes.light*", [(TRACE, "(t > 0.0 || begins)", "t > 0.0")]),
     ("panes beside a point do not shade it", "ReferenceSunlitPanes.shade*", [(HIT, "|| (beside_pane && !passes)", "")]),
+    ("panes alone shade what is beside them", "ReferenceSunlitPanes.stand*", [(HIT, "!meets_opaque(from, light, is_exact) && !meets_pane", "!meets_pane")]),
     ("tint beside a stained pane by the map's texels", "ReferenceSunlitPanes.tint*", [(HIT, "i < int(is_tinted_pane(before.code))", "i < 0")]),
     ("panes part no light", "ReferenceSky.*/low_panes", [(OCTANTS, "arms = kept_shape(cell) & arms_of_pane;", "arms = 0u;")]),
     ("both halves beside a pane lit alike", "ReferenceSky.*/low_panes", [(UPDATE, "bool parts = dot(face_normal(face), axis) == 0.0;", "bool parts = false;")]),

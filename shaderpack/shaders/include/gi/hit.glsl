@@ -138,13 +138,15 @@ vec3 sun_share(Hit hit, vec3 light, float sky) {
     vec3 caster = to_volume(edge.caster - 0.002 * light);
     ivec3 cell = ivec3(floor(caster));
     bool is_exact = edge.found && cell != ivec3(floor(from)) && octants_of(voxel_at(cell).code, cell) != 0u;
-    bool passes = !meets_opaque(from, light, is_exact);
 #if HAS_VOXEL_CHANGES
     // The map's texels are as wide as a pane is thick.
     bool beside_pane = is_pane(voxel_at(ivec3(floor(from))).code);
     bool near_pane = edge.dark && is_pane(voxel_at(cell).code) && (beside_pane || distance(caster, from) < 0.5);
-    passes = passes && !meets_pane(from, light, near_pane || beside_pane);
-    is_exact = is_exact || near_pane || (beside_pane && !passes);
+    is_exact = is_exact || near_pane;
+    bool passes = !meets_opaque(from, light, is_exact) && !meets_pane(from, light, near_pane || beside_pane);
+    is_exact = is_exact || (beside_pane && !passes);
+#else
+    bool passes = !meets_opaque(from, light, is_exact);
 #endif
     texel = is_exact && passes && edge.found ? edge.lit : texel;
     lit = is_exact ? float(passes) : lit;

@@ -1,0 +1,231 @@
+// What comes through glass, panes and water, against the path tracer.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "pack_session.h"
+#include "reference_rooms.h"
+
+namespace orris::test {
+namespace {
+
+/// What the sun passes, and the share of its light of a channel that orris trace --bounces 0 finds on a floor behind it:
+/// mean over a picture of 128x72.
+struct Pane {
+  const char* name;
+  const char* blocks;  ///< of the world, after the floor
+  int time;
+  double share;
+  int channel = 0;
+};
+void PrintTo(const Pane& pane, std::ostream* out) { *out << pane.name; }
+
+/// Light of the sun on the floor alone.
+glm::dvec3 sunOnFloor(const char* blocks, int time, const char* shadows) {
+  glm::dvec3 light(0);
+  for (const char* direct : {"PHONG", "NONE"}) {
+    PackSession pack(
+        fmt::format(R"({{"size": [32, 16, 32],
+        "blocks": [{{"box": "white_concrete", "min": [0, 0, 0], "max": [31, 0, 31]}}{}],
+        "cameras": [{{"name": "eye", "position": [16, 3.5, 16], "target": [16.01, 0, 16], "fov": 100}}],
+        "environment": {{"time": {}}}}})",
+                    blocks, time),
+        {{"GI_METHOD", "BOUNCE_1"}, {"SHADOW_METHOD", shadows}, {"DIRECT_LIGHT", direct}}, 128, 72);
+    pack.renderFrames(1);
+    light = glm::dvec3(pack.meanRadiance()) - light;
+  }
+  return -light;
+}
+
+class ReferenceGlass : public testing::TestWithParam<Pane> {};
+
+TEST_P(ReferenceGlass, sun_passes_as_in_the_path_tracer) {
+  const Pane& pane = GetParam();
+  const glm::dvec3 open = sunOnFloor("", pane.time, "NONE");
+  ASSERT_GT(open.r, 0);
+  for (const char* shadows : {"MAP_PCF", "VOLUME_AUTO"})
+    EXPECT_NEAR((sunOnFloor(pane.blocks, pane.time, shadows) / open)[pane.channel], pane.share, .02)
+        << shadows;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    , ReferenceGlass,
+    testing::Values(
+        Pane{"glass", R"(, {"box": "glass", "min": [0, 4, 0], "max": [31, 4, 31]})", 9500, .599},
+        Pane{"stained", R"(, {"box": "red_stained_glass", "min": [0, 4, 0], "max": [31, 4, 31]})",
+             4000, .298},
+        Pane{"water", R"(, {"box": "water", "min": [0, 4, 0], "max": [31, 4, 31]})", 6000, .348, 2},
+        Pane{
+            "panes",
+            R"(, {"box": "glass_pane[north=true,south=true]", "min": [12, 1, 0], "max": [12, 14, 31]},
+             {"box": "glass_pane[north=true,south=true]", "min": [20, 1, 0], "max": [20, 14, 31]})",
+            2500, .514}),
+    [](const auto& tested) { return std::string(tested.param.name); });
+
+/// A window of red glass in a house of quartz, and green over red in the mean of a picture of 16x9 inside: orris trace
+/// --noise 0.004.
+struct Window {
+  const char* name;
+  const char* glass;  ///< min and max
+  double green;
+};
+void PrintTo(const Window& window, std::ostream* out) { *out << window.name; }
+
+class ReferenceWindow : public testing::TestWithParam<Window> {};
+
+// Of green the glass leaves thousandths, so what passes beside it shows: sunlight at the edge of a hole in the roof, and
+// what reaches the sides of a hole in the wall before it has passed the glass.
+TEST_P(ReferenceWindow, leaves_little_of_another_colour) {
+  const Window& window = GetParam();
+  PackSession pack(fmt::format(R"({{"size": [24, 12, 17],
+        "blocks": [{{"box": "grass_block", "min": [0, 0, 0], "max": [23, 0, 16]}},
+                   {{"hollow": "quartz_block", "min": [3, 0, 3], "max": [18, 9, 14]}},
+                   {{"box": "red_stained_glass", {}}}],
+        "cameras": [{{"name": "eye", "position": [11.5, 4.62, 10.5], "yaw": 270, "pitch": 0}}],
+        "environment": {{"time": 4000}}}})",
+                               window.glass),
+                   kSettling, 16, 9);
+  pack.renderFrames(260);
+  const glm::dvec3 seen = pack.meanRadiance();
+  RecordProperty("green_over_red", fmt::format("{:.5f}", seen.g / seen.r));
+  EXPECT_NEAR(seen.g / seen.r / window.green, 1, .06);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    , ReferenceWindow,
+    testing::Values(Window{"in_the_wall", R"("min": [3, 3, 6], "max": [3, 6, 10])", .03018},
+                    Window{"in_the_roof", R"("min": [8, 9, 6], "max": [13, 9, 10])", .01429}),
+    [](const auto& tested) { return std::string(tested.param.name); });
+
+// A window of two layers of glass opposite to one that lets the sun in: what the layers reflect to and fro is a sixth of its
+// light. orris trace --noise 0.004: .004572 in green.
+TEST(ReferenceGlazedRoom, light_between_the_layers_of_glass_is_found) {
+  OptionValues options = kSettling;
+  options["SKY_STRENGTH"] = "0.0";
+  PackSession pack(R"({"size": [26, 12, 24],
+      "blocks": [{"box": "grass_block", "min": [0, 0, 0], "max": [25, 0, 23]},
+                 {"hollow": "stone", "min": [4, 0, 4], "max": [16, 8, 18]},
+                 {"box": "glass", "min": [4, 3, 7], "max": [4, 5, 14]},
+                 {"box": "glass", "min": [16, 3, 7], "max": [16, 5, 14]}],
+      "cameras": [{"name": "eye", "position": [10.5, 4.6, 10.5], "target": [4, 4.5, 10.5], "fov": 35}],
+      "environment": {"time": 2500}})",
+                   options, 16, 9);
+  pack.renderFrames(100);
+  EXPECT_NEAR(pack.meanRadiance().g / .004572, 1, .04);
+}
+
+/// A picture of a room that the sun lights through a window of panes, over what orris trace --noise 0.003 finds.
+double sunlitPanes(const char* panes, const char* camera, int channel, double traced) {
+  OptionValues options = kSettling;
+  options.insert_or_assign("SKY_STRENGTH", "0.0");
+  options.insert_or_assign("GI_SAMPLES", "16");
+  options.insert_or_assign("FACE_RAYS", "8");
+  PackSession pack(fmt::format(R"({{"size": [26, 12, 24],
+      "blocks": [{{"box": "grass_block", "min": [0, 0, 0], "max": [25, 0, 23]}},
+                 {{"hollow": "oak_planks", "min": [4, 0, 4], "max": [16, 8, 18]}},
+                 {{"box": "{}[north=true,south=true]", "min": [16, 3, 8], "max": [16, 6, 13]}}],
+      "cameras": [{{"name": "eye", {}}}], "environment": {{"time": 1500}}}})",
+                               panes, camera),
+                   options, 16, 9);
+  pack.renderFrames(100);
+  return pack.meanRadiance()[channel] / traced;
+}
+
+// Sunlight comes through the holes of the outer side of a pane to the inside of the inner one, from there to that of the outer,
+// and down: half of what lights the floor below.
+TEST(ReferenceSunlitPanes, light_between_the_sides_of_panes_is_found) {
+  const char* const floor = R"("position": [13.5, 4.6, 10.5], "target": [14, 1, 10.5], "fov": 40)";
+  EXPECT_NEAR(sunlitPanes("glass_pane", floor, 1, .002499), 1, .06);
+}
+
+// A strip of the opening's side, narrower than the texels of the shadow map, which the frame of the pane shades: of what is seen of
+// the pane beside it, it is half of what lights it.
+TEST(ReferenceSunlitPanes, shade_the_side_of_their_opening) {
+  const char* const strip =
+      R"("position": [13.5, 5, 10.5], "target": [16.4375, 5.5, 8.035], "fov": 1)";
+  EXPECT_NEAR(sunlitPanes("glass_pane", strip, 1, .028745), 1, .06);
+}
+
+// Of a side that the sun meets on both sides of the pane, the inner half has lost its red.
+TEST(ReferenceSunlitPanes, tint_the_side_of_their_opening) {
+  const char* const side = R"("position": [14.5, 5, 10.5], "target": [16.3, 5.2, 14], "fov": 3)";
+  EXPECT_NEAR(sunlitPanes("lime_stained_glass_pane", side, 0, .004561), 1, .06);
+}
+
+// The inner foot of a window, which the lintel shades, as the sun lights it outside and panes stand between.
+TEST(ReferenceSunlitPanes, stand_in_the_shade_of_a_lintel) {
+  OptionValues options = kSettling;
+  options.insert_or_assign("SKY_STRENGTH", "0.0");
+  options.insert_or_assign("GI_SAMPLES", "16");
+  options.insert_or_assign("FACE_RAYS", "8");
+  PackSession pack(R"({"size": [42, 12, 42],
+      "blocks": [{"box": "grass_block", "min": [0, 0, 0], "max": [41, 2, 41]},
+                 {"hollow": "white_concrete", "min": [4, 2, 4], "max": [20, 8, 36]},
+                 {"box": "glass_pane[east=true,west=true]", "min": [17, 3, 36], "max": [19, 3, 36]}],
+      "cameras": [{"name": "eye", "position": [18.5, 3.5, 35.2], "target": [18.5, 3.03, 36.44], "fov": 2}],
+      "environment": {"time": 9500}})",
+                   options, 16, 9);
+  pack.renderFrames(100);
+  EXPECT_NEAR(pack.meanRadiance().g / .03648, 1, .06);
+}
+
+/// A window of clear glass, and green in the mean of a picture of 16x9: orris trace --noise 0.002.
+struct Skylight {
+  const char* name;
+  const char* glass;
+  double green;
+};
+void PrintTo(const Skylight& skylight, std::ostream* out) { *out << skylight.name; }
+
+class ReferenceSky : public testing::TestWithParam<Skylight> {};
+
+// Rays pass two layers of the same texture, whose holes lie behind each other. Panes part what lights the sides of their
+// opening, which are much of what is seen of low ones.
+TEST_P(ReferenceSky, comes_through_clear_glass) {
+  const Skylight& skylight = GetParam();
+  OptionValues options = kSettling;
+  options.insert_or_assign("SUN_STRENGTH", "0.0");
+  options.insert_or_assign("GI_SAMPLES", "16");
+  options.insert_or_assign("FACE_RAYS", "8");
+  std::string world = R"({"size": [26, 12, 24],
+      "blocks": [{"box": "black_concrete", "min": [0, 0, 0], "max": [25, 0, 23]},
+                 {"hollow": "white_concrete", "min": [4, 0, 4], "max": [16, 8, 18]})";
+  for (const int y : {2, 4, 6})
+    world += fmt::format(R"(, {{"box": "{0}", "min": [4, {1}, 6], "max": [4, {1}, 16]}})",
+                         skylight.glass, y);
+  PackSession pack(world + R"(],
+      "cameras": [{"name": "eye", "position": [6.5, 4.6, 10.5], "target": [16, 3.4, 10.7], "fov": 70}],
+      "environment": {"time": 6000}})",
+                   options, 16, 9);
+  pack.renderFrames(100);
+  const double ratio = pack.meanRadiance().g / skylight.green;
+  RecordProperty("ratio", fmt::format("{:.4f}", ratio));
+  EXPECT_NEAR(ratio, 1, .02);
+}
+
+INSTANTIATE_TEST_SUITE_P(, ReferenceSky,
+                         testing::Values(Skylight{"glass", "glass", 0.02193},
+                                         Skylight{"low_panes", "glass_pane[north=true,south=true]",
+                                                  0.02532}),
+                         [](const auto& tested) { return std::string(tested.param.name); });
+
+// Two places of one side of a block of glass: .01956 and .02129 in green by orris trace --noise 0.005; with one value a
+// side the first shows more.
+TEST(ReferenceGlassSide, light_changes_over_the_side_of_a_block) {
+  OptionValues options = kSettling;
+  options["FACE_GAIN"] =
+      "1.0";  // a plain mean of the updates: the two values differ by little more than their noise
+  PackSession pack(
+      stoneRoom(R"({"box": "light_blue_stained_glass", "min": [2, 2, 4], "max": [8, 6, 4]},
+                                {"block": "glowstone", "at": [5, 7, 8]})",
+                R"("position": [5.5, 3.6, 7.5])"),
+      options, 8, 8);
+  pack.look({5.5, 3.6, 7.5}, {3.25, 4.5, 5});
+  pack.renderFrames(120);
+  const double far = pack.meanRadiance().g;
+  pack.look({5.5, 3.6, 7.5}, {3.75, 4.5, 5});
+  pack.renderFrames(8);
+  EXPECT_NEAR(far / pack.meanRadiance().g, .919, .08);
+}
+
+}  // namespace
+}  // namespace orris::test

@@ -1,0 +1,124 @@
+// Rooms and what lamps light near them, against means of the path tracer.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "pack_session.h"
+#include "reference_rooms.h"
+
+namespace orris::test {
+namespace {
+
+// A tunnel longer than the volume, whose ends are shut; above it a floor that gets light under its roof from the sides.
+TEST(ReferenceCave, cave_below_a_lit_floor_is_dark) {
+  PackSession pack(R"({"size": [48, 12, 9],
+      "blocks": [{"box": "stone", "min": [0, 0, 0], "max": [47, 6, 8]},
+                 {"box": "air", "min": [1, 2, 3], "max": [46, 4, 5]},
+                 {"box": "stone", "min": [0, 10, 1], "max": [47, 10, 7]}],
+      "cameras": [{"name": "eye", "position": [24.5, 3.5, 4.5]}],
+      "environment": {"time": 6000}})",
+                   {{"GI_METHOD", "FACE_CACHE"},
+                    {"VOXEL_SIZE", "32"},
+                    {"AMBIENT_MINIMUM", "0.0"},
+                    {"DIRECT_LIGHT", "NONE"}},
+                   16, 9);
+  pack.renderFrames(20);
+  const glm::dvec3 seen = pack.meanRadiance();
+  EXPECT_EQ(std::max({seen.r, seen.g, seen.b}), 0);
+}
+
+/// A room, and the mean of its picture of 16x9: orris trace --noise 0.002.
+struct Room {
+  const char* name;
+  const char* wall;
+  const char* lamp;  ///< block and place
+  glm::dvec3 mean;
+};
+void PrintTo(const Room& room, std::ostream* out) { *out << room.name; }
+
+class ReferenceRoom : public testing::TestWithParam<Room> {};
+
+// White wool reflects .86: what is there after so many updates is what bright rooms need to come to rest, and the albedo of
+// voxels to a thousandth. Lava in the floor lights the sides of its hole first, which light the room.
+TEST_P(ReferenceRoom, is_as_bright_as_in_the_path_tracer) {
+  const Room& room = GetParam();
+  PackSession pack(fmt::format(R"({{"size": [11, 9, 11],
+        "blocks": [{{"box": "{}", "min": [0, 0, 0], "max": [10, 8, 10]}},
+                   {{"box": "air", "min": [2, 2, 2], "max": [8, 6, 8]}}, {{{}}}],
+        "cameras": [{{"name": "eye", "position": [3, 3.5, 3], "target": [8, 4, 8], "fov": 70}}],
+        "environment": {{"time": 18000}}}})",
+                               room.wall, room.lamp),
+                   kSettling, 16, 9);
+  pack.renderFrames(160);
+  const glm::dvec3 ratio = glm::dvec3(pack.meanRadiance()) / room.mean;
+  RecordProperty("ratio", fmt::format("{:.4f} {:.4f} {:.4f}", ratio.r, ratio.g, ratio.b));
+  for (int channel = 0; channel < 3; ++channel) EXPECT_NEAR(ratio[channel], 1, .012) << channel;
+}
+
+INSTANTIATE_TEST_SUITE_P(, ReferenceRoom,
+                         testing::Values(Room{"of_wool",
+                                              "white_wool",
+                                              R"("block": "glowstone", "at": [6, 7, 4])",
+                                              {.40223, .31025, .16693}},
+                                         Room{"with_lava_in_the_floor",
+                                              "white_concrete",
+                                              R"("block": "lava", "at": [6, 1, 4])",
+                                              {.20989, .07228, .01255}}),
+                         [](const auto& tested) { return std::string(tested.param.name); });
+
+/// What a lamp lights near it: the mean of a picture of 16x9 as orris trace finds it.
+struct Spot {
+  const char* name;
+  const char* blocks;
+  const char* camera;
+  double green;
+  double error;  ///< relative
+};
+void PrintTo(const Spot& spot, std::ostream* out) { *out << spot.name; }
+
+class ReferenceSpot : public testing::TestWithParam<Spot> {};
+
+TEST_P(ReferenceSpot, is_as_bright_as_in_the_path_tracer) {
+  const Spot& spot = GetParam();
+  PackSession pack(stoneRoom(spot.blocks, spot.camera), kSettling, 16, 9);
+  pack.renderFrames(60);
+  EXPECT_NEAR(pack.meanRadiance().g / spot.green, 1, spot.error);
+}
+
+// The edge of its shadow crosses the side of a block of glass.
+constexpr const char* kPillarBeforeGlass =
+    R"({"box": "white_stained_glass", "min": [2, 2, 4], "max": [8, 6, 4]},
+       {"box": "stone", "min": [6, 2, 6], "max": [6, 6, 6]}, {"block": "end_rod", "at": [7, 4, 8]})";
+
+INSTANTIATE_TEST_SUITE_P(
+    , ReferenceSpot,
+    testing::Values(
+        Spot{"floor_below_a_torch", R"({"block": "torch", "at": [5, 2, 4]})",
+             R"("position": [8, 5, 7], "target": [8, 2, 6.3], "fov": 20)", .01355, .025},
+        Spot{"wall_beside_lava", R"({"box": "lava", "min": [3, 1, 3], "max": [6, 1, 6]})",
+             R"("position": [6, 4, 8.5], "target": [2, 3.5, 5], "fov": 30)", .1308, .03},
+        Spot{"side_of_leaves_below_a_lamp",
+             R"({"block": "oak_leaves", "at": [5, 2, 4]}, {"block": "glowstone", "at": [5, 7, 4]})",
+             R"("position": [5.5, 2.6, 7.5], "target": [5.5, 2.5, 5], "fov": 16)", .00702, .1},
+        Spot{
+            "behind_stained_panes",
+            R"({"box": "red_stained_glass_pane[east=true,west=true]", "min": [2, 2, 4], "max": [8, 6, 4]},
+                            {"block": "glowstone", "at": [5, 7, 3]})",
+            R"("position": [5.5, 4, 5.5], "target": [5.5, 2, 7], "fov": 60)", .0002045, .06},
+        Spot{"behind_panes",
+             R"({"box": "glass_pane[east=true,west=true]", "min": [2, 2, 4], "max": [8, 6, 4]},
+                            {"block": "glowstone", "at": [5, 7, 3]})",
+             R"("position": [5.5, 4, 5.5], "target": [5.5, 2, 7], "fov": 60)", .007447, .04},
+        Spot{"behind_panes_before_a_lamp",
+             R"({"box": "glass_pane[east=true,west=true]", "min": [2, 2, 4], "max": [8, 6, 4]},
+                            {"block": "glowstone", "at": [5, 4, 1]})",
+             R"("position": [5.5, 4, 5.5], "target": [5.5, 3.5, 8], "fov": 60)", .008315, .04},
+        Spot{"glass_beside_the_shadow_of_a_pillar", kPillarBeforeGlass,
+             R"("position": [8.3, 4.5, 6.5], "target": [6.93, 4.5, 5], "fov": 2)", .2319, .04},
+        Spot{"glass_in_the_shadow_of_a_pillar", kPillarBeforeGlass,
+             R"("position": [8.3, 4.5, 6.5], "target": [6.5, 4.5, 5], "fov": 2)", .01783, .06}),
+    [](const auto& tested) { return std::string(tested.param.name); });
+
+}  // namespace
+}  // namespace orris::test

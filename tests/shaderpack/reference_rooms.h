@@ -1,0 +1,26 @@
+// Rooms whose light is held against the path tracer, and the options with which it comes to rest soon.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+
+#include "pack_session.h"
+
+namespace orris::test {
+
+/// A closed room of stone by night, seven blocks wide and five high from (2, 2, 2) on, with `blocks` in it.
+inline std::string stoneRoom(const char* blocks, const char* camera) {
+  return fmt::format(R"({{"size": [11, 9, 11],
+      "blocks": [{{"box": "stone", "min": [0, 0, 0], "max": [10, 8, 10]}},
+                 {{"box": "air", "min": [2, 2, 2], "max": [8, 6, 8]}}, {}],
+      "cameras": [{{"name": "eye", {}}}], "environment": {{"time": 18000}}}})",
+                     blocks, camera);
+}
+
+inline const OptionValues kSettling = {
+    {"GI_METHOD", "FACE_CACHE"}, {"GI_LAMPS", "SAMPLED"},     {"GI_SAMPLES", "4"},
+    {"GI_FILTER", "false"},      {"TEMPORAL_FRAMES", "1024"}, {"AMBIENT_MINIMUM", "0.0"},
+    {"DIRECT_LIGHT", "NONE"},    {"FACE_SHARE", "1"},         {"FACE_WINDOW", "256"}};
+
+}  // namespace orris::test
