@@ -74,6 +74,8 @@ MUTANTS = [
     ("panes beside a point do not shade it", "ReferenceSunlitPanes.shade*", [(HIT, "|| (beside_pane && !passes)", "")]),
     ("panes alone shade what is beside them", "ReferenceSunlitPanes.stand*", [(HIT, "!meets_opaque(from, light, is_exact) && !meets_pane", "!meets_pane")]),
     ("tint beside a stained pane by the map's texels", "ReferenceSunlitPanes.tint*", [(HIT, "i < int(is_tinted_pane(before.code))", "i < 0")]),
+    ("holes of leaves by their mean", "ReferenceSpot.*by_a_hole", [(HIT, "|| in_leaf_hole(side))", ") + leaf_holes")]),
+    ("holes of leaves unknown", "ReferenceSpot.*by_a_hole", [(SHADOW, " || block.id == block_leaves); ++i)", "); ++i)")]),
     ("panes part no light", "ReferenceSky.*/low_panes", [(OCTANTS, "arms = kept_shape(cell) & arms_of_pane;", "arms = 0u;")]),
     ("both halves beside a pane lit alike", "ReferenceSky.*/low_panes", [(UPDATE, "bool parts = dot(face_normal(face), axis) == 0.0;", "bool parts = false;")]),
     ("light within glass by its outer side", "ReferenceGlazedRoom.*", [(HIT, " || is_glass(hit.voxel.code)", "")]),

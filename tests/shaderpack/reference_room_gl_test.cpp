@@ -101,6 +101,9 @@ INSTANTIATE_TEST_SUITE_P(
         Spot{"side_of_leaves_below_a_lamp",
              R"({"block": "oak_leaves", "at": [5, 2, 4]}, {"block": "glowstone", "at": [5, 7, 4]})",
              R"("position": [5.5, 2.6, 7.5], "target": [5.5, 2.5, 5], "fov": 16)", .00702, .1},
+        Spot{"inside_of_leaves_by_a_hole",
+             R"({"block": "oak_leaves", "at": [5, 3, 4]}, {"block": "glowstone", "at": [5, 7, 4]})",
+             R"("position": [5.5, 3.6, 7.5], "target": [5.17, 3.74, 5], "fov": 1.5)", .006806, .06},
         Spot{
             "behind_stained_panes",
             R"({"box": "red_stained_glass_pane[east=true,west=true]", "min": [2, 2, 4], "max": [8, 6, 4]},

@@ -20,7 +20,7 @@ vec3 lamp_light(Voxel v) {
     return lamp_radiance(v) * (is_ball(v.code) ? small_lamp_boost : 1.0);
 }
 
-// Share of a block of leaves' side that is open.
+// Share of a block of leaves' side that is open, where the texture's holes are not known.
 const float leaf_holes = 0.09;
 
 /// The distance from `origin` to where a ray leaves its first cell.
@@ -33,12 +33,29 @@ float distance_out(vec3 origin, vec3 direction) {
 /// Of full blocks leaves alone are looked out of.
 bool begins_in_leaves(vec3 origin) { return voxel_at(ivec3(floor(origin))).code == voxel_solid; }
 
+/// The side by which a ray leaves the block of leaves that it begins in.
+Hit side_of_leaves(vec3 origin, vec3 direction) {
+    Hit side;
+    side.cell = ivec3(floor(origin));
+    side.voxel = voxel_at(side.cell);
+    side.position = origin + direction * distance_out(origin, direction);
+    vec3 from_middle = side.position - vec3(side.cell) - 0.5;
+    vec3 size = abs(from_middle);
+    float most = max(size.x, max(size.y, size.z));
+    side.normal = sign(from_middle) * vec3(greaterThanEqual(size, vec3(most)));
+    return side;
+}
+
+bool in_leaf_hole(Hit side) {
+    return in_texture_hole(voxel_solid, face_of(side.normal), side.position - vec3(side.cell));
+}
+
 /// What the side of a block of leaves leaves of a ray from inside; all that has a full block behind it, as it is not
 /// drawn. Without a cache of light it passes on what falls on it as if that went straight on.
 vec3 left_by_leaves(Voxel own, vec3 origin, vec3 direction) {
 #if HAS_FACE_CACHE
-    ivec3 beyond = ivec3(floor(origin + direction * (distance_out(origin, direction) + 0.001)));
-    return vec3(is_opaque_voxel(voxel_at(beyond).code) ? 1.0 : leaf_holes);
+    Hit side = side_of_leaves(origin, direction);
+    return vec3(is_opaque_voxel(voxel_at(side.cell + ivec3(side.normal)).code) || in_leaf_hole(side));
 #else
     return mix(own.color, vec3(1.0), leaf_holes);
 #endif

@@ -9,20 +9,7 @@
 #include "/include/face_cache/face_cache.glsl"
 #endif
 
-/// The side by which a ray leaves the block of leaves that it begins in.
-Hit side_of_leaves(vec3 origin, vec3 direction) {
-    Hit side;
-    side.cell = ivec3(floor(origin));
-    side.voxel = voxel_at(side.cell);
-    side.position = origin + direction * distance_out(origin, direction);
-    vec3 from_middle = side.position - vec3(side.cell) - 0.5;
-    vec3 size = abs(from_middle);
-    float most = max(size.x, max(size.y, size.z));
-    side.normal = sign(from_middle) * vec3(greaterThanEqual(size, vec3(most)));
-    return side;
-}
-
-/// What that side shows of itself from inside, but for what its holes do. `sky`: level where the ray began.
+/// What the side by which a ray leaves the block of leaves that it begins in shows of itself from inside. `sky`: level where the ray began.
 vec3 light_of_leaves(vec3 origin, vec3 direction, vec3 light, float sky) {
     Hit side = side_of_leaves(origin, direction);
     vec3 arriving = sun_at(side, light, sky);
@@ -31,8 +18,8 @@ vec3 light_of_leaves(vec3 origin, vec3 direction, vec3 light, float sky) {
     vec4 cached = light_of(side.cell, face_of(side.normal));
     if (cached.a == 0.0 || is_opaque_voxel(voxel_at(side.cell + ivec3(side.normal)).code)) return vec3(0.0);
     // What the inside reflects adds up to a geometric series.
-    vec3 stopped = (1.0 - leaf_holes) * side.voxel.color;
-    vec3 passed = (1.0 - leaf_holes) * min(side.voxel.color, 1.0 - side.voxel.color);
+    vec3 stopped = (1.0 - open_share(voxel_solid, face_of(side.normal))) * side.voxel.color;
+    vec3 passed = float(!in_leaf_hole(side)) * min(side.voxel.color, 1.0 - side.voxel.color);
     return passed * (arriving + cached.rgb) / (1.0 - stopped);
 #else
     return side.voxel.color * arriving;

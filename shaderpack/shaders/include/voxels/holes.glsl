@@ -1,5 +1,5 @@
-// Which texels of clear glass light passes: for each of its sides, and of those of panes, 16 x 16 bits, as the texture of the
-// first such block that the shadow pass meets has them. In voxel_sums, behind lake_now: two rows of texels a word, and a
+// Which texels of clear glass light passes: for each of its sides, and of those of panes and leaves, 16 x 16 bits, as the texture
+// of the first such block that the shadow pass meets has them. In voxel_sums, behind lake_now: two rows of texels a word, and a
 // word that is one more than all that are open, where a side is known.
 #if !defined INCLUDED_VOXELS_HOLES
 #define INCLUDED_VOXELS_HOLES
@@ -8,9 +8,9 @@
 
 const int hole_words = 8;
 
-/// The first word of a side: `face` looks out of the block.
+/// The first word of a side: `face` looks out of the block. Of full blocks leaves alone have holes.
 ivec2 holes_of_side(int code, int face) {
-    return lake_now + ivec2(1 + (hole_words + 1) * (face + (is_pane(code) ? 6 : 0)), 0);
+    return lake_now + ivec2(1 + (hole_words + 1) * (face + (is_pane(code) ? 6 : is_glass(code) ? 0 : 12)), 0);
 }
 
 #if defined HAS_OCTANT_WRITES
@@ -42,7 +42,7 @@ void note_holes(int code, int face, vec3 middle) {
 }
 #else
 /// Is this point of a side in one of its holes? `within`: from the lower end of the cell.
-bool in_glass_hole(int code, int face, vec3 within) {
+bool in_texture_hole(int code, int face, vec3 within) {
 #if HAS_VOXEL_CHANGES
     vec2 at = face < 2 ? within.zy : face < 4 ? within.xz : within.xy;
     uvec2 texel = uvec2(clamp(at * 16.0, 0.0, 15.0));

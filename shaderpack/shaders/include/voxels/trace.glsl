@@ -138,7 +138,7 @@ Meeting meet_octants(Walk walk, uint octants, vec2 span) {
 /// Is this point of a block's side in one of its holes? Those of doors: a square in each quarter, as large as what the
 /// texture leaves open. `within`: from the lower end of the cell; `normal`: of the side, out of the block.
 bool in_hole(int code, vec3 within, vec3 normal) {
-    if (is_glass(code) || is_pane(code)) return in_glass_hole(code, face_of(normal), within);
+    if (is_glass(code) || is_pane(code)) return in_texture_hole(code, face_of(normal), within);
     vec3 off = abs(fract(2.0 * within) - 0.5) * (1.0 - abs(normal));
     return max(off.x, max(off.y, off.z)) < 0.5 * sqrt(hole_share(code));
 }

@@ -249,7 +249,7 @@ void emit_voxel() {
     add_to_brick(cell, face, code, vertex_mid_uv[0]);
     if (code == voxel_water_surface) note_lake();
     bool side_of_pane = is_pane(code) && face != 2 && face != 3;
-    for (int i = 0; i < int(is_glass(code) || side_of_pane); ++i) note_holes(code, face, block.middle);
+    for (int i = 0; i < int(is_glass(code) || side_of_pane || block.id == block_leaves); ++i) note_holes(code, face, block.middle);
     // Not the underside of its surface.
     bool bottom = vertex_normal[0].y < -0.5 && vertex_player[0].y - block.middle.y < -0.4;
     if (block.id == block_water && bottom) add_octants(cell, part_bottom);
