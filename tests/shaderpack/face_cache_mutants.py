@@ -238,6 +238,8 @@ MUTANTS = [
      [("include/voxels/posts.glsl", "chest ? 0.375 : 0.5, radius", "0.5, radius")]),
     ("halves of chests apart", "LightOfShapes.halves*",
      [("include/voxels/posts.glsl", "return part_post | arms;", "return part_post;")]),
+    ("holes of trapdoors by mean alpha", "LightOfShapes.light_passes*",
+     [("program/shadow/shadow.glsl", "tap * half_size, 0.0).a < cutout_alpha", "tap * half_size, 4.0).a < cutout_alpha")]),
     ("trapdoors without holes", "LightOfShapes.light_passes*",
      [("include/voxels/trace.glsl", "    vec3 off = abs(fract(2.0 * within)", "    return false;\n    vec3 off = abs(fract(2.0 * within)")]),
     ("all of a trapdoor is a hole", "LightOfShapes.light_passes*",

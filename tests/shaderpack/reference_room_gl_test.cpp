@@ -109,6 +109,11 @@ INSTANTIATE_TEST_SUITE_P(
             R"({"box": "red_stained_glass_pane[east=true,west=true]", "min": [2, 2, 4], "max": [8, 6, 4]},
                             {"block": "glowstone", "at": [5, 7, 3]})",
             R"("position": [5.5, 4, 5.5], "target": [5.5, 2, 7], "fov": 60)", .0002045, .06},
+        Spot{
+            "between_the_sides_of_a_stained_pane",
+            R"({"box": "red_stained_glass_pane[east=true,west=true]", "min": [2, 2, 4], "max": [8, 6, 4]},
+                            {"block": "glowstone", "at": [5, 7, 3]})",
+            R"("position": [5.5, 4, 5.5], "target": [5.5, 2, 4.53], "fov": 1)", .007698, .03},
         Spot{"behind_panes",
              R"({"box": "glass_pane[east=true,west=true]", "min": [2, 2, 4], "max": [8, 6, 4]},
                             {"block": "glowstone", "at": [5, 7, 3]})",

@@ -132,12 +132,19 @@ float share_of_face(Hit hit) {
 bool is_ill_known(Hit hit) { return faces_stained_glass(hit) || is_glass(hit.voxel.code) || is_within_pane(hit); }
 
 #if HAS_SHADOW_MAP
-/// What a stained pane leaves of light that comes to a point of its cell: of the map's texels one may be as wide as the part of
-/// a face that it shades.
-vec3 tint_beside_pane(Voxel pane, vec3 point, vec3 light) {
+/// What stained panes leave of light that comes to a point beside one, by its cell or the next: of the map's texels one may be
+/// as wide as the part of a face that a pane shades. Not looked for if not `asked`.
+vec3 tint_beside_pane(vec3 point, vec3 light, bool asked) {
     Walk walk = begin_walk(point, light);
-    vec2 span = vec2(0.0, distance_out(point, light));
-    return filtered(pane.color, filter_depth(pane.code, walk.cell + 0.5 - point, walk.inverse, span));
+    vec3 tint = vec3(1.0);
+    for (int i = 0; i < int(asked) * 3; ++i) {
+        Voxel pane = voxel_at(cell_of(walk));
+        vec2 span = max(span_in_cell(walk), 0.0);
+        float depth = filter_depth(pane.code, walk.cell + 0.5 - point, walk.inverse, span);
+        tint *= is_tinted_pane(pane.code) ? filtered(pane.color, depth) : vec3(1.0);
+        leave_cube(walk, 1.0);
+    }
+    return tint;
 }
 
 /// Share of the sun's light that arrives at a hit. Where the edge of a shadow lies between the texels of the map about the
@@ -169,9 +176,9 @@ vec3 sun_share(Hit hit, vec3 light, float sky) {
     lit = is_exact ? float(passes) : lit;
 #endif
     Voxel before = voxel_at(hit.cell + ivec3(hit.normal));
-    vec3 tint = point_tint(ivec2(texel.xy), texel.z, before);
-    for (int i = 0; i < int(is_tinted_pane(before.code)); ++i) tint = tint_beside_pane(before, from, light);
-    return lit * tint;
+    bool beside_stained = is_tinted_pane(before.code);
+    vec3 tint = tint_beside_pane(from, light, beside_stained);
+    return lit * (beside_stained ? tint : point_tint(ivec2(texel.xy), texel.z, before));
 }
 #else
 vec3 sun_share(Hit hit, vec3 light, float sky) { return vec3(unmapped_visibility(sky)); }

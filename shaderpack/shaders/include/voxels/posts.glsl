@@ -13,6 +13,7 @@ const uint part_post = 16u;
 const uint part_bottom = 32u;  // of water: below it there is none
 
 const float plate_thickness = 0.1875;
+const float pane_radius = 0.0625;
 const float cover_top = 0.0625 - 0.5;  // of a carpet, from the middle of the cell
 
 bool is_post(int code) { return (code >= voxel_fence && code < voxel_small_lamp) || code == voxel_cover; }
@@ -22,7 +23,7 @@ bool has_plates(int code) { return is_plate(code) || is_glass(code); }
 
 /// Half of the width of the post.
 float post_radius(int code) {
-    return is_pane(code) ? 0.0625 : code == voxel_fence ? 0.125 : code == voxel_wall ? 0.25 : 0.4375;
+    return is_pane(code) ? pane_radius : code == voxel_fence ? 0.125 : code == voxel_wall ? 0.25 : 0.4375;
 }
 
 /// The plate whose face this is, by where it lies and looks.

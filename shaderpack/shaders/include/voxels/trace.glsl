@@ -94,9 +94,9 @@ vec2 below_surface(vec2 span, float height, float slope) {
 }
 
 /// How many blocks of its colour a ray passes between those distances. `middle`: of its cell, from the ray's origin. A pane
-/// counts as one where its plane is crossed, however aslant.
+/// counts as one where a ray comes into it, however aslant; what lies between its sides sees no side from outside.
 float filter_depth(int code, vec3 middle, vec3 inverse, vec2 span) {
-    float crossing = dot(middle * inverse, pane_axis(code));
+    float crossing = dot((middle - pane_radius * sign(inverse)) * inverse, pane_axis(code));
     float crossed = float(crossing > span.x && crossing <= span.y);
     return is_tinted_pane(code) ? crossed : max(0.0, span.y - span.x);
 }

@@ -62,11 +62,14 @@ float trusted_updates(float updates) {
 
 uint octants_at(ivec3 cell) { return octants_of(voxel_at(cell).code, cell); }
 
-/// Of a face beside a pane the half on one side of it: the upper one has the place of an inner face.
+/// Of a face beside a pane the half on one side of it: the upper one has the place of an inner face. What lies between the
+/// sides of a stained pane sees more of every colour than the halves, and is seen of through the pane alone.
 vec2 half_beside_pane(vec2 at, ivec3 pane, int face) {
-    vec3 axis = parted_axis(voxel_at(pane).code, pane);
+    int code = voxel_at(pane).code;
+    vec3 axis = parted_axis(code, pane);
     bool parts = dot(face_normal(face), axis) == 0.0;
-    return mix(at, 0.5 * (at + float(face >= face_inner)), axis.xz * float(parts));
+    float width = 0.5 - (is_tinted_pane(code) ? pane_radius : 0.0);
+    return mix(at, at * width + (1.0 - width) * float(face >= face_inner), axis.xz * float(parts));
 }
 
 vec3 point_of(ivec3 cell, int face, vec2 at) {
