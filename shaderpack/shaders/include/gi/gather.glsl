@@ -10,6 +10,9 @@
 #if HAS_AIR_LIGHT
 #include "/include/floodfill/light_field.glsl"
 #endif
+#if HAS_FACE_CACHE
+#include "/include/face_cache/light_at.glsl"
+#endif
 #include "/include/gi/leaves.glsl"
 #if HAS_LAMP_RAYS
 layout(r32ui) uniform readonly uimage2D face_list;
@@ -46,6 +49,17 @@ vec3 choose_side(Surface s, inout vec3 normal) {
     normal = -normal;
     return 2.0 * passed_share(s.albedo);
 }
+
+#if HAS_FACE_CACHE
+/// B where a ray hits. Beside a pane a face has two halves, and parts of blocks have faces of other sizes: these have their
+/// means alone.
+vec3 light_on(Hit hit) {
+    int face = face_of_hit(hit);
+    ivec3 before = hit.cell + ivec3(hit.normal);
+    bool whole = is_full(hit.voxel.code) && !hit.inner && parted_axis(voxel_at(before).code, before) == vec3(0.0);
+    return (whole ? light_at(hit.position, hit.cell, face) : light_of(hit.cell, face)).rgb;
+}
+#endif
 
 /// One sample of the mean incoming radiance, the pixel's n-th over all frames.
 vec3 gather(Surface s, vec3 light, int number) {
@@ -119,7 +133,7 @@ vec3 gather(Surface s, vec3 light, int number) {
 #endif
             continue;
         }
-        radiance += throughput * share_of_face(hit) * light_of(hit.cell, face_of_hit(hit)).rgb;
+        radiance += throughput * share_of_face(hit) * light_on(hit);
         break;
 #endif
         // A loop that is not known to end here costs a quarter more on llvmpipe.

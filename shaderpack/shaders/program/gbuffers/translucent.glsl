@@ -63,6 +63,7 @@ void main() {
 #include "/include/gi/hit.glsl"
 
 vec4 light_of(ivec3 cell, int face) { return cached_light(cell, face); }
+#include "/include/face_cache/light_at.glsl"
 #endif
 #if HAS_TRANSLUCENT_RAYS
 #include "/include/gi/gather.glsl"
@@ -111,7 +112,7 @@ vec3 expected_radiance(vec3 n) {
     vec3 lightmap = ambient_radiance(levels, n);
 #if HAS_FACE_CACHE && !HAS_LAMPS
     vec3 middle = to_volume(block);
-    vec4 cached = cached_light_at(to_volume(player), ivec3(floor(middle)), face_of(n));
+    vec4 cached = light_at(to_volume(player), ivec3(floor(middle)), face_of(n));
     float share = cached.a > 0.0 ? inside_volume(middle) : 0.0;
     return mix(lightmap, cached.rgb + AMBIENT_MINIMUM, share);
 #else

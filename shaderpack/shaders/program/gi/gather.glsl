@@ -83,7 +83,7 @@ vec3 mirrored(Surface s, vec3 light) {
     weight *= hit.transmittance;
     if (!hit.found) return weight * sky_beyond(hit, direction, s.light.y);
     vec3 lamp = is_lamp_voxel(hit.voxel.code) ? lamp_light(hit.voxel) : vec3(0.0);
-    vec3 cached = share_of_face(hit) * light_of(hit.cell, face_of_hit(hit)).rgb;
+    vec3 cached = share_of_face(hit) * light_on(hit);
     return weight * (lamp + voxel_albedo(hit.voxel) * (sun_at(hit, light, s.light.y) + cached));
 }
 #endif
