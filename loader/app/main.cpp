@@ -109,6 +109,17 @@ bool knowsCommand(const CLI::App& app, const std::vector<std::string>& words) {
   return false;
 }
 
+/// A flag without its value would take the next flag for it, and write a file of that name.
+void refuseFlagsAsValues(CLI::App& command) {
+  for (CLI::Option* option : command.get_options()) {
+    if (option->get_items_expected_max() == 0) continue;
+    option->check([&command](const std::string& text) {
+      const bool isFlag = text.starts_with("--") && command.get_option_no_throw(text) != nullptr;
+      return isFlag ? fmt::format("expected a value before {}", text) : std::string();
+    });
+  }
+}
+
 int run(int argc, char** argv) {
   std::vector<std::string> arguments = repeatAssignmentFlags(argc, argv);
   const std::optional<FolderConfig> folder = unaskedConfig(arguments);
@@ -133,6 +144,7 @@ int run(int argc, char** argv) {
   for (CLI::App* command : app.get_subcommands({})) {
     command->fallthrough();
     command->allow_config_extras(CLI::config_extras_mode::error);
+    refuseFlagsAsValues(*command);
   }
 
   if (!knowsCommand(app, arguments)) return kUsage;

@@ -83,6 +83,8 @@ USAGE = [
          2, errors=[r"orris \w+: error: The following argument"]),
     Case("version", ["--version"], 0, stdout=[r"^orris \d+\.\d+\.\d+$"]),
     Case("help", ["--help", "validate --help", "render --help"], 0, stdout=["Usage: orris"]),
+    Case("render_flag_without_its_value", [f"render pack {CORNELL} -o out.png --timings --json"], 2, PACK,
+         ["--timings: expected a value before --json"]),
     Case("wrong_size", [f"render pack {CORNELL} -o out.png --size {size}"
                         for size in ("0x32", "32x0", "-1x5", "32", "axb", "20000x2", "16384x16384",
                                      "99999999999x1", "1x1x1")],
