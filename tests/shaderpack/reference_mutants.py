@@ -56,7 +56,7 @@ MUTANTS = [
     ("sun behind water white", "ReferenceGlass.*water", [(SHADOW, "id == block_water ? water_height : 0.0", "0.0")]),
     ("glass is nothing to shadow volumes", GLASS, [(SUN, "lit *= open_share(player, normal, light);", "")]),
     ("lava green", CAVE, [("include/blocks.glsl", "vec3(1.0, 0.34, 0.06));  // 9", "vec3(0.34, 1.0, 0.06));  // 9")]),
-    ("lamp levels linear", CAVE, [(VOXEL, "EMISSION_STRENGTH * share * share", "EMISSION_STRENGTH * share")]),
+    ("lamp levels linear", "ReferenceSpot.*torch", [(VOXEL, "EMISSION_STRENGTH * share * share", "EMISSION_STRENGTH * share")]),
     ("stained panes stop rays", CHAPEL, [(SHADOW, "voxel_tinted_pane + int(abs(normal.z) > 0.5)", "voxel_solid")]),
     ("stained panes tint by the distance in their cell", "ReferenceSpot.*behind_stained_panes", [(TRACE, "return is_tinted_pane(code) ? crossed :", "return false ? crossed :")]),
     ("one value for both sides of a stained pane", "ReferenceSpot.*behind_stained_panes", [(TRACE, "return beside && dot(hit.position - cell, axis) > 0.5;", "return false;")]),

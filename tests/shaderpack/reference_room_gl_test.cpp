@@ -53,7 +53,7 @@ TEST_P(ReferenceRoom, is_as_bright_as_in_the_path_tracer) {
   pack.renderFrames(160);
   const glm::dvec3 ratio = glm::dvec3(pack.meanRadiance()) / room.mean;
   RecordProperty("ratio", fmt::format("{:.4f} {:.4f} {:.4f}", ratio.r, ratio.g, ratio.b));
-  for (int channel = 0; channel < 3; ++channel) EXPECT_NEAR(ratio[channel], 1, .012) << channel;
+  for (int channel = 0; channel < 3; ++channel) EXPECT_NEAR(ratio[channel], 1, .009) << channel;
 }
 
 INSTANTIATE_TEST_SUITE_P(, ReferenceRoom,

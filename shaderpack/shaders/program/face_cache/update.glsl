@@ -63,7 +63,7 @@ float trusted_updates(float updates) {
 uint octants_at(ivec3 cell) { return octants_of(voxel_at(cell).code, cell); }
 
 /// Of a face beside a pane the half on one side of it: the upper one has the place of an inner face. What lies between the
-/// sides of a stained pane sees more of every colour than the halves, and is seen of through the pane alone.
+/// sides of a stained pane sees more of every colour than the halves, and is seen through the pane alone.
 vec2 half_beside_pane(vec2 at, ivec3 pane, int face) {
     int code = voxel_at(pane).code;
     vec3 axis = parted_axis(code, pane);
