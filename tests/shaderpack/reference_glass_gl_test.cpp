@@ -115,10 +115,7 @@ TEST(ReferenceGlazedRoom, light_between_the_layers_of_glass_is_found) {
 
 /// A picture of a room that the sun lights through a window of panes, over what orris trace --noise 0.003 finds.
 double sunlitPanes(const char* panes, const char* camera, int channel, double traced) {
-  OptionValues options = kSettling;
-  options.insert_or_assign("SKY_STRENGTH", "0.0");
-  options.insert_or_assign("GI_SAMPLES", "16");
-  options.insert_or_assign("FACE_RAYS", "8");
+  const OptionValues options = manyRays({{"SKY_STRENGTH", "0.0"}});
   PackSession pack(fmt::format(R"({{"size": [26, 12, 24],
       "blocks": [{{"box": "grass_block", "min": [0, 0, 0], "max": [25, 0, 23]}},
                  {{"hollow": "oak_planks", "min": [4, 0, 4], "max": [16, 8, 18]}},
@@ -154,10 +151,7 @@ TEST(ReferenceSunlitPanes, tint_the_side_of_their_opening) {
 
 // The inner foot of a window, which the lintel shades, as the sun lights it outside and panes stand between.
 TEST(ReferenceSunlitPanes, stand_in_the_shade_of_a_lintel) {
-  OptionValues options = kSettling;
-  options.insert_or_assign("SKY_STRENGTH", "0.0");
-  options.insert_or_assign("GI_SAMPLES", "16");
-  options.insert_or_assign("FACE_RAYS", "8");
+  const OptionValues options = manyRays({{"SKY_STRENGTH", "0.0"}});
   PackSession pack(R"({"size": [42, 12, 42],
       "blocks": [{"box": "grass_block", "min": [0, 0, 0], "max": [41, 2, 41]},
                  {"hollow": "white_concrete", "min": [4, 2, 4], "max": [20, 8, 36]},
@@ -183,10 +177,7 @@ class ReferenceSky : public testing::TestWithParam<Skylight> {};
 // opening, which are much of what is seen of low ones.
 TEST_P(ReferenceSky, comes_through_clear_glass) {
   const Skylight& skylight = GetParam();
-  OptionValues options = kSettling;
-  options.insert_or_assign("SUN_STRENGTH", "0.0");
-  options.insert_or_assign("GI_SAMPLES", "16");
-  options.insert_or_assign("FACE_RAYS", "8");
+  const OptionValues options = manyRays({{"SUN_STRENGTH", "0.0"}});
   std::string world = R"({"size": [26, 12, 24],
       "blocks": [{"box": "black_concrete", "min": [0, 0, 0], "max": [25, 0, 23]},
                  {"hollow": "white_concrete", "min": [4, 0, 4], "max": [16, 8, 18]})";

@@ -70,9 +70,7 @@ INSTANTIATE_TEST_SUITE_P(, ReferenceRoom,
 // Behind a wall, a room that is lit by what its gap lets through of one with a lamp: by faces on which light falls off. With one
 // value a face it is 5 % too bright. orris trace --noise 0.004: .00003737 in green.
 TEST(ReferenceCorner, light_falls_off_over_the_faces_of_a_gap) {
-  OptionValues options = kSettling;
-  options.insert_or_assign("GI_SAMPLES", "16");
-  options.insert_or_assign("FACE_RAYS", "8");
+  const OptionValues options = manyRays();
   PackSession pack(R"({"size": [14, 9, 11],
       "blocks": [{"box": "stone", "min": [0, 0, 0], "max": [13, 8, 10]},
                  {"box": "air", "min": [2, 2, 2], "max": [11, 6, 8]},

@@ -23,4 +23,11 @@ inline const OptionValues kSettling = {
     {"GI_FILTER", "false"},      {"TEMPORAL_FRAMES", "1024"}, {"AMBIENT_MINIMUM", "0.0"},
     {"DIRECT_LIGHT", "NONE"},    {"FACE_SHARE", "1"},         {"FACE_WINDOW", "256"}};
 
+/// The same with less noise: 16 rays a pixel and 8 a face.
+inline OptionValues manyRays(OptionValues changes = {}) {
+  changes.insert({{"GI_SAMPLES", "16"}, {"FACE_RAYS", "8"}});
+  changes.insert(kSettling.begin(), kSettling.end());
+  return changes;
+}
+
 }  // namespace orris::test
