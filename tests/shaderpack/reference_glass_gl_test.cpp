@@ -149,6 +149,22 @@ TEST(ReferenceSunlitPanes, tint_the_side_of_their_opening) {
   EXPECT_NEAR(sunlitPanes("lime_stained_glass_pane", side, 2, .000007353), 1, .06);
 }
 
+// A strip of a wall that a lamp lights through the end of a red pane alone, past the opening beside it. orris trace --noise 0.004.
+TEST(ReferenceStainedPane, tints_what_comes_in_by_its_end) {
+  PackSession pack(R"({"size": [24, 8, 11],
+      "blocks": [{"box": "stone", "min": [0, 0, 0], "max": [23, 7, 10]},
+                 {"box": "air", "min": [2, 2, 2], "max": [20, 4, 8]},
+                 {"box": "stone", "min": [2, 2, 4], "max": [20, 4, 4]},
+                 {"block": "air", "at": [5, 3, 4]},
+                 {"block": "red_stained_glass_pane[east=true,west=true]", "at": [6, 3, 4]},
+                 {"block": "glowstone", "at": [9, 3, 2]}],
+      "cameras": [{"name": "eye", "position": [4, 3.5, 7.5], "target": [2, 3.5, 6.65], "fov": 1}],
+      "environment": {"time": 18000}})",
+                   manyRays(), 16, 9);
+  pack.renderFrames(100);
+  EXPECT_NEAR(pack.meanRadiance().g / .00003203, 1, .1);
+}
+
 // The inner foot of a window, which the lintel shades, as the sun lights it outside and panes stand between.
 TEST(ReferenceSunlitPanes, stand_in_the_shade_of_a_lintel) {
   const OptionValues options = manyRays({{"SKY_STRENGTH", "0.0"}});

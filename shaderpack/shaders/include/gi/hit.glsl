@@ -90,15 +90,14 @@ Hit trace_from_face(vec3 origin, vec3 direction) {
     if (met.found)
         return Hit(true, cell, origin + direction * met.t, -met.axis * walk.stride, own, vec3(1.0),
                    !is_post(own.code) && own.code != voxel_lava);
-    Hit hit = trace(origin, direction);
+    Hit hit = trace(origin, direction, own.code);
     for (int i = 0; i < int(own.code == voxel_solid); ++i) hit.transmittance *= left_by_leaves(own, origin, direction);
     if (is_filter_voxel(own.code)) {
         vec2 span = vec2(0.0, distance_out(origin, direction));
         if (own.code == voxel_water_surface)
             span = below_surface(span, float(cell.y) + water_height - origin.y, direction.y);
-        hit.transmittance *= filtered(own.color, filter_depth(own.code, to_center, walk.inverse, span));
+        hit.transmittance *= filtered(own.color, filter_depth(own.code, true, to_center, walk.inverse, span));
     }
-    hit.inner = hit.inner || is_beyond_pane(hit, vec3(cell), own.code);
     return hit;
 }
 
@@ -137,11 +136,13 @@ bool is_ill_known(Hit hit) { return faces_stained_glass(hit) || is_glass(hit.vox
 vec3 tint_beside_pane(vec3 point, vec3 light, bool asked) {
     Walk walk = begin_walk(point, light);
     vec3 tint = vec3(1.0);
+    int last_code = voxel_at(cell_of(walk)).code;
     for (int i = 0; i < int(asked) * 3; ++i) {
         Voxel pane = voxel_at(cell_of(walk));
         vec2 span = max(span_in_cell(walk), 0.0);
-        float depth = filter_depth(pane.code, walk.cell + 0.5 - point, walk.inverse, span);
+        float depth = filter_depth(pane.code, pane.code == last_code, walk.cell + 0.5 - point, walk.inverse, span);
         tint *= is_tinted_pane(pane.code) ? filtered(pane.color, depth) : vec3(1.0);
+        last_code = pane.code;
         leave_cube(walk, 1.0);
     }
     return tint;

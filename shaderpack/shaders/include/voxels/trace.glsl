@@ -94,10 +94,15 @@ vec2 below_surface(vec2 span, float height, float slope) {
 }
 
 /// How many blocks of its colour a ray passes between those distances. `middle`: of its cell, from the ray's origin. A pane
-/// counts as one where a ray comes into it, however aslant; what lies between its sides sees no side from outside.
-float filter_depth(int code, vec3 middle, vec3 inverse, vec2 span) {
-    float crossing = dot((middle - pane_radius * sign(inverse)) * inverse, pane_axis(code));
-    float crossed = float(crossing > span.x && crossing <= span.y);
+/// counts as one where a ray comes into it, however aslant, by a side or by its end; what lies between its sides sees no side
+/// from outside. `goes_on`: the cell before has the same pane, or the ray begins here.
+float filter_depth(int code, bool goes_on, vec3 middle, vec3 inverse, vec2 span) {
+    vec3 axis = pane_axis(code);
+    float center = dot(middle * inverse, axis);
+    float half_way = pane_radius * dot(abs(inverse), axis);
+    float entry = goes_on ? center - half_way : max(center - half_way, span.x);
+    bool before = goes_on ? entry > span.x : entry < center + half_way;
+    float crossed = float(before && entry <= span.y);
     return is_tinted_pane(code) ? crossed : max(0.0, span.y - span.x);
 }
 
@@ -270,15 +275,15 @@ void describe(inout Hit hit, Walk walk, Meeting met, vec4 texel) {
 }
 
 /// First block from `origin` (volume space) on. The first cell is not tested: rays start on a face,
-/// and there the cell holds either nothing or the partial block that the face belongs to.
-Hit trace(vec3 origin, vec3 direction) {
+/// and there the cell holds either nothing or the partial block that the face belongs to: `first_code`.
+Hit trace(vec3 origin, vec3 direction, int first_code) {
     count_ray();
     Walk walk = begin_walk(origin, direction);
     Hit hit;
     hit.transmittance = vec3(1.0);
     Meeting met = Meeting(false, 0.0, vec3(0.0));
-    vec3 last_cell = vec3(-1.0);
-    int last_code = voxel_air;
+    vec3 last_cell = walk.cell;
+    int last_code = first_code;
     walk_on(walk);
     // What a full block stops has no turn here, and branches save nothing on some drivers.
     for (int i = 0; i < 3 * VOLUME && walk.reach != stopped && in_volume(cell_of(walk)); ++i) {
@@ -290,7 +295,7 @@ Hit trace(vec3 origin, vec3 direction) {
             vec2 span = span_in_cell(walk);
             if (code == voxel_water_surface)
                 span = below_surface(span, walk.cell.y + water_height - origin.y, walk.direction.y);
-            float depth = filter_depth(code, walk.cell + 0.5 - origin, walk.inverse, span);
+            float depth = filter_depth(code, last_code == code, walk.cell + 0.5 - origin, walk.inverse, span);
             hit.transmittance *= filtered(decode_voxel(texel).color, depth);
         }
         last_cell = walk.cell;
