@@ -63,7 +63,7 @@ MUTANTS = [
      [(UPDATE, "(hit.found ? voxel_albedo(hit.voxel) * (",
        "(hit.found ? (")]),
     ("no feedback", "FaceCache.one_cell*",
-     [(UPDATE, "light_of(hit.cell, face_of_hit(hit)).rgb",
+     [(UPDATE, "light_on(hit)",
        "vec3(0.0)")]),
     ("dark faces in coarse steps", "IndirectLight.light_too_dark*",
      [(CACHE, "const float face_unit = EMISSION_STRENGTH / 2048.0;",

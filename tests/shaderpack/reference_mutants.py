@@ -12,6 +12,8 @@ VOXEL = "include/voxels/voxel.glsl"
 TRACE = "include/voxels/trace.glsl"
 HOLES = "include/voxels/holes.glsl"
 SHADOW = "program/shadow/shadow.glsl"
+COMMIT = "program/face_cache/commit.glsl"
+LIGHT_AT = "include/face_cache/light_at.glsl"
 TINT = "include/sun/sun_tint.glsl"
 TRANSLUCENT = "program/gbuffers/translucent.glsl"
 SUN = "include/sun/sun_visibility.glsl"
@@ -27,8 +29,8 @@ ONE = "Views/Reference.*/one_bounce"
 MUTANTS = [
     ("albedo times .9", HOUSE, [(VOXEL, "vec3 root = sqrt(clamp(color, 0.0, 1.0));", "vec3 root = sqrt(0.9 * clamp(color, 0.0, 1.0));")]),
     ("red and blue of voxels swapped", BEND, [(VOXEL, "vec3 square = texel.rgb * texel.rgb;", "vec3 square = texel.bgr * texel.bgr;")]),
-    ("no feedback", HOUSE, [(UPDATE, "light_of(hit.cell, face_of_hit(hit)).rgb)", "vec3(0.0))")]),
-    ("feedback twice", HOUSE, [(UPDATE, "light_of(hit.cell, face_of_hit(hit)).rgb)", "2.0 * light_of(hit.cell, face_of_hit(hit)).rgb)")]),
+    ("no feedback", HOUSE, [(UPDATE, "light_on(hit))", "vec3(0.0))")]),
+    ("feedback twice", HOUSE, [(UPDATE, "light_on(hit))", "2.0 * light_on(hit))")]),
     ("no cache where pixels' rays end", BEND, [(GATHER, "light_on(hit);\n        break;", "vec3(0.0);\n        break;")]),
     ("sky of rays halved", HALL, [(HIT, "return sky_radiance(direction) *", "return 0.5 * sky_radiance(direction) *")]),
     ("sky by the level where a ray begins", HALL, [(HIT, "(sky_comes_to(hit.position) ? 1.0 : smoothstep(0.0, 0.1, sky))", "smoothstep(0.0, 0.1, sky)")]),
@@ -76,10 +78,19 @@ MUTANTS = [
     ("tint beside a stained pane by the map's texels", "ReferenceSunlitPanes.tint*", [(HIT, "beside_stained ? tint : point_tint", "false ? tint : point_tint")]),
     ("holes of leaves by their mean", "ReferenceSpot.*by_a_hole", [(HIT, "|| in_leaf_hole(side))", ") + leaf_holes")]),
     ("holes of leaves unknown", "ReferenceSpot.*by_a_hole", [(SHADOW, " || block.id == block_leaves); ++i)", "); ++i)")]),
-    ("stained panes tint in their middle", "ReferenceSpot.*between_the_sides*", [(TRACE, "(middle - pane_radius * sign(inverse))", "middle")]),
+    ("stained panes tint in their middle", "ReferenceSpot.*between_the_sides*", [(TRACE, "pane_radius * dot(abs(inverse), axis)", "0.0")]),
     ("stained panes of the next cell tint nothing", "ReferenceSunlitPanes.tint*", [(HIT, "i < int(asked) * 3; ++i", "i < int(asked); ++i")]),
-    ("one value a face", "ReferenceCorner.*", [(GATHER, "whole ? light_at(hit.position, hit.cell, face) :", "false ? light_at(hit.position, hit.cell, face) :")]),
-    ("light falls the other way over a face", "ReferenceCorner.*", [("include/face_cache/light_at.glsl", "own.rgb += dot(off, u)", "own.rgb -= dot(off, u)")]),
+    ("one value a face", "ReferenceCorner.*", [(LIGHT_AT, "return light + rise_over_face(off, face, u, v);", "return light;")]),
+    ("light falls the other way over a face", "ReferenceCorner.*", [(LIGHT_AT, "return dot(off, vec3(first_axis(face)))", "return -dot(off, vec3(first_axis(face)))")]),
+    ("the sides of an opening have one value", "ReferenceOpening.*", [(LIGHT_AT, "bool alone = is_alone(u) || is_alone(v);", "bool alone = false;")]),
+    ("the lower half alone is sampled", "ReferenceOpening.*", [(UPDATE, "floor(2.0 * next_random().x)", "0.0")]),
+    ("samples of halves are of the whole side", "ReferenceOpening.*", [(UPDATE, "0.5 * halves * (upper", "0.0 * halves * (upper")]),
+    ("the upper half enters the lower one", "ReferenceOpening.*", [(COMMIT, "bool upper = fresh.a < 0.0;", "bool upper = false;")]),
+    ("halves along the other axis", "ReferenceOpening.*", [(LIGHT_AT, "(is_open || !is_alone(v)) ? along", "!(is_open || !is_alone(v)) ? along")]),
+    ("opposite sides share a half", "ReferenceOpening.*", [(LIGHT_AT, " || light_of(cell, face ^ 1).a > 0.0", "")]),
+    ("light of halves falls the other way", "ReferenceOpening.*", [(LIGHT_AT, "(at - 0.25 * sign(at)) * clamp", "-(at - 0.25 * sign(at)) * clamp")]),
+    ("ends of stained panes tint nothing", "ReferenceStainedPane.*", [(TRACE, "goes_on ? entry > span.x : entry < center + half_way", "entry > span.x")]),
+    ("stained panes tint anew in each cell", "ReferenceSpot.*behind_stained_panes", [(TRACE, "filter_depth(code, last_code == code,", "filter_depth(code, false,")]),
     ("panes part no light", "ReferenceSky.*/low_panes", [(OCTANTS, "arms = kept_shape(cell) & arms_of_pane;", "arms = 0u;")]),
     ("both halves beside a pane lit alike", "ReferenceSky.*/low_panes", [(UPDATE, "bool parts = dot(face_normal(face), axis) == 0.0;", "bool parts = false;")]),
     ("light within glass by its outer side", "ReferenceGlazedRoom.*", [(HIT, " || is_glass(hit.voxel.code)", "")]),

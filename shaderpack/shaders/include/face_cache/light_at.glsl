@@ -1,32 +1,88 @@
-// Light at a place on a face, from its mean and those of the faces beside it in its plane. The program has light_of(cell,
-// face), B of a face and its number of updates.
+// Light at a place on a face, from its mean and those of the faces beside it in its plane, or from the means of its halves. The
+// program has light_of(cell, face), B of a face and its number of updates.
 #if !defined INCLUDED_FACE_CACHE_LIGHT_AT
 #define INCLUDED_FACE_CACHE_LIGHT_AT
 
 #include "/include/face_cache/face_cache.glsl"
+#include "/include/gi/hit.glsl"
 
 /// B of the face of a cell, as far as it is in the volume.
 vec4 known_light(ivec3 cell, int face) { return in_volume(cell) ? light_of(cell, face) : vec4(0.0); }
 
-/// How B changes from one face to the next along this axis, in their plane; at an end as from the last one to this.
-vec3 slope_of_light(vec3 own, ivec3 cell, ivec3 along, int face) {
-    vec4 next = known_light(cell + along, face);
-    vec4 last = known_light(cell - along, face);
-    float known = float(next.a > 0.0) + float(last.a > 0.0);
-    vec3 rise = float(next.a > 0.0) * (next.rgb - own) + float(last.a > 0.0) * (own - last.rgb);
+/// A face and those beside it along an axis of its plane.
+struct FaceRow {
+    vec4 own;
+    vec4 next;
+    vec4 last;
+};
+
+FaceRow face_row(ivec3 cell, ivec3 along, int face) {
+    return FaceRow(light_of(cell, face), known_light(cell + along, face), known_light(cell - along, face));
+}
+
+bool is_alone(FaceRow row) { return max(row.next.a, row.last.a) == 0.0; }
+
+/// How B changes from one face to the next; at an end as from the last one to this.
+vec3 slope_of_light(FaceRow row) {
+    vec3 own = row.own.rgb;
+    float known = float(row.next.a > 0.0) + float(row.last.a > 0.0);
+    vec3 rise = float(row.next.a > 0.0) * (row.next.rgb - own) + float(row.last.a > 0.0) * (own - row.last.rgb);
     return clamp(rise / max(known, 1.0), -own, own);
 }
 
-/// B at a place on the face (volume space), which fills a side of its cell: a plane that has the face's B as its mean.
+/// The axes of a face's plane.
+ivec3 first_axis(int face) { return (face & 7) >> 1 == 0 ? ivec3(0, 1, 0) : ivec3(1, 0, 0); }
+ivec3 second_axis(int face) { return (face & 7) >> 1 == 2 ? ivec3(0, 1, 0) : ivec3(0, 0, 1); }
+
+/// The axis along which the light of a face that has none beside it, as the sides of an opening in a wall of one block, is kept
+/// in two halves, the upper one at the place of an inner face; else 0. Not if the block shows its opposite side, too, whose
+/// upper half would have that place, nor before what is no air.
+ivec3 halved_axis(ivec3 cell, int face, FaceRow u, FaceRow v) {
+    bool alone = is_alone(u) || is_alone(v);
+    if (!alone || u.own.a == 0.0 || light_of(cell, face ^ 1).a > 0.0) return ivec3(0);
+    ivec3 before = cell + ivec3(face_normal(face));
+    if (voxel_at(before).code != voxel_air) return ivec3(0);
+    ivec3 along = first_axis(face);
+    bool is_open = !is_full(voxel_at(before + along).code) && !is_full(voxel_at(before - along).code);
+    return is_alone(u) && (is_open || !is_alone(v)) ? along : second_axis(face);
+}
+
+vec3 place_on_face(vec3 position, ivec3 cell) { return clamp(position - vec3(cell) - 0.5, vec3(-0.5), vec3(0.5)); }
+
+/// What a plane that has the face's B as its mean has more of there.
+vec3 rise_over_face(vec3 off, int face, FaceRow u, FaceRow v) {
+    return dot(off, vec3(first_axis(face))) * slope_of_light(u) + dot(off, vec3(second_axis(face))) * slope_of_light(v);
+}
+
+/// B at a place on the face (volume space), which fills a side of its cell, and its number of updates.
 vec4 light_at(vec3 position, ivec3 cell, int face) {
-    vec4 own = light_of(cell, face);
-    vec3 off = clamp(position - vec3(cell) - 0.5, vec3(-0.5), vec3(0.5));
-    int axis = (face & 7) >> 1;
-    vec3 u = vec3(axis != 0, axis == 0, 0.0);
-    vec3 v = vec3(0.0, axis == 2, axis != 2);
-    own.rgb += dot(off, u) * slope_of_light(own.rgb, cell, ivec3(u), face) +
-               dot(off, v) * slope_of_light(own.rgb, cell, ivec3(v), face);
-    return own;
+    FaceRow u = face_row(cell, first_axis(face), face);
+    FaceRow v = face_row(cell, second_axis(face), face);
+    return u.own + vec4(rise_over_face(place_on_face(position, cell), face, u, v), 0.0);
+}
+
+/// B at a place `at`, -0.5 to 0.5, along the axis of two halves, on a line that has theirs.
+vec3 light_of_halves(float at, vec3 lower, vec4 upper) {
+    vec3 rise = upper.a > 0.0 ? upper.rgb - lower : vec3(0.0);
+    vec3 half_light = at > 0.0 ? lower + rise : lower;
+    return half_light + (at - 0.25 * sign(at)) * clamp(2.0 * rise, -4.0 * half_light, 4.0 * half_light);
+}
+
+/// B where a ray hits. Beside a pane a face has two halves, and parts of blocks have faces of other sizes: these have their
+/// means alone.
+vec3 light_on(Hit hit) {
+    int face = face_of_hit(hit);
+    ivec3 before = hit.cell + ivec3(hit.normal);
+    bool whole = is_full(hit.voxel.code) && !hit.inner && parted_axis(voxel_at(before).code, before) == vec3(0.0);
+    if (!whole) return light_of(hit.cell, face).rgb;
+    FaceRow u = face_row(hit.cell, first_axis(face), face);
+    FaceRow v = face_row(hit.cell, second_axis(face), face);
+    vec3 off = place_on_face(hit.position, hit.cell);
+    vec3 axis = vec3(halved_axis(hit.cell, face, u, v));
+    vec3 light = u.own.rgb;
+    for (int i = 0; i < int(axis != vec3(0.0)); ++i)
+        light = light_of_halves(dot(off, axis), light, light_of(hit.cell, face + face_inner));
+    return light + rise_over_face(off, face, u, v);
 }
 
 #endif

@@ -50,17 +50,6 @@ vec3 choose_side(Surface s, inout vec3 normal) {
     return 2.0 * passed_share(s.albedo);
 }
 
-#if HAS_FACE_CACHE
-/// B where a ray hits. Beside a pane a face has two halves, and parts of blocks have faces of other sizes: these have their
-/// means alone.
-vec3 light_on(Hit hit) {
-    int face = face_of_hit(hit);
-    ivec3 before = hit.cell + ivec3(hit.normal);
-    bool whole = is_full(hit.voxel.code) && !hit.inner && parted_axis(voxel_at(before).code, before) == vec3(0.0);
-    return (whole ? light_at(hit.position, hit.cell, face) : light_of(hit.cell, face)).rgb;
-}
-#endif
-
 /// One sample of the mean incoming radiance, the pixel's n-th over all frames.
 vec3 gather(Surface s, vec3 light, int number) {
     vec3 normal = s.normal;

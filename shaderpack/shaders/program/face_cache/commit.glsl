@@ -40,7 +40,10 @@ void commit_faces(uint first, uint stride) {
     uint count = min(imageLoad(face_seen, listed_faces_texel).r, face_capacity);
     for (uint i = first; i < count; i += stride) {
         uint entry = imageLoad(face_list, face_slot(i)).r;
-        add_sample(face_texel(packed_cell(entry), packed_face(entry)), imageLoad(face_fresh, face_slot(i)));
+        vec4 fresh = imageLoad(face_fresh, face_slot(i));
+        bool upper = fresh.a < 0.0;
+        fresh.a = upper ? -1.0 - fresh.a : fresh.a;
+        add_sample(face_texel(packed_cell(entry), packed_face(entry) + int(upper) * face_inner), fresh);
     }
 }
 

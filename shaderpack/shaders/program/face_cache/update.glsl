@@ -27,6 +27,7 @@ vec4 light_of(ivec3 cell, int face) {
     return trusted(imageLoad(face_light, recent_texel(face_texel(cell, face))));
 }
 
+#include "/include/face_cache/light_at.glsl"
 #include "/include/gi/leaves.glsl"
 
 /// Radiance along a cosine ray, which goes on where the light on what it hits is ill known: a ray more.
@@ -45,7 +46,7 @@ vec3 hemisphere_sample(Face f, vec2 u, vec3 light) {
         if (hit.found && is_lamp_voxel(hit.voxel.code)) radiance += throughput * lamp_light(hit.voxel);
     }
     radiance += throughput * (hit.found ? voxel_albedo(hit.voxel) * (sun_at(hit, light, f.sky) +
-                                                                     share_of_face(hit) * light_of(hit.cell, face_of_hit(hit)).rgb)
+                                                                     share_of_face(hit) * light_on(hit))
                                         : sky_beyond(hit, onward, f.sky));
     for (int i = 0; i < int(begins_in_leaves(f.from.origin)); ++i)
         radiance += light_of_leaves(f.from.origin, direction, light, f.sky);
@@ -86,7 +87,16 @@ vec3 point_of(ivec3 cell, int face, vec2 at) {
     return is_plate(code_before) ? point_beside_plate(point, code_before, kept_shape(ivec3(floor(point)))) : point;
 }
 
-/// B / face_unit by this frame's rays, and on how many updates the old light rests.
+/// The half of a face that a sample is of, and its axis; 0: the whole face.
+ivec3 axis_of_halves(Face f) {
+    bool whole = is_full(voxel_at(f.cell).code) && f.face < face_inner;
+    if (!whole) return ivec3(0);
+    return halved_axis(f.cell, f.face, face_row(f.cell, first_axis(f.face), f.face),
+                       face_row(f.cell, second_axis(f.face), f.face));
+}
+
+/// B / face_unit by this frame's rays, and on how many updates the old light rests; that, less than 0, if they are of the upper
+/// half.
 vec4 fresh_sample(uint entry, vec3 light) {
     Face f;
     f.cell = packed_cell(entry);
@@ -96,13 +106,17 @@ vec4 fresh_sample(uint entry, vec3 light) {
     uvec3 place = uvec3(face_texel(f.cell, f.face));
     // Independent numbers: along a sequence, what a face looks up would follow how it came about.
     seed_random(ivec2(place.x + 2048u * place.y, place.z), frameCounter);
+    vec3 halves = vec3(axis_of_halves(f));
+    float upper = halves == vec3(0.0) ? 0.0 : floor(2.0 * next_random().x);
     vec3 sum = vec3(0.0);
     for (int i = 0; i < FACE_RAYS; ++i) {
         f.from.origin = point_of(f.cell, f.face, next_random().xy);
+        f.from.origin += 0.5 * halves * (upper - dot(f.from.origin - vec3(f.cell), halves));
         vec3 sampled = hemisphere_sample(f, next_random().xy, light) + lamp_sample(f.from);
         sum += min(sampled, vec3(face_light_max));
     }
-    return vec4(sum / (face_unit * float(FACE_RAYS)), trusted_updates(light_of(f.cell, f.face).a));
+    float updates = trusted_updates(light_of(f.cell, f.face + int(upper) * face_inner).a);
+    return vec4(sum / (face_unit * float(FACE_RAYS)), upper > 0.0 ? -1.0 - updates : updates);
 }
 
 void main() {
