@@ -4,7 +4,8 @@
 //   face_light   rgba16f, 9 places a cell at (9 x + place, y, z): rgb B / face_unit, a number of updates. Places 0..5
 //                are the faces on the sides of the cell, 6..8 those in the middle of it, by axis: treads of
 //                stairs, tops of slabs. A shape with octants looks one way along an axis there. Of full blocks they are
-//                the upper halves of faces beside a pane, which parts their light, and of sides of small openings (light_at.glsl).
+//                the upper halves of faces beside a pane, which parts their light, and of the sides of small openings
+//                (light_at.glsl).
 //                Cells keep their place when the camera moves (store_cell), so nothing is copied.
 //                Behind them (recent_texel) lie means of the last few updates, which updates look up: what is reflected often,
 //                in bright rooms, comes to rest sooner by quick steps, whose noise the slow mean takes away (Polyak &
