@@ -122,7 +122,7 @@ MUTANTS = [
        "if (false)")]),
     ("first cell of rays to lamps passed by", "IndirectLight.glass_takes*",
      [(LAMPS, "Hit hit = trace_from_face(r.origin, lamp.direction);",
-       "Hit hit = trace(r.origin, lamp.direction);")]),
+       "Hit hit = trace(r.origin, lamp.direction, voxel_air);")]),
     ("glass by the lightmap", "IndirectLight.glass_just*",
      [(TRANSLUCENT, "float share = cached.a > 0.0 ? inside_volume(middle) : 0.0;",
        "float share = 0.0;")]),
