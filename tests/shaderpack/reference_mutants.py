@@ -89,7 +89,7 @@ MUTANTS = [
     ("halves along the other axis", "ReferenceOpening.*", [(LIGHT_AT, "(is_open || !is_alone(v)) ? along", "!(is_open || !is_alone(v)) ? along")]),
     ("opposite sides share a half", "ReferenceOpening.*", [(LIGHT_AT, " || light_of(cell, face ^ 1).a > 0.0", "")]),
     ("light of halves falls the other way", "ReferenceOpening.*", [(LIGHT_AT, "(at - 0.25 * sign(at)) * clamp", "-(at - 0.25 * sign(at)) * clamp")]),
-    ("ends of stained panes tint nothing", "ReferenceStainedPane.*", [(TRACE, "goes_on ? entry > span.x : entry < center + half_way", "entry > span.x")]),
+    ("ends of stained panes tint nothing", "ReferenceStainedPane.*", [(TRACE, " || (!goes_on && center + half_way > span.x)", "")]),
     ("stained panes tint anew in each cell", "ReferenceSpot.*behind_stained_panes", [(TRACE, "filter_depth(code, last_code == code,", "filter_depth(code, false,")]),
     ("panes part no light", "ReferenceSky.*/low_panes", [(OCTANTS, "arms = kept_shape(cell) & arms_of_pane;", "arms = 0u;")]),
     ("both halves beside a pane lit alike", "ReferenceSky.*/low_panes", [(UPDATE, "bool parts = dot(face_normal(face), axis) == 0.0;", "bool parts = false;")]),

@@ -100,9 +100,8 @@ float filter_depth(int code, bool goes_on, vec3 middle, vec3 inverse, vec2 span)
     vec3 axis = pane_axis(code);
     float center = dot(middle * inverse, axis);
     float half_way = pane_radius * dot(abs(inverse), axis);
-    float entry = goes_on ? center - half_way : max(center - half_way, span.x);
-    bool before = goes_on ? entry > span.x : entry < center + half_way;
-    float crossed = float(before && entry <= span.y);
+    bool enters = center - half_way > span.x || (!goes_on && center + half_way > span.x);
+    float crossed = float(enters && center - half_way <= span.y);
     return is_tinted_pane(code) ? crossed : max(0.0, span.y - span.x);
 }
 

@@ -87,7 +87,7 @@ vec3 point_of(ivec3 cell, int face, vec2 at) {
     return is_plate(code_before) ? point_beside_plate(point, code_before, kept_shape(ivec3(floor(point)))) : point;
 }
 
-/// The half of a face that a sample is of, and its axis; 0: the whole face.
+/// The axis along which the light of a face is kept in two halves; 0: it has one value.
 ivec3 axis_of_halves(Face f) {
     bool whole = is_full(voxel_at(f.cell).code) && f.face < face_inner;
     if (!whole) return ivec3(0);

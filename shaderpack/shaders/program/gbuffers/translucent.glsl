@@ -194,7 +194,7 @@ vec3 indirect_radiance(vec3 n) {
 /// The light on what the water mirrors. Of a face beside a surface of water most lies below it: what is
 /// above sees half of what the block's top sees.
 vec3 light_beside(Hit hit) {
-    vec3 own = cached_light(hit.cell, face_of_hit(hit)).rgb;
+    vec3 own = light_on(hit);
     bool beside = voxel_at(hit.cell + ivec3(hit.normal)).code == voxel_water_surface;
     if (!beside || hit.position.y - float(hit.cell.y) < water_height) return own;
     return 0.5 * (own + cached_light(hit.cell, face_up).rgb);
