@@ -152,6 +152,32 @@ TEST(FaceCache, lamps_at_any_distance_give_their_form_factor) {
   }
 }
 
+/// Mean radiance that a floor gets of a sphere half a block above its middle, over what a square in the middle leaves of it, for
+/// radiance 1. `half`: of the square's edge.
+double floorBelowSphere(double radius, double half) {
+  constexpr int kSteps = 400;
+  double sum = 0;
+  int counted = 0;
+  for (int i = 0; i < kSteps * kSteps; ++i) {
+    const double x = (i % kSteps + .5) / kSteps - .5, z = (i / kSteps + .5) / kSteps - .5;
+    if (std::max(std::abs(x), std::abs(z)) < half) continue;
+    ++counted;
+    sum += radius * radius * .5 / std::pow(.25 + x * x + z * z, 1.5);
+  }
+  return sum / counted;
+}
+
+// A lantern hides what of the floor gets most of its light.
+TEST(FaceCache, floor_below_a_lantern_has_the_light_of_what_it_leaves_free) {
+  PackSession pack(R"({"size": [7, 7, 7],
+      "blocks": [{"hollow": "black_concrete", "min": [0, 0, 0], "max": [6, 6, 6]}, {"block": "lantern", "at": [3, 1, 3]}],
+      "cameras": [{"name": "eye", "position": [1.5, 1.5, 1.5]}], "environment": {"time": 18000}})",
+                   cacheOptions({{"FACE_SHARE", "1"}, {"FACE_WINDOW", "128"}, {"FACE_RAYS", "8"}}), 8, 8);
+  pack.renderFrames(200);
+  const double expected = 5 * kGlowstone * floorBelowSphere(.25, 3. / 16);
+  EXPECT_NEAR(faceField(pack, kFaceVolume).red({3, 0, 3}, kUp) / expected, 1, .02);
+}
+
 TEST(FaceCache, removed_lamp_fades_and_a_placed_one_fills_the_room) {
   PackSession pack(room("white_concrete", {12, 12, 12},
                         R"({"frame": 80, "set": {"at": [6, 13, 6], "block": "white_concrete"}},

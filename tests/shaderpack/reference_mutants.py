@@ -94,4 +94,6 @@ MUTANTS = [
     ("panes part no light", "ReferenceSky.*/low_panes", [(OCTANTS, "arms = kept_shape(cell) & arms_of_pane;", "arms = 0u;")]),
     ("both halves beside a pane lit alike", "ReferenceSky.*/low_panes", [(UPDATE, "bool parts = dot(face_normal(face), axis) == 0.0;", "bool parts = false;")]),
     ("light within glass by its outer side", "ReferenceGlazedRoom.*", [(HIT, " || is_glass(hit.voxel.code)", "")]),
+    ("balls of small lamps stop light", "ReferenceSmallLamp.balls*", [(HIT, "return hit.found && is_ball(hit.voxel.code) && !hit.inner;", "return false;")]),
+    ("small lamps have no body", "ReferenceSmallLamp.body*", [("include/voxels/posts.glsl", "is_ball(code) ? 3 :", "is_ball(code) ? 0 :")]),
 ]

@@ -149,7 +149,7 @@ MUTANTS = [
      [(RAYS, "dot(light, vec3(1.0)) > dot(kept.light[i], vec3(1.0))",
        "kept.light[i] == vec3(0.0) || dot(light, vec3(1.0)) < dot(kept.light[i], vec3(1.0))")]),
     ("rays count the lamp again", "ClusteredLamps.light_is*",
-     [(GATHER, "float(!lit_directly(bounce, hit.position))", "1.0")]),
+     [(GATHER, "float(!lit_directly(goes_straight ? 0 : bounce, hit.position))", "1.0")]),
     ("lightmap counts the lamp again", "ClusteredLamps.lightmap*",
      [(LIT, "light.x *= unlisted_share(s.player);", "")]),
 ]

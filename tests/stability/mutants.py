@@ -195,9 +195,9 @@ MUTANTS = [
     ("B4 new frames count twice", "PixelRays.weight*",
      [(HISTORY, "mix(before.rgb, radiance, weight)", "mix(before.rgb, radiance, min(2.0 * weight, 1.0))")]),
     ("B5 light divided by its distance squared", "PixelRays.furnace*",
-     [(GATHER, "radiance += throughput * lamp_light(hit.voxel) *",
+     [(GATHER, "radiance += throughput * lamp_light(hit, from, direction) *",
        "float range = 0.3 * length(hit.position - origin);\n"
-       "            radiance += throughput * lamp_light(hit.voxel) / max(1.0, range * range) *")]),
+       "            radiance += throughput * lamp_light(hit, from, direction) / max(1.0, range * range) *")]),
     ("image: updated in place", "FloodfillImage.*", [(POWERS, "lowest.z + other_side", "lowest.z + side")]),
     ("image: cells that came in keep what was there", "FloodfillImage.holds*",
      [(IMAGE_CELLS, "is_opaque_voxel(v.code) || entered(cell)", "is_opaque_voxel(v.code)")]),

@@ -66,12 +66,14 @@ vec3 gather(Surface s, vec3 light, int number) {
     bool aimed = lamps > 0u && (turn & 1) == 1;
     if (lamps > 0u) number = turn >> 1;
 #endif
+    vec3 direction;
+    bool goes_straight = false;
     for (int bounce = 0; bounce < gi_bounces; ++bounce) {
         vec2 u = next_random().xy;
 #if HAS_FACE_CACHE
         if (bounce == 0) u = spread_point(ivec2(gl_FragCoord.xy), number);
 #endif
-        vec3 direction = cosine_direction(normal, u);
+        direction = goes_straight ? direction : cosine_direction(normal, u);
         vec3 from = origin;
 #if HAS_LAMP_RAYS
         LampSample lamp;
@@ -80,7 +82,7 @@ vec3 gather(Surface s, vec3 light, int number) {
             direction = lamp.direction;
         }
         Hit hit = trace_from_face(from, direction);
-        if (lamps > 0u) throughput *= 2.0;
+        if (lamps > 0u && !goes_straight) throughput *= 2.0;
         if (aimed) {
             if (hit.found && hit.cell == lamp.cell) radiance += throughput * hit.transmittance * lamp.light;
             break;
@@ -97,12 +99,24 @@ vec3 gather(Surface s, vec3 light, int number) {
         }
         if (is_lamp_voxel(hit.voxel.code)) {
 #if HAS_LAMP_RAYS
-            radiance += throughput * met_lamp(hit, Receiver(origin, normal), direction);
+            radiance += throughput * (goes_straight ? lamp_light(hit, from, direction)
+                                                    : met_lamp(hit, Receiver(origin, normal), direction));
 #else
-            radiance += throughput * lamp_light(hit.voxel) *
-                        float(!lit_directly(bounce, hit.position));
+            radiance += throughput * lamp_light(hit, from, direction) *
+                        float(!lit_directly(goes_straight ? 0 : bounce, hit.position));
 #endif
         }
+#if HAS_FACE_CACHE
+        // As in update.glsl.
+        goes_straight = bounce == 0 && goes_on(hit);
+        if (goes_straight) {
+            origin = point_in_ball(hit, from, direction);
+#if HAS_LAMP_RAYS
+            aimed = false;
+#endif
+            continue;
+        }
+#endif
         normal = hit.normal;
         origin = hit.position + normal * face_offset;
         begins_on_lamp = false;

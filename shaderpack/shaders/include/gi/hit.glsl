@@ -20,6 +20,20 @@ vec3 lamp_light(Voxel v) {
     return lamp_radiance(v) * (is_ball(v.code) ? small_lamp_boost : 1.0);
 }
 
+/// What a ray gets of the lamp that it hits; 0: it hits none, or what is drawn of a small one beside its ball.
+vec3 lamp_light(Hit hit, vec3 from, vec3 direction) {
+    bool beside = is_ball(hit.voxel.code) && !meets_ball(hit.cell, from, direction);
+    return is_lamp_voxel(hit.voxel.code) && !beside ? lamp_light(hit.voxel) : vec3(0.0);
+}
+
+/// Does a ray go on behind the small lamp that it hits? What is drawn of that stops it, its ball does not.
+bool goes_on(Hit hit) { return hit.found && is_ball(hit.voxel.code) && !hit.inner; }
+
+/// Of a ray that goes on, the place where it is nearest to the middle of the lamp.
+vec3 point_in_ball(Hit hit, vec3 from, vec3 direction) {
+    return from + direction * dot(vec3(hit.cell) + 0.5 - from, direction);
+}
+
 // Share of a block of leaves' side that is open, where the texture's holes are not known.
 const float leaf_holes = 0.09;
 
@@ -71,12 +85,16 @@ Hit trace_from_face(vec3 origin, vec3 direction) {
     ivec3 cell = ivec3(floor(origin));
     Voxel own = voxel_at(cell);
     vec3 to_center = vec3(cell) + 0.5 - origin;
-    float along = dot(to_center, direction);
-    float off = dot(to_center, to_center) - along * along;
-    const float ball = small_lamp_radius * small_lamp_radius;
-    if (is_ball(own.code) && !begins_on_lamp && along > 0.0 && off < ball && dot(to_center, to_center) > ball)
-        return Hit(true, cell, origin, -direction, own, vec3(1.0), false);
     Walk walk = begin_walk(origin, direction);
+    bool outside = dot(to_center, to_center) > small_lamp_radius * small_lamp_radius;
+    if (is_ball(own.code) && !begins_on_lamp && outside) {
+#if HAS_VOXEL_CHANGES
+        bool stops = meet_post(walk, own.code).found;
+#else
+        const bool stops = false;
+#endif
+        if (stops || meets_ball(cell, origin, direction)) return Hit(true, cell, origin, -direction, own, vec3(1.0), stops);
+    }
     vec3 within = floor((origin - vec3(cell)) * 2.0);
     uint octants = octants_of(own.code, cell);
     // What is thinner than half a block has its face inside of what stands for it.

@@ -65,6 +65,17 @@ vec3 point_beside_plate(vec3 point, int code, uint parts) {
     return floor(point) + first + fract(point) * (1.0 - covered);
 }
 
+/// A point of the floor below a small lamp, moved out of what that covers to what is as large about it.
+vec3 point_beside_lamp(vec3 point, uint parts) {
+    float covered = lamp_radius(parts);
+    vec2 off = fract(point.xz) - 0.5;
+    float far = max(abs(off.x), abs(off.y));
+    float share = far / covered;
+    float moved = sqrt(mix(covered * covered, 0.25, share * share));
+    off *= far < covered ? moved / max(far, 1e-4) : 1.0;
+    return vec3(floor(point.x) + 0.5 + off.x, point.y, floor(point.z) + 0.5 + off.y);
+}
+
 uint listed_lamps() { return min(imageLoad(face_seen, listed_lamps_texel).r, lamp_capacity); }
 
 /// The share that rays to lamps count of light from a direction in which they have this density, were
@@ -87,7 +98,7 @@ vec3 met_lamp(Hit hit, Receiver r, vec3 direction) {
     bool ball = is_ball(hit.voxel.code);
     float density = ball ? density_of_ball(distance(vec3(hit.cell) + 0.5, r.origin))
                          : density_of_face(distance(hit.position, r.origin), -dot(hit.normal, direction));
-    return lamp_light(hit.voxel) * (1.0 - sampled_share(density, listed_lamps(), dot(direction, r.normal)));
+    return lamp_light(hit, r.origin, direction) * (1.0 - sampled_share(density, listed_lamps(), dot(direction, r.normal)));
 }
 
 /// About what a lamp gives if nothing hides it, to choose by: by its middle, and never 0 where a part of

@@ -1,6 +1,7 @@
 // Shapes of boxes. Fences, walls and chests: a post in the middle of the cell and arms to its sides; doors and
-// trapdoors: a plate along one side; glass: its sides; panes: thin walls; carpets. Which of them there are is kept where stairs keep their octants: a bit
-// each, arms or plates at -x +x -z +z, then the post, then plates at -y +y.
+// trapdoors: a plate along one side; glass: its sides; panes: thin walls; carpets; what is drawn of a small lamp. Which of them there are is kept
+// where stairs keep their octants: a bit each, arms or plates at -x +x -z +z, then the post, then plates at -y +y; of a small lamp those
+// below.
 #if !defined INCLUDED_VOXELS_POSTS
 #define INCLUDED_VOXELS_POSTS
 
@@ -15,6 +16,16 @@ const uint part_bottom = 32u;  // of water: below it there is none
 const float plate_thickness = 0.1875;
 const float pane_radius = 0.0625;
 const float cover_top = 0.0625 - 0.5;  // of a carpet, from the middle of the cell
+
+// What is drawn of small lamps: the rod of a torch, the foot of an end rod, the body of a lantern.
+const uint lamp_rod = 1u;
+const uint lamp_foot = 2u;
+const uint lamp_body = 4u;
+
+/// Half of the width of the widest.
+float lamp_radius(uint parts) {
+    return (parts & lamp_body) != 0u ? 0.1875 : (parts & lamp_foot) != 0u ? 0.125 : (parts & lamp_rod) != 0u ? 0.0625 : 0.0;
+}
 
 bool is_post(int code) { return (code >= voxel_fence && code < voxel_small_lamp) || code == voxel_cover; }
 
@@ -35,6 +46,11 @@ uint plate_of_quad(vec3 middle, vec3 size, vec3 normal) {
     return at.x | at.y | at.z;
 }
 
+/// Of a small lamp, by the width of a quad: what is wider is a plane with holes, or the logs of a campfire.
+uint part_of_lamp(float width) {
+    return width < 0.2 ? lamp_rod : width < 0.3 ? lamp_foot : width < 0.6 ? lamp_body : 0u;
+}
+
 /// The part that a quad belongs to, which reaches from `low` to `high` as seen from the middle of its block.
 /// What touches a side of the cell is an arm, what is wide and does not is the post.
 uint part_of_quad(int code, vec3 low, vec3 high, vec3 normal) {
@@ -44,6 +60,7 @@ uint part_of_quad(int code, vec3 low, vec3 high, vec3 normal) {
                 (high.z > side ? 8u : 0u);
     vec3 size = high - low;
     if (code == voxel_cover) return part_post;
+    if (is_ball(code)) return part_of_lamp(max(size.x, size.z));
     if (code == voxel_chest) return part_post | arms;
     bool post = code == voxel_fence || max(size.x, size.z) > 1.9 * post_radius(code);
     return arms != 0u ? arms : post ? part_post : 0u;
@@ -66,6 +83,11 @@ Box plate_box(int index, float thickness) {
 Box post_box(int code, int index) {
     if (has_plates(code)) return plate_box(index, is_plate(code) ? plate_thickness : 0.0);
     if (code == voxel_cover) return Box(vec3(-0.5), vec3(0.5, cover_top, 0.5));
+    if (is_ball(code)) {
+        float wide = lamp_radius(1u << uint(index));
+        float top = index == 0 ? 0.125 : index == 1 ? -0.4375 : -0.0625;
+        return Box(vec3(-wide, -0.5, -wide), vec3(wide, top, wide));
+    }
     float radius = post_radius(code);
     bool chest = code == voxel_chest;
     if (index == 0) return Box(vec3(-radius, -0.5, -radius), vec3(radius, chest ? 0.375 : 0.5, radius));
@@ -99,11 +121,11 @@ vec3 plate_normal(int index) {
 
 int post_boxes(int code) {
     int boxes = code == voxel_fence ? 9 : has_plates(code) ? 6 : 5;
-    return code == voxel_cover ? 1 : is_post(code) ? boxes : 0;
+    return code == voxel_cover ? 1 : is_ball(code) ? 3 : is_post(code) ? boxes : 0;
 }
 
 bool has_part(int code, uint parts, int index) {
-    int bit = has_plates(code) ? index + int(index >= 4) : index == 0 ? 4 : (index - 1) & 3;
+    int bit = has_plates(code) ? index + int(index >= 4) : is_ball(code) ? index : index == 0 ? 4 : (index - 1) & 3;
     return (parts >> uint(bit) & 1u) == 1u;
 }
 

@@ -19,7 +19,8 @@ struct Hit {
     vec3 normal;
     Voxel voxel;
     vec3 transmittance;  // of the translucent cells that it passed
-    bool inner;          // on a plane through the middle of its cell, or beyond that of a stained pane beside the face
+    bool inner;          // on a plane through the middle of its cell, beyond that of a stained pane beside the face, or on
+                         // what is drawn of a small lamp
 };
 
 /// Where a ray is as it walks through the cells. Floats, as they are compared and rounded faster.
@@ -197,16 +198,19 @@ Meeting meet_lava(Walk walk, vec2 span) {
     return Meeting(below.x <= below.y, below.x, vec3(0.0, 1.0, 0.0));
 }
 
+/// Does a ray meet the ball of a small lamp in that cell?
+bool meets_ball(ivec3 cell, vec3 origin, vec3 direction) {
+    vec3 to_center = vec3(cell) + 0.5 - origin;
+    float along = dot(to_center, direction);
+    return along > 0.0 && dot(to_center, to_center) - along * along < small_lamp_radius * small_lamp_radius;
+}
+
 /// What of the cell's block stops the ray?
 Meeting meet(Walk walk, int code) {
     vec2 span = span_in_cell(walk);
     Meeting met = meet_octants(walk, octants_of(code, cell_of(walk)), span);
     for (int i = 0; i < int(code == voxel_lava); ++i) met = meet_lava(walk, span);
-    vec3 to_center = walk.cell + 0.5 - walk.origin;
-    float along = dot(to_center, walk.direction);
-    float miss_squared = dot(to_center, to_center) - along * along;
-    met.found = met.found || (is_ball(code) &&
-                              miss_squared < small_lamp_radius * small_lamp_radius);
+    met.found = met.found || (is_ball(code) && meets_ball(cell_of(walk), walk.origin, walk.direction));
 #if HAS_VOXEL_CHANGES
     Meeting post = meet_post(walk, code);
     if (post.found) return post;

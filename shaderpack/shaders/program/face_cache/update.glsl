@@ -35,15 +35,18 @@ vec3 hemisphere_sample(Face f, vec2 u, vec3 light) {
     vec3 direction = cosine_direction(f.from.normal, u);
     Hit hit = trace_from_face(f.from.origin, direction);
     vec3 throughput = hit.transmittance;
-    vec3 radiance = hit.found && is_lamp_voxel(hit.voxel.code) ? throughput * met_lamp(hit, f.from, direction) : vec3(0.0);
+    vec3 radiance = throughput * met_lamp(hit, f.from, direction);
     vec3 onward = direction;
-    for (int i = 0; i < int(is_ill_known(hit)); ++i) {
-        throughput *= voxel_albedo(hit.voxel);
-        radiance += throughput * sun_at(hit, light, f.sky);
-        onward = cosine_direction(hit.normal, next_random().xy);
-        hit = trace_from_face(hit.position + hit.normal * face_offset, onward);
+    // Rays to lamps end at the first small one: what lies behind it is found by rays that pass it, and counts in full.
+    bool passes = goes_on(hit);
+    for (int i = 0; i < int(passes || is_ill_known(hit)); ++i) {
+        vec3 from = passes ? point_in_ball(hit, f.from.origin, direction) : hit.position + hit.normal * face_offset;
+        throughput *= passes ? vec3(1.0) : voxel_albedo(hit.voxel);
+        radiance += passes ? vec3(0.0) : throughput * sun_at(hit, light, f.sky);
+        onward = passes ? direction : cosine_direction(hit.normal, next_random().xy);
+        hit = trace_from_face(from, onward);
         throughput *= hit.transmittance;
-        if (hit.found && is_lamp_voxel(hit.voxel.code)) radiance += throughput * lamp_light(hit.voxel);
+        radiance += throughput * lamp_light(hit, from, onward);
     }
     radiance += throughput * (hit.found ? voxel_albedo(hit.voxel) * (sun_at(hit, light, f.sky) +
                                                                      share_of_face(hit) * light_on(hit))
@@ -84,6 +87,7 @@ vec3 point_of(ivec3 cell, int face, vec2 at) {
     vec3 point = point_of_face(cell, octants_of(code, cell), octants_at(before), face, at);
     int code_before = voxel_at(ivec3(floor(point))).code;
     if (code_before == voxel_lava) return point_above_lava(point, face_normal(face));
+    if (is_ball(code_before) && face == face_up) return point_beside_lamp(point, kept_shape(ivec3(floor(point))));
     return is_plate(code_before) ? point_beside_plate(point, code_before, kept_shape(ivec3(floor(point)))) : point;
 }
 

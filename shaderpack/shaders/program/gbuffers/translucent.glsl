@@ -207,8 +207,9 @@ vec3 mirrored_radiance(vec3 n, vec3 direction, vec3 l) {
 #if HAS_FACE_CACHE
     vec3 position = to_volume(player);
     if (inside_volume(position) > 0.0) {
-        Hit hit = trace(position + n * pixel_offset(player), direction, voxel_air);
-        vec3 lamp = is_lamp_voxel(hit.voxel.code) ? lamp_light(hit.voxel) : vec3(0.0);
+        vec3 from = position + n * pixel_offset(player);
+        Hit hit = trace(from, direction, voxel_air);
+        vec3 lamp = lamp_light(hit, from, direction);
         vec3 sun = DIRECT_LIGHT == NONE ? vec3(0.0) : sun_at(hit, l, light.y);
         if (hit.found) return hit.transmittance * (lamp + voxel_albedo(hit.voxel) * (sun + light_beside(hit)));
     }

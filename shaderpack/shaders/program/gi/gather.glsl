@@ -79,10 +79,11 @@ vec3 mirrored(Surface s, vec3 light) {
     vec3 direction = reflect(-v, facet);
     vec3 weight = gloss_fresnel(s.gloss, s.albedo, dot(v, facet)) *
                   ggx_masking(dot(s.normal, direction), alpha);
-    Hit hit = trace_from_face(to_volume(s.player) + s.normal * pixel_offset(s.player), direction);
+    vec3 from = to_volume(s.player) + s.normal * pixel_offset(s.player);
+    Hit hit = trace_from_face(from, direction);
     weight *= hit.transmittance;
     if (!hit.found) return weight * sky_beyond(hit, direction, s.light.y);
-    vec3 lamp = is_lamp_voxel(hit.voxel.code) ? lamp_light(hit.voxel) : vec3(0.0);
+    vec3 lamp = lamp_light(hit, from, direction);
     vec3 cached = share_of_face(hit) * light_on(hit);
     return weight * (lamp + voxel_albedo(hit.voxel) * (sun_at(hit, light, s.light.y) + cached));
 }

@@ -253,12 +253,12 @@ void emit_voxel() {
     // Not the underside of its surface.
     bool bottom = vertex_normal[0].y < -0.5 && vertex_player[0].y - block.middle.y < -0.4;
     if (block.id == block_water && bottom) add_octants(cell, part_bottom);
-    if (code == voxel_stairs || is_post(code)) {
+    if (code == voxel_stairs || is_post(code) || is_ball(code)) {
         vec3 low = quad_low() - block.middle;
         vec3 high = quad_high() - block.middle;
         vec3 normal = round(vertex_normal[0]);
-        add_octants(cell, is_post(code) ? part_of_quad(code, low, high, normal)
-                                        : octants_behind(low, high, normal));
+        add_octants(cell, code == voxel_stairs ? octants_behind(low, high, normal)
+                                               : part_of_quad(code, low, high, normal));
     }
 #endif
 #if HAS_FACE_CACHE
