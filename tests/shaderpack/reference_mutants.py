@@ -34,7 +34,7 @@ MUTANTS = [
     ("no cache where pixels' rays end", BEND, [(GATHER, "light_on(hit);\n        break;", "vec3(0.0);\n        break;")]),
     ("sky of rays halved", HALL, [(HIT, "return sky_radiance(direction) *", "return 0.5 * sky_radiance(direction) *")]),
     ("sky by the level where a ray begins", HALL, [(HIT, "(sky_comes_to(hit.position) ? 1.0 : smoothstep(0.0, 0.1, sky))", "smoothstep(0.0, 0.1, sky)")]),
-    ("no sky in the face update", HALL, [(UPDATE, ": sky_beyond(hit, onward, f.sky)", ": vec3(0.0)")]),
+    ("no sky in the face update", HALL, [(UPDATE, ": sky_beyond(hit, direction, f.sky)", ": vec3(0.0)")]),
     ("sky in caves below lit floors", "ReferenceCave.*", [(OCTANTS, "height >= lit_floor;", "lit_floor < height_end;")]),
     ("sky in all caves", "ReferenceCave.*", [(HIT, "sky_comes_to(hit.position) ?", "true ?")]),
     ("no sky for pixels", HALL, [(GATHER, "radiance += throughput * sky_beyond(hit, direction, s.light.y);", ";")]),
@@ -96,4 +96,7 @@ MUTANTS = [
     ("light within glass by its outer side", "ReferenceGlazedRoom.*", [(HIT, " || is_glass(hit.voxel.code)", "")]),
     ("balls of small lamps stop light", "ReferenceSmallLamp.balls*", [(HIT, "return hit.found && is_ball(hit.voxel.code) && !hit.inner;", "return false;")]),
     ("small lamps have no body", "ReferenceSmallLamp.body*", [("include/voxels/posts.glsl", "is_ball(code) ? 3 :", "is_ball(code) ? 0 :")]),
+    ("halves beside a pane reach to its middle", "ReferencePaneInWindow.*", [(UPDATE, "float width = 0.5 - pane_radius;", "float width = 0.5;"), (HIT, " || is_between_sides(hit)", "")]),
+    ("between the sides of a pane the light of a half", "ReferencePaneInWindow.*", [(HIT, " || is_between_sides(hit)", "")]),
+    ("one ray between the sides of glass", "ReferenceGlassInWindow.*", [(GATHER, "bounce < gi_bounces - 1 && (is_near", "bounce < 1 && (is_near")]),
 ]

@@ -24,9 +24,9 @@ const int lamp_candidates = 4;
 #include "/include/lights/lamps.glsl"
 #endif
 
-#if GI_METHOD == GI_METHOD_BOUNCE_4
+#if GI_METHOD == GI_METHOD_BOUNCE_4 || HAS_FACE_CACHE
 const int gi_bounces = 4;
-#elif GI_METHOD == GI_METHOD_BOUNCE_2 || HAS_FACE_CACHE
+#elif GI_METHOD == GI_METHOD_BOUNCE_2
 const int gi_bounces = 2;
 #else
 const int gi_bounces = 1;
@@ -130,7 +130,8 @@ vec3 gather(Surface s, vec3 light, int number) {
 #elif HAS_FACE_CACHE
         // From so near the mean of a face is not what is seen of it: gathered anew, as final gathering with photon
         // maps does (Jensen 2001, "Realistic Image Synthesis Using Photon Mapping").
-        if (bounce == 0 && (distance(hit.position, from) < FACE_NEAR || is_ill_known(hit))) {
+        bool is_near = bounce == 0 && distance(hit.position, from) < FACE_NEAR;
+        if (bounce < gi_bounces - 1 && (is_near || is_ill_known(hit))) {
 #if HAS_LAMP_RAYS
             aimed = lamps > 0u && next_random().x < 0.5;
 #endif

@@ -144,9 +144,18 @@ float share_of_face(Hit hit) {
     return share;
 }
 
+/// Has a ray hit what lies between the sides of a pane, on a face whose halves lie beside it?
+bool is_between_sides(Hit hit) {
+    ivec3 before = hit.cell + ivec3(hit.normal);
+    vec3 axis = parted_axis(voxel_at(before).code, before);
+    return axis != vec3(0.0) && abs(dot(hit.position - vec3(before) - 0.5, axis)) < pane_radius;
+}
+
 /// Does the light on a hit differ too much over its face for the mean to stand for it? Glass and panes have two layers: what
 /// comes through the holes of one is reflected to and fro between them, and the face has the light on the outside.
-bool is_ill_known(Hit hit) { return faces_stained_glass(hit) || is_glass(hit.voxel.code) || is_within_pane(hit); }
+bool is_ill_known(Hit hit) {
+    return faces_stained_glass(hit) || is_glass(hit.voxel.code) || is_within_pane(hit) || is_between_sides(hit);
+}
 
 #if HAS_SHADOW_MAP
 /// What stained panes leave of light that comes to a point beside one, by its cell or the next: of the map's texels one may be

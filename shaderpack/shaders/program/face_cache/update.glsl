@@ -30,29 +30,32 @@ vec4 light_of(ivec3 cell, int face) {
 #include "/include/face_cache/light_at.glsl"
 #include "/include/gi/leaves.glsl"
 
-/// Radiance along a cosine ray, which goes on where the light on what it hits is ill known: a ray more.
+// Rays more where the light on what one hits is ill known: between the sides of glass one after the other.
+const int most_rays_on = 3;
+
+/// Radiance along a cosine ray, which goes on where the light on what it hits is ill known.
 vec3 hemisphere_sample(Face f, vec2 u, vec3 light) {
     vec3 direction = cosine_direction(f.from.normal, u);
     Hit hit = trace_from_face(f.from.origin, direction);
     vec3 throughput = hit.transmittance;
     vec3 radiance = throughput * met_lamp(hit, f.from, direction);
-    vec3 onward = direction;
-    // Rays to lamps end at the first small one: what lies behind it is found by rays that pass it, and counts in full.
-    bool passes = goes_on(hit);
-    for (int i = 0; i < int(passes || is_ill_known(hit)); ++i) {
-        vec3 from = passes ? point_in_ball(hit, f.from.origin, direction) : hit.position + hit.normal * face_offset;
+    for (int i = 0; i < int(begins_in_leaves(f.from.origin)); ++i)
+        radiance += light_of_leaves(f.from.origin, direction, light, f.sky);
+    vec3 from = f.from.origin;
+    for (int i = 0; i < most_rays_on && (goes_on(hit) || is_ill_known(hit)); ++i) {
+        // Rays to lamps end at the first small one: what lies behind it is found by rays that pass it, and counts in full.
+        bool passes = goes_on(hit);
         throughput *= passes ? vec3(1.0) : voxel_albedo(hit.voxel);
         radiance += passes ? vec3(0.0) : throughput * sun_at(hit, light, f.sky);
-        onward = passes ? direction : cosine_direction(hit.normal, next_random().xy);
-        hit = trace_from_face(from, onward);
+        from = passes ? point_in_ball(hit, from, direction) : hit.position + hit.normal * face_offset;
+        direction = passes ? direction : cosine_direction(hit.normal, next_random().xy);
+        hit = trace_from_face(from, direction);
         throughput *= hit.transmittance;
-        radiance += throughput * lamp_light(hit, from, onward);
+        radiance += throughput * lamp_light(hit, from, direction);
     }
     radiance += throughput * (hit.found ? voxel_albedo(hit.voxel) * (sun_at(hit, light, f.sky) +
                                                                      share_of_face(hit) * light_on(hit))
-                                        : sky_beyond(hit, onward, f.sky));
-    for (int i = 0; i < int(begins_in_leaves(f.from.origin)); ++i)
-        radiance += light_of_leaves(f.from.origin, direction, light, f.sky);
+                                        : sky_beyond(hit, direction, f.sky));
     return radiance;
 }
 
@@ -72,7 +75,7 @@ vec2 half_beside_pane(vec2 at, ivec3 pane, int face) {
     int code = voxel_at(pane).code;
     vec3 axis = parted_axis(code, pane);
     bool parts = dot(face_normal(face), axis) == 0.0;
-    float width = 0.5 - (is_tinted_pane(code) ? pane_radius : 0.0);
+    float width = 0.5 - pane_radius;
     return mix(at, at * width + (1.0 - width) * float(face >= face_inner), axis.xz * float(parts));
 }
 
