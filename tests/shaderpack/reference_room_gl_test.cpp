@@ -91,6 +91,22 @@ TEST(ReferenceSmallLamp, balls_of_many_torches_stop_none) {
   EXPECT_NEAR(redOfWhiteRoom(R"("box": "torch", "min": [3, 2, 3], "max": [7, 2, 7])") / 13.894, 1, .075);
 }
 
+// The edge of a pool, below a lamp that it does not see, and its mirror image. With one value for what lies above the water and
+// what lies below it, or half of what the top of the block gets, the picture is up to eleven times as bright. orris trace --seconds 8.
+TEST(ReferenceShore, edge_above_the_water_has_its_own_light) {
+  PackSession pack(R"({"size": [18, 10, 18],
+      "blocks": [{"box": "stone", "min": [0, 0, 0], "max": [17, 9, 17]}, {"box": "air", "min": [2, 3, 2], "max": [15, 7, 15]},
+                 {"box": "white_concrete", "min": [2, 2, 2], "max": [15, 2, 15]},
+                 {"box": "water", "min": [6, 2, 6], "max": [11, 2, 11]}, {"block": "glowstone", "at": [13, 5, 8]}],
+      "cameras": [{"name": "eye", "position": [7.5, 3.3, 8.5], "target": [11.9, 2.889, 8.5], "fov": 1.5}],
+      "environment": {"time": 18000}})",
+                   manyRays({{"WATER_WAVES", "false"}}), 16, 9);
+  pack.renderFrames(300);
+  const double ratio = pack.meanRadiance().g / .012967;
+  RecordProperty("ratio", fmt::format("{:.4f}", ratio));
+  EXPECT_NEAR(ratio, 1, .03);
+}
+
 // Behind a wall, a room that is lit by what its gap lets through of one with a lamp: by faces on which light falls off. With one
 // value a face it is 5 % too bright. orris trace --noise 0.004: .00003737 in green.
 TEST(ReferenceCorner, light_falls_off_over_the_faces_of_a_gap) {

@@ -47,6 +47,14 @@ ivec3 halved_axis(ivec3 cell, int face, FaceRow u, FaceRow v) {
     return is_alone(u) && (is_open || !is_alone(v)) ? along : second_axis(face);
 }
 
+/// Is the face a side at the edge of water, whose part above the surface keeps its light at the place of an inner face? Not if
+/// the block shows its opposite side, too, as in halved_axis.
+bool is_shore(ivec3 cell, int face) {
+    ivec3 before = cell + ivec3(face_normal(face));
+    bool beside = face < face_inner && face_normal(face).y == 0.0 && voxel_at(before).code == voxel_water_surface;
+    return beside && light_of(cell, face ^ 1).a == 0.0;
+}
+
 vec3 place_on_face(vec3 position, ivec3 cell) { return clamp(position - vec3(cell) - 0.5, vec3(-0.5), vec3(0.5)); }
 
 /// What a plane that has the face's B as its mean has more of there.
@@ -75,6 +83,9 @@ vec3 light_on(Hit hit) {
     ivec3 before = hit.cell + ivec3(hit.normal);
     bool whole = is_full(hit.voxel.code) && !hit.inner && parted_axis(voxel_at(before).code, before) == vec3(0.0);
     if (!whole) return light_of(hit.cell, face).rgb;
+    bool above_water = hit.position.y - float(hit.cell.y) > water_height && is_shore(hit.cell, face);
+    vec4 above = above_water ? light_of(hit.cell, face + face_inner) : vec4(0.0);
+    if (above.a > 0.0) return above.rgb;
     FaceRow u = face_row(hit.cell, first_axis(face), face);
     FaceRow v = face_row(hit.cell, second_axis(face), face);
     vec3 off = place_on_face(hit.position, hit.cell);

@@ -114,11 +114,14 @@ vec4 fresh_sample(uint entry, vec3 light) {
     // Independent numbers: along a sequence, what a face looks up would follow how it came about.
     seed_random(ivec2(place.x + 2048u * place.y, place.z), frameCounter);
     vec3 halves = vec3(axis_of_halves(f));
-    float upper = halves == vec3(0.0) ? 0.0 : floor(2.0 * next_random().x);
+    bool shore = is_full(voxel_at(f.cell).code) && is_shore(f.cell, f.face);
+    float upper = halves == vec3(0.0) && !shore ? 0.0 : floor(2.0 * next_random().x);
+    vec2 shore_span = upper > 0.0 ? vec2(water_height, 1.0) : vec2(0.0, water_height);
     vec3 sum = vec3(0.0);
     for (int i = 0; i < FACE_RAYS; ++i) {
         f.from.origin = point_of(f.cell, f.face, next_random().xy);
         f.from.origin += 0.5 * halves * (upper - dot(f.from.origin - vec3(f.cell), halves));
+        if (shore) f.from.origin.y = float(f.cell.y) + mix(shore_span.x, shore_span.y, f.from.origin.y - float(f.cell.y));
         vec3 sampled = hemisphere_sample(f, next_random().xy, light) + lamp_sample(f.from);
         sum += min(sampled, vec3(face_light_max));
     }

@@ -190,17 +190,6 @@ vec3 indirect_radiance(vec3 n) {
 #endif
 }
 
-#if HAS_FACE_CACHE
-/// The light on what the water mirrors. Of a face beside a surface of water most lies below it: what is
-/// above sees half of what the block's top sees.
-vec3 light_beside(Hit hit) {
-    vec3 own = light_on(hit);
-    bool beside = voxel_at(hit.cell + ivec3(hit.normal)).code == voxel_water_surface;
-    if (!beside || hit.position.y - float(hit.cell.y) < water_height) return own;
-    return 0.5 * (own + cached_light(hit.cell, face_up).rgb);
-}
-#endif
-
 /// What water mirrors: the scene, as the voxels know it, or the sky where that reaches it.
 vec3 mirrored_radiance(vec3 n, vec3 direction, vec3 l) {
     float sky = light.y * light.y;
@@ -211,7 +200,7 @@ vec3 mirrored_radiance(vec3 n, vec3 direction, vec3 l) {
         Hit hit = trace(from, direction, voxel_air);
         vec3 lamp = lamp_light(hit, from, direction);
         vec3 sun = DIRECT_LIGHT == NONE ? vec3(0.0) : sun_at(hit, l, light.y);
-        if (hit.found) return hit.transmittance * (lamp + voxel_albedo(hit.voxel) * (sun + light_beside(hit)));
+        if (hit.found) return hit.transmittance * (lamp + voxel_albedo(hit.voxel) * (sun + light_on(hit)));
     }
 #endif
     return sky_radiance(direction) * sky;
