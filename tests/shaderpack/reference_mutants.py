@@ -80,7 +80,7 @@ MUTANTS = [
     ("holes of leaves unknown", "ReferenceSpot.*by_a_hole", [(SHADOW, " || block.id == block_leaves); ++i)", "); ++i)")]),
     ("stained panes tint in their middle", "ReferenceSpot.*between_the_sides*", [(TRACE, "pane_radius * dot(abs(inverse), axis)", "0.0")]),
     ("stained panes of the next cell tint nothing", "ReferenceSunlitPanes.tint*", [(HIT, "i < int(asked) * 3; ++i", "i < int(asked); ++i")]),
-    ("one value a face", "ReferenceCorner.*", [(LIGHT_AT, "return light + rise_over_face(off, face, u, v);", "return light;")]),
+    ("one value a face", "ReferenceCorner.*", [(LIGHT_AT, "return vec4(light + rise_over_face(off, face, u, v), u.own.a);", "return vec4(light, u.own.a);")]),
     ("light falls the other way over a face", "ReferenceCorner.*", [(LIGHT_AT, "return dot(off, vec3(first_axis(face)))", "return -dot(off, vec3(first_axis(face)))")]),
     ("the sides of an opening have one value", "ReferenceOpening.*", [(LIGHT_AT, "bool alone = is_alone(u) || is_alone(v);", "bool alone = false;")]),
     ("the lower half alone is sampled", "ReferenceOpening.*", [(UPDATE, "floor(2.0 * next_random().x)", "0.0")]),
@@ -101,4 +101,6 @@ MUTANTS = [
     ("one ray between the sides of glass", "ReferenceGlassInWindow.*", [(GATHER, "bounce < gi_bounces - 1 && (is_near", "bounce < 1 && (is_near")]),
     ("the edge of water has one light", "ReferenceShore.*", [(LIGHT_AT, "if (above.a > 0.0) return above.rgb;", "")]),
     ("the edge of water is sampled below it", "ReferenceShore.*", [(UPDATE, "upper > 0.0 ? vec2(water_height, 1.0) : vec2(0.0, water_height)", "vec2(0.0, water_height)")]),
+    ("sides of stained glass are sampled whole", "ReferenceGlassBesideGlass.*", [(UPDATE, "(is_full(code) || code == voxel_translucent)", "is_full(code)")]),
+    ("sides in stained glass have one value", "ReferenceGlassBesideGlass.*", [(LIGHT_AT, " && code != voxel_translucent", "")]),
 ]

@@ -76,7 +76,7 @@ double redOfWhiteRoom(const char* lamps) {
         "environment": {{"time": 18000}}}})",
                                lamps),
                    manyRays(), 16, 9);
-  pack.renderFrames(300);
+  pack.renderFrames(120);
   return pack.meanRadiance().r;
 }
 
@@ -101,7 +101,7 @@ TEST(ReferenceShore, edge_above_the_water_has_its_own_light) {
       "cameras": [{"name": "eye", "position": [7.5, 3.3, 8.5], "target": [11.9, 2.889, 8.5], "fov": 1.5}],
       "environment": {"time": 18000}})",
                    manyRays({{"WATER_WAVES", "false"}}), 16, 9);
-  pack.renderFrames(300);
+  pack.renderFrames(160);
   const double ratio = pack.meanRadiance().g / .012967;
   RecordProperty("ratio", fmt::format("{:.4f}", ratio));
   EXPECT_NEAR(ratio, 1, .03);

@@ -36,12 +36,13 @@ ivec3 second_axis(int face) { return (face & 7) >> 1 == 2 ? ivec3(0, 1, 0) : ive
 
 /// The axis along which the light of a face that has none beside it, as the sides of an opening in a wall of one block, is kept
 /// in two halves, the upper one at the place of an inner face; else 0. Not if the block shows its opposite side, too, whose
-/// upper half would have that place, nor before what is no air.
+/// upper half would have that place, nor before what is neither air nor stained glass.
 ivec3 halved_axis(ivec3 cell, int face, FaceRow u, FaceRow v) {
     bool alone = is_alone(u) || is_alone(v);
     if (!alone || u.own.a == 0.0 || light_of(cell, face ^ 1).a > 0.0) return ivec3(0);
     ivec3 before = cell + ivec3(face_normal(face));
-    if (voxel_at(before).code != voxel_air) return ivec3(0);
+    int code = voxel_at(before).code;
+    if (code != voxel_air && code != voxel_translucent) return ivec3(0);
     ivec3 along = first_axis(face);
     bool is_open = !is_full(voxel_at(before + along).code) && !is_full(voxel_at(before - along).code);
     return is_alone(u) && (is_open || !is_alone(v)) ? along : second_axis(face);
@@ -62,18 +63,23 @@ vec3 rise_over_face(vec3 off, int face, FaceRow u, FaceRow v) {
     return dot(off, vec3(first_axis(face))) * slope_of_light(u) + dot(off, vec3(second_axis(face))) * slope_of_light(v);
 }
 
-/// B at a place on the face (volume space), which fills a side of its cell, and its number of updates.
-vec4 light_at(vec3 position, ivec3 cell, int face) {
-    FaceRow u = face_row(cell, first_axis(face), face);
-    FaceRow v = face_row(cell, second_axis(face), face);
-    return u.own + vec4(rise_over_face(place_on_face(position, cell), face, u, v), 0.0);
-}
-
 /// B at a place `at`, -0.5 to 0.5, along the axis of two halves, on a line that has theirs.
 vec3 light_of_halves(float at, vec3 lower, vec4 upper) {
     vec3 rise = upper.a > 0.0 ? upper.rgb - lower : vec3(0.0);
     vec3 half_light = at > 0.0 ? lower + rise : lower;
     return half_light + (at - 0.25 * sign(at)) * clamp(2.0 * rise, -4.0 * half_light, 4.0 * half_light);
+}
+
+/// B at a place on a face (volume space) that fills a side of its cell, and its number of updates.
+vec4 light_at(vec3 position, ivec3 cell, int face) {
+    FaceRow u = face_row(cell, first_axis(face), face);
+    FaceRow v = face_row(cell, second_axis(face), face);
+    vec3 off = place_on_face(position, cell);
+    vec3 axis = vec3(halved_axis(cell, face, u, v));
+    vec3 light = u.own.rgb;
+    for (int i = 0; i < int(axis != vec3(0.0)); ++i)
+        light = light_of_halves(dot(off, axis), light, light_of(cell, face + face_inner));
+    return vec4(light + rise_over_face(off, face, u, v), u.own.a);
 }
 
 /// B where a ray hits. Beside a pane a face has two halves, and parts of blocks have faces of other sizes: these have their
@@ -86,14 +92,7 @@ vec3 light_on(Hit hit) {
     bool above_water = hit.position.y - float(hit.cell.y) > water_height && is_shore(hit.cell, face);
     vec4 above = above_water ? light_of(hit.cell, face + face_inner) : vec4(0.0);
     if (above.a > 0.0) return above.rgb;
-    FaceRow u = face_row(hit.cell, first_axis(face), face);
-    FaceRow v = face_row(hit.cell, second_axis(face), face);
-    vec3 off = place_on_face(hit.position, hit.cell);
-    vec3 axis = vec3(halved_axis(hit.cell, face, u, v));
-    vec3 light = u.own.rgb;
-    for (int i = 0; i < int(axis != vec3(0.0)); ++i)
-        light = light_of_halves(dot(off, axis), light, light_of(hit.cell, face + face_inner));
-    return light + rise_over_face(off, face, u, v);
+    return light_at(hit.position, hit.cell, face).rgb;
 }
 
 #endif

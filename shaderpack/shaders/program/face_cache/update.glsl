@@ -96,7 +96,8 @@ vec3 point_of(ivec3 cell, int face, vec2 at) {
 
 /// The axis along which the light of a face is kept in two halves; 0: it has one value.
 ivec3 axis_of_halves(Face f) {
-    bool whole = is_full(voxel_at(f.cell).code) && f.face < face_inner;
+    int code = voxel_at(f.cell).code;
+    bool whole = (is_full(code) || code == voxel_translucent) && f.face < face_inner;
     if (!whole) return ivec3(0);
     return halved_axis(f.cell, f.face, face_row(f.cell, first_axis(f.face), f.face),
                        face_row(f.cell, second_axis(f.face), f.face));
