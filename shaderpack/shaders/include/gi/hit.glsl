@@ -158,18 +158,22 @@ bool is_ill_known(Hit hit) {
 }
 
 #if HAS_SHADOW_MAP
-/// What stained panes leave of light that comes to a point beside one, by its cell or the next: of the map's texels one may be
-/// as wide as the part of a face that a pane shades. Not looked for if not `asked`.
-vec3 tint_beside_pane(vec3 point, vec3 light, bool asked) {
+/// What translucent voxels leave of light that comes to a point, as far as `reach` from it. The map knows the first side that the
+/// light meets and no paths, and a texel of it may be as wide as the part of a face that a pane shades.
+vec3 tint_along(vec3 point, vec3 light, float reach) {
     Walk walk = begin_walk(point, light);
     vec3 tint = vec3(1.0);
     int last_code = voxel_at(cell_of(walk)).code;
-    for (int i = 0; i < int(asked) * 3; ++i) {
-        Voxel pane = voxel_at(cell_of(walk));
-        vec2 span = max(span_in_cell(walk), 0.0);
-        float depth = filter_depth(pane.code, pane.code == last_code, walk.cell + 0.5 - point, walk.inverse, span);
-        tint *= is_tinted_pane(pane.code) ? filtered(pane.color, depth) : vec3(1.0);
-        last_code = pane.code;
+    vec2 span = vec2(0.0);
+    for (int i = 0; i < 3 * VOLUME && span.y < reach && in_volume(cell_of(walk)); ++i) {
+        Voxel voxel = voxel_at(cell_of(walk));
+        span = max(span_in_cell(walk), 0.0);
+        vec2 within = span;
+        if (voxel.code == voxel_water_surface)
+            within = below_surface(span, walk.cell.y + water_height - point.y, light.y);
+        float depth = filter_depth(voxel.code, voxel.code == last_code, walk.cell + 0.5 - point, walk.inverse, within);
+        tint *= is_filter_voxel(voxel.code) ? filtered(voxel.color, depth) : vec3(1.0);
+        last_code = voxel.code;
         leave_cube(walk, 1.0);
     }
     return tint;
@@ -205,8 +209,13 @@ vec3 sun_share(Hit hit, vec3 light, float sky) {
 #endif
     Voxel before = voxel_at(hit.cell + ivec3(hit.normal));
     bool beside_stained = is_tinted_pane(before.code);
-    vec3 tint = tint_beside_pane(from, light, beside_stained);
-    return lit * (beside_stained ? tint : point_tint(ivec2(texel.xy), texel.z, before));
+    vec3 mapped = point_tint(ivec2(texel.xy), texel.z, before);
+    bool is_tinted = mapped != vec3(1.0);
+    // To the first side and through its block.
+    float reach = is_tinted ? blocks_below(sheet_texel(ivec2(texel.xy)), texel.z) + 2.0 : beside_stained ? 2.0 : 0.0;
+    vec3 tint = tint_along(from, light, reach);
+    // What is next to the edge of a window may get light by a texel of the map that the voxels know nothing of.
+    return lit * (beside_stained || tint != vec3(1.0) ? tint : mapped);
 }
 #else
 vec3 sun_share(Hit hit, vec3 light, float sky) { return vec3(unmapped_visibility(sky)); }
