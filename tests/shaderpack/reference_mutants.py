@@ -104,4 +104,6 @@ MUTANTS = [
     ("sides of stained glass are sampled whole", "ReferenceGlassBesideGlass.*", [(UPDATE, "(is_full(code) || code == voxel_translucent)", "is_full(code)")]),
     ("sides in stained glass have one value", "ReferenceGlassBesideGlass.*", [(LIGHT_AT, " && code != voxel_translucent", "")]),
     ("paths of sunlight in glass by the map", "ReferenceLowSun.*", [(HIT, "beside_stained || tint != vec3(1.0) ? tint : mapped", "beside_stained ? tint : mapped")]),
+    ("low sun through panes by texels of the map", "ReferenceLowSun.*holes", [(HIT, "is_exact = is_exact || (edge.found && is_pane(voxel_at(cell).code));", "")]),
+    ("low sun through panes without holes of their own", "ReferenceLowSun.*holes", [(TRACE, "k < int(is_pane(code)); ++k", "k < 0; ++k")]),
 ]

@@ -197,6 +197,7 @@ vec3 sun_share(Hit hit, vec3 light, float sky) {
 #if HAS_VOXEL_CHANGES
     // The map's texels are as wide as a pane is thick.
     bool beside_pane = is_pane(voxel_at(ivec3(floor(from))).code);
+    is_exact = is_exact || (edge.found && is_pane(voxel_at(cell).code));
     bool near_pane = edge.dark && is_pane(voxel_at(cell).code) && (beside_pane || distance(caster, from) < 0.5);
     is_exact = is_exact || near_pane;
     bool passes = !meets_opaque(from, light, is_exact) && !meets_pane(from, light, near_pane || beside_pane);

@@ -218,7 +218,7 @@ Meeting meet(Walk walk, int code) {
     return met;
 }
 
-/// Does a ray meet a block that fills its cell, or eighths of it, after its first cell? Not looked for if not `asked`.
+/// Does a ray meet a block that fills its cell, or eighths of it, or a pane of clear glass, after its first cell? Not looked for if not `asked`.
 bool meets_opaque(vec3 origin, vec3 direction, bool asked) {
     Walk walk = begin_walk(origin, direction);
     bool found = false;
@@ -226,8 +226,12 @@ bool meets_opaque(vec3 origin, vec3 direction, bool asked) {
         walk_on(walk);
         ivec3 cell = cell_of(walk);
         if (!in_volume(cell)) break;
-        uint octants = octants_of(int(texel_of(cell).a * 255.0 + 0.5), cell);
+        int code = int(texel_of(cell).a * 255.0 + 0.5);
+        uint octants = octants_of(code, cell);
         found = meet_octants(walk, octants, span_in_cell(walk)).found;
+#if HAS_VOXEL_CHANGES
+        for (int k = 0; k < int(is_pane(code)); ++k) found = found || meet_post(walk, code).found;
+#endif
     }
     return found;
 }
