@@ -218,7 +218,8 @@ Meeting meet(Walk walk, int code) {
     return met;
 }
 
-/// Does a ray meet a block that fills its cell, or eighths of it, or a pane of clear glass, after its first cell? Not looked for if not `asked`.
+/// Does a ray meet a block that fills its cell, or eighths of it, or a pane of clear glass, after its first cell? Not looked
+/// for if not `asked`.
 bool meets_opaque(vec3 origin, vec3 direction, bool asked) {
     Walk walk = begin_walk(origin, direction);
     bool found = false;
