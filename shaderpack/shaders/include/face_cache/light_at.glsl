@@ -5,6 +5,7 @@
 
 #include "/include/face_cache/face_cache.glsl"
 #include "/include/gi/hit.glsl"
+#include "/include/math/branch.glsl"
 
 /// B of the face of a cell, as far as it is in the volume.
 vec4 known_light(ivec3 cell, int face) { return in_volume(cell) ? light_of(cell, face) : vec4(0.0); }
@@ -77,7 +78,7 @@ vec4 light_at(vec3 position, ivec3 cell, int face) {
     vec3 off = place_on_face(position, cell);
     vec3 axis = vec3(halved_axis(cell, face, u, v));
     vec3 light = u.own.rgb;
-    for (int i = 0; i < int(axis != vec3(0.0)); ++i)
+    BRANCH(axis != vec3(0.0))
         light = light_of_halves(dot(off, axis), light, light_of(cell, face + face_inner));
     return vec4(light + rise_over_face(off, face, u, v), u.own.a);
 }

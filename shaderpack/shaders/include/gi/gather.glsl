@@ -5,6 +5,7 @@
 #define INCLUDED_GI_GATHER
 
 #include "/include/gbuffer.glsl"
+#include "/include/math/branch.glsl"
 #include "/include/math/random.glsl"
 #include "/include/gi/hit.glsl"
 #if HAS_AIR_LIGHT
@@ -68,6 +69,10 @@ vec3 gather(Surface s, vec3 light, int number) {
 #endif
     vec3 direction;
     bool goes_straight = false;
+    Hit hit;
+#if HAS_FACE_CACHE
+    bool reads_cache = false;
+#endif
     for (int bounce = 0; bounce < gi_bounces; ++bounce) {
         vec2 u = next_random().xy;
 #if HAS_FACE_CACHE
@@ -77,26 +82,22 @@ vec3 gather(Surface s, vec3 light, int number) {
         vec3 from = origin;
 #if HAS_LAMP_RAYS
         LampSample lamp;
-        for (int i = 0; i < int(aimed); ++i) {
+        BRANCH(aimed) {
             lamp = choose_lamp(Receiver(origin, normal), lamps, u);
             direction = lamp.direction;
         }
-        Hit hit = trace_from_face(from, direction);
+        hit = trace_from_face(from, direction);
         if (lamps > 0u && !goes_straight) throughput *= 2.0;
         if (aimed) {
             if (hit.found && hit.cell == lamp.cell) radiance += throughput * hit.transmittance * lamp.light;
             break;
         }
 #else
-        Hit hit = trace_from_face(from, direction);
+        hit = trace_from_face(from, direction);
 #endif
-        for (int i = 0; i < int(s.thin && bounce == 0 && begins_in_leaves(origin)); ++i)
-            radiance += throughput * light_of_leaves(origin, direction, light, s.light.y);
+        vec3 leaves = s.thin && bounce == 0 ? throughput * within_leaves(origin) : vec3(0.0);
         throughput *= hit.transmittance;
-        if (!hit.found) {
-            radiance += throughput * sky_beyond(hit, direction, s.light.y);
-            break;
-        }
+        if (!hit.found) radiance += throughput * sky_beyond(hit, direction, s.light.y);
         if (is_lamp_voxel(hit.voxel.code)) {
 #if HAS_LAMP_RAYS
             radiance += throughput * (goes_straight ? lamp_light(hit, from, direction)
@@ -109,6 +110,11 @@ vec3 gather(Surface s, vec3 light, int number) {
 #if HAS_FACE_CACHE
         // As in update.glsl.
         goes_straight = bounce == 0 && goes_on(hit);
+#endif
+        vec3 reflected = goes_straight ? vec3(0.0) : throughput * voxel_albedo(hit.voxel);
+        radiance += sun_along(hit, reflected, leaves, origin, direction, light, s.light.y);
+        if (!hit.found) break;
+#if HAS_FACE_CACHE
         if (goes_straight) {
             origin = point_in_ball(hit, from, direction);
 #if HAS_LAMP_RAYS
@@ -117,11 +123,10 @@ vec3 gather(Surface s, vec3 light, int number) {
             continue;
         }
 #endif
+        throughput = reflected;
         normal = hit.normal;
         origin = hit.position + normal * face_offset;
         begins_on_lamp = false;
-        throughput *= voxel_albedo(hit.voxel);
-        radiance += throughput * sun_at(hit, light, s.light.y);
 #if HAS_AIR_LIGHT
         // The cells before a lamp hold its own light: what it reflects is not known.
         if (is_lamp_voxel(hit.voxel.code)) break;
@@ -137,12 +142,15 @@ vec3 gather(Surface s, vec3 light, int number) {
 #endif
             continue;
         }
-        radiance += throughput * share_of_face(hit) * light_on(hit);
+        reads_cache = true;
         break;
 #endif
         // A loop that is not known to end here costs a quarter more on llvmpipe.
         if (gi_bounces == 1) break;
     }
+#if HAS_FACE_CACHE
+    if (reads_cache) radiance += throughput * share_of_face(hit) * light_on(hit);
+#endif
     return radiance;
 }
 

@@ -4,6 +4,7 @@
 
 #include "/include/shadow/shadow.glsl"
 #include "/include/sky/sky.glsl"
+#include "/include/math/branch.glsl"
 #include "/include/sun/sun_tint.glsl"
 #include "/include/math/sampling.glsl"
 #include "/include/voxels/trace.glsl"
@@ -86,22 +87,21 @@ Hit trace_from_face(vec3 origin, vec3 direction) {
     Voxel own = voxel_at(cell);
     vec3 to_center = vec3(cell) + 0.5 - origin;
     Walk walk = begin_walk(origin, direction);
-    bool outside = dot(to_center, to_center) > small_lamp_radius * small_lamp_radius;
-    if (is_ball(own.code) && !begins_on_lamp && outside) {
 #if HAS_VOXEL_CHANGES
-        bool stops = meet_post(walk, own.code).found;
+    Meeting post = meet_post(walk, own.code);
 #else
-        const bool stops = false;
+    const Meeting post = Meeting(false, 0.0, vec3(0.0));
 #endif
-        if (stops || meets_ball(cell, origin, direction)) return Hit(true, cell, origin, -direction, own, vec3(1.0), stops);
-    }
+    bool outside = dot(to_center, to_center) > small_lamp_radius * small_lamp_radius;
+    if (is_ball(own.code) && !begins_on_lamp && outside && (post.found || meets_ball(cell, origin, direction)))
+        return Hit(true, cell, origin, -direction, own, vec3(1.0), post.found);
     vec3 within = floor((origin - vec3(cell)) * 2.0);
     uint octants = octants_of(own.code, cell);
     // What is thinner than half a block has its face inside of what stands for it.
     octants = (octants >> uint(dot(within, vec3(1.0, 2.0, 4.0))) & 1u) == 1u ? 0u : octants;
     Meeting met = meet_octants(walk, octants, vec2(-1.0, distance_out(origin, direction)));
 #if HAS_VOXEL_CHANGES
-    if (is_post(own.code)) met = meet_post(walk, own.code);
+    if (is_post(own.code)) met = post;
 #endif
     // From above it, off the blocks around it.
     if (own.code == voxel_lava) met = meet_lava(walk, vec2(0.0, distance_out(origin, direction)));
@@ -109,7 +109,7 @@ Hit trace_from_face(vec3 origin, vec3 direction) {
         return Hit(true, cell, origin + direction * met.t, -met.axis * walk.stride, own, vec3(1.0),
                    !is_post(own.code) && own.code != voxel_lava);
     Hit hit = trace(origin, direction, own.code);
-    for (int i = 0; i < int(own.code == voxel_solid); ++i) hit.transmittance *= left_by_leaves(own, origin, direction);
+    BRANCH(own.code == voxel_solid) hit.transmittance *= left_by_leaves(own, origin, direction);
     if (is_filter_voxel(own.code)) {
         vec2 span = vec2(0.0, distance_out(origin, direction));
         if (own.code == voxel_water_surface)
@@ -140,7 +140,7 @@ bool is_within_pane(Hit hit) {
 /// What of the light on its face comes to a hit.
 float share_of_face(Hit hit) {
     float share = 1.0;
-    for (int i = 0; i < int(is_within_pane(hit)); ++i) share = open_share(hit.voxel.code, face_of(hit.normal));
+    BRANCH(is_within_pane(hit)) share = open_share(hit.voxel.code, face_of(hit.normal));
     return share;
 }
 
@@ -200,10 +200,10 @@ vec3 sun_share(Hit hit, vec3 light, float sky) {
     is_exact = is_exact || (edge.found && is_pane(voxel_at(cell).code));
     bool near_pane = edge.dark && is_pane(voxel_at(cell).code) && (beside_pane || distance(caster, from) < 0.5);
     is_exact = is_exact || near_pane;
-    bool passes = !meets_opaque(from, light, is_exact) && !meets_pane(from, light, near_pane || beside_pane);
+    bool passes = !is_stopped(from, light, is_exact, near_pane || beside_pane);
     is_exact = is_exact || (beside_pane && !passes);
 #else
-    bool passes = !meets_opaque(from, light, is_exact);
+    bool passes = !is_stopped(from, light, is_exact, false);
 #endif
     texel = is_exact && passes && edge.found ? edge.lit : texel;
     lit = is_exact ? float(passes) : lit;

@@ -4,6 +4,7 @@
 #if !defined INCLUDED_VOXELS_OCTANTS
 #define INCLUDED_VOXELS_OCTANTS
 
+#include "/include/math/branch.glsl"
 #include "/include/voxels/posts.glsl"
 #include "/include/voxels/voxel.glsl"
 
@@ -93,7 +94,7 @@ uint kept_shape(ivec3 cell) {
 /// What a pane lies across, if it parts its cell: a stained one, or a straight one of clear glass; else 0.
 vec3 parted_axis(int code, ivec3 cell) {
     uint arms = 0u;
-    for (int i = 0; i < int(is_pane(code)); ++i) arms = kept_shape(cell) & arms_of_pane;
+    BRANCH(is_pane(code)) arms = kept_shape(cell) & arms_of_pane;
     vec3 axis = vec3(arms == arms_along_z, 0.0, arms == arms_along_x);
     return is_tinted_pane(code) ? pane_axis(code) : axis;
 }

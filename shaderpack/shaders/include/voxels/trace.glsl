@@ -4,6 +4,7 @@
 #define INCLUDED_VOXELS_TRACE
 
 #include "/include/debug/count.glsl"
+#include "/include/math/branch.glsl"
 #include "/include/math/random.glsl"
 #include "/include/voxels/holes.glsl"
 #include "/include/voxels/octants.glsl"
@@ -209,7 +210,7 @@ bool meets_ball(ivec3 cell, vec3 origin, vec3 direction) {
 Meeting meet(Walk walk, int code) {
     vec2 span = span_in_cell(walk);
     Meeting met = meet_octants(walk, octants_of(code, cell_of(walk)), span);
-    for (int i = 0; i < int(code == voxel_lava); ++i) met = meet_lava(walk, span);
+    BRANCH(code == voxel_lava) met = meet_lava(walk, span);
     met.found = met.found || (is_ball(code) && meets_ball(cell_of(walk), walk.origin, walk.direction));
 #if HAS_VOXEL_CHANGES
     Meeting post = meet_post(walk, code);
@@ -218,37 +219,28 @@ Meeting meet(Walk walk, int code) {
     return met;
 }
 
-/// Does a ray meet a block that fills its cell, or eighths of it, or a pane of clear glass, after its first cell? Not looked
-/// for if not `asked`.
-bool meets_opaque(vec3 origin, vec3 direction, bool asked) {
+/// Does a ray meet what stops it? `opaque`: after its first cell, a block that fills its cell, or eighths of it, or a pane of
+/// clear glass; `boxes`: in its first cell or the next, a pane or another block of boxes. Neither: nothing is looked for.
+bool is_stopped(vec3 origin, vec3 direction, bool opaque, bool boxes) {
     Walk walk = begin_walk(origin, direction);
     bool found = false;
-    for (int i = 0; i < int(asked) * 3 * VOLUME && !found; ++i) {
-        walk_on(walk);
+    int cells = opaque ? 3 * VOLUME : 2 * int(boxes);
+    for (int i = 0; i < cells && !found; ++i) {
         ivec3 cell = cell_of(walk);
         if (!in_volume(cell)) break;
         int code = int(texel_of(cell).a * 255.0 + 0.5);
-        uint octants = octants_of(code, cell);
-        found = meet_octants(walk, octants, span_in_cell(walk)).found;
+        bool beyond = opaque && i > 0;
+        found = beyond && meet_octants(walk, octants_of(code, cell), span_in_cell(walk)).found;
 #if HAS_VOXEL_CHANGES
-        for (int k = 0; k < int(is_pane(code)); ++k) found = found || meet_post(walk, code).found;
+        BRANCH((boxes && i < 2) || (beyond && is_pane(code))) found = found || meet_post(walk, code).found;
 #endif
+        if (i == 0) leave_cube(walk, 1.0);
+        else walk_on(walk);
     }
     return found;
 }
 
 #if HAS_VOXEL_CHANGES
-/// Does a ray meet a pane, or another block of boxes, in its first cell or the next? Not looked for if not `asked`.
-bool meets_pane(vec3 origin, vec3 direction, bool asked) {
-    Walk walk = begin_walk(origin, direction);
-    bool found = false;
-    for (int i = 0; i < int(asked) * 2 && !found; ++i) {
-        found = meet_post(walk, voxel_at(cell_of(walk)).code).found;
-        leave_cube(walk, 1.0);
-    }
-    return found;
-}
-
 /// Of glass that a ray meets from within: its light comes by the side that is opposite, of this block or of glass beyond.
 /// Without one, where that stands before a wall, the light of its own outer side stands for it.
 void find_lit_side(inout Hit hit) {

@@ -35,28 +35,27 @@ const int most_rays_on = 3;
 
 /// Radiance along a cosine ray, which goes on where the light on what it hits is ill known.
 vec3 hemisphere_sample(Face f, vec2 u, vec3 light) {
-    vec3 direction = cosine_direction(f.from.normal, u);
-    Hit hit = trace_from_face(f.from.origin, direction);
-    vec3 throughput = hit.transmittance;
-    vec3 radiance = throughput * met_lamp(hit, f.from, direction);
-    for (int i = 0; i < int(begins_in_leaves(f.from.origin)); ++i)
-        radiance += light_of_leaves(f.from.origin, direction, light, f.sky);
     vec3 from = f.from.origin;
-    for (int i = 0; i < most_rays_on && (goes_on(hit) || is_ill_known(hit)); ++i) {
-        // Rays to lamps end at the first small one: what lies behind it is found by rays that pass it, and counts in full.
-        bool passes = goes_on(hit);
-        throughput *= passes ? vec3(1.0) : voxel_albedo(hit.voxel);
-        radiance += passes ? vec3(0.0) : throughput * sun_at(hit, light, f.sky);
-        from = passes ? point_in_ball(hit, from, direction) : hit.position + hit.normal * face_offset;
-        direction = passes ? direction : cosine_direction(hit.normal, next_random().xy);
+    vec3 direction = cosine_direction(f.from.normal, u);
+    vec3 throughput = vec3(1.0);
+    vec3 radiance = vec3(0.0);
+    Hit hit;
+    for (int ray = 0; ray <= most_rays_on; ++ray) {
         hit = trace_from_face(from, direction);
         throughput *= hit.transmittance;
-        radiance += throughput * lamp_light(hit, from, direction);
+        // Rays to lamps end at the first small one: what lies behind it is found by rays that pass it, and counts in full.
+        radiance += throughput * (ray == 0 ? met_lamp(hit, f.from, direction) : lamp_light(hit, from, direction));
+        radiance += throughput * (hit.found ? vec3(0.0) : sky_beyond(hit, direction, f.sky));
+        bool ends = ray == most_rays_on || !(goes_on(hit) || is_ill_known(hit));
+        bool passes = goes_on(hit) && !ends;
+        throughput *= passes ? vec3(1.0) : voxel_albedo(hit.voxel);
+        vec3 leaves = ray == 0 ? within_leaves(from) : vec3(0.0);
+        radiance += sun_along(hit, passes ? vec3(0.0) : throughput, leaves, from, direction, light, f.sky);
+        if (ends) break;
+        from = passes ? point_in_ball(hit, from, direction) : hit.position + hit.normal * face_offset;
+        direction = passes ? direction : cosine_direction(hit.normal, next_random().xy);
     }
-    radiance += throughput * (hit.found ? voxel_albedo(hit.voxel) * (sun_at(hit, light, f.sky) +
-                                                                     share_of_face(hit) * light_on(hit))
-                                        : sky_beyond(hit, direction, f.sky));
-    return radiance;
+    return radiance + (hit.found ? throughput * share_of_face(hit) * light_on(hit) : vec3(0.0));
 }
 
 /// Updates that count, after an edit in the frame before: none, or a few if edits follow each other.

@@ -34,6 +34,7 @@ layout(rgba16f) uniform readonly image3D face_light;
 vec4 light_of(ivec3 cell, int face) { return trusted(imageLoad(face_light, face_texel(cell, face))); }
 #endif
 #include "/include/gi/gather.glsl"
+#include "/include/math/branch.glsl"
 #include "/include/gi/history.glsl"
 #if HAS_GLOSSY
 #include "/include/brdf/glossy.glsl"
@@ -118,9 +119,8 @@ void main() {
     out_translucent_plane = of_last_frame(texelFetch(colortex13, pixel, 0));
 #endif
 #if HAS_GLOSSY
-    // No turn for what is diffuse.
     out_mirrored = vec4(0.0);
-    for (int i = 0; i < min(s.gloss, 1); ++i) out_mirrored = vec4(mirrored(s, light), 1.0);
+    BRANCH(s.gloss > 0) out_mirrored = vec4(mirrored(s, light), 1.0);
 #ifdef TEMPORAL_ACCUMULATION
     // What is mirrored moves with the eye.
     out_mirrored =

@@ -4,6 +4,7 @@
 #include "/include/uniforms.glsl"
 #include "/include/blocks.glsl"
 #include "/include/shadow/shadow_space.glsl"
+#include "/include/math/branch.glsl"
 #include "/include/math/color.glsl"
 #include "/include/math/encoding.glsl"
 #include "/include/voxels/voxel.glsl"
@@ -249,7 +250,7 @@ void emit_voxel() {
     add_to_brick(cell, face, code, vertex_mid_uv[0]);
     if (code == voxel_water_surface) note_lake();
     bool side_of_pane = is_pane(code) && face != 2 && face != 3;
-    for (int i = 0; i < int(is_glass(code) || side_of_pane || block.id == block_leaves); ++i) note_holes(code, face, block.middle);
+    BRANCH(is_glass(code) || side_of_pane || block.id == block_leaves) note_holes(code, face, block.middle);
     // Not the underside of its surface.
     bool bottom = vertex_normal[0].y < -0.5 && vertex_player[0].y - block.middle.y < -0.4;
     if (block.id == block_water && bottom) add_octants(cell, part_bottom);
