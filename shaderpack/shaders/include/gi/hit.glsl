@@ -208,15 +208,19 @@ vec3 sun_share(Hit hit, vec3 light, float sky) {
     texel = is_exact && passes && edge.found ? edge.lit : texel;
     lit = is_exact ? float(passes) : lit;
 #endif
-    Voxel before = voxel_at(hit.cell + ivec3(hit.normal));
-    bool beside_stained = is_tinted_pane(before.code);
-    vec3 mapped = point_tint(ivec2(texel.xy), texel.z, before);
-    bool is_tinted = mapped != vec3(1.0);
-    // To the first side and through its block.
-    float reach = is_tinted ? blocks_below(sheet_texel(ivec2(texel.xy)), texel.z) + 2.0 : beside_stained ? 2.0 : 0.0;
-    vec3 tint = tint_along(from, light, reach);
-    // What is next to the edge of a window may get light by a texel of the map that the voxels know nothing of.
-    return lit * (beside_stained || tint != vec3(1.0) ? tint : mapped);
+    vec3 share = vec3(lit);
+    BRANCH(lit > 0.0) {
+        Voxel before = voxel_at(hit.cell + ivec3(hit.normal));
+        bool beside_stained = is_tinted_pane(before.code);
+        vec3 mapped = point_tint(ivec2(texel.xy), texel.z, before);
+        bool is_tinted = mapped != vec3(1.0);
+        // To the first side and through its block.
+        float reach = is_tinted ? blocks_below(sheet_texel(ivec2(texel.xy)), texel.z) + 2.0 : beside_stained ? 2.0 : 0.0;
+        vec3 tint = tint_along(from, light, reach);
+        // What is next to the edge of a window may get light by a texel of the map that the voxels know nothing of.
+        share *= beside_stained || tint != vec3(1.0) ? tint : mapped;
+    }
+    return share;
 }
 #else
 vec3 sun_share(Hit hit, vec3 light, float sky) { return vec3(unmapped_visibility(sky)); }
