@@ -23,12 +23,14 @@ FaceRow face_row(ivec3 cell, ivec3 along, int face) {
 
 bool is_alone(FaceRow row) { return max(row.next.a, row.last.a) == 0.0; }
 
-/// How B changes from one face to the next; at an end as from the last one to this.
-vec3 slope_of_light(FaceRow row) {
-    vec3 own = row.own.rgb;
-    float known = float(row.next.a > 0.0) + float(row.last.a > 0.0);
-    vec3 rise = float(row.next.a > 0.0) * (row.next.rgb - own) + float(row.last.a > 0.0) * (own - row.last.rgb);
-    return clamp(rise / max(known, 1.0), -own, own);
+/// How many powers of two B rises by from one face to the next; at an end as from the last one to this.
+vec3 powers_of_light(FaceRow row) {
+    const vec3 dark = vec3(1e-8);
+    vec3 own = max(row.own.rgb, dark);
+    vec3 next = row.next.a > 0.0 ? max(row.next.rgb, dark) : own;
+    vec3 last = row.last.a > 0.0 ? max(row.last.rgb, dark) : own;
+    float steps = float(row.next.a > 0.0) + float(row.last.a > 0.0);
+    return clamp(log2(next / last) / max(steps, 1.0), -4.0, 4.0);
 }
 
 /// The axes of a face's plane.
@@ -59,9 +61,13 @@ bool is_shore(ivec3 cell, int face) {
 
 vec3 place_on_face(vec3 position, ivec3 cell) { return clamp(position - vec3(cell) - 0.5, vec3(-0.5), vec3(0.5)); }
 
-/// What a plane that has the face's B as its mean has more of there.
-vec3 rise_over_face(vec3 off, int face, FaceRow u, FaceRow v) {
-    return dot(off, vec3(first_axis(face))) * slope_of_light(u) + dot(off, vec3(second_axis(face))) * slope_of_light(v);
+/// How much more of a face's light there is at a place `at`, -0.5 to 0.5, along an axis: it rises by as many powers of two,
+/// since from block to block light falls by a factor, with the face's B as its mean.
+vec3 rise_along(float at, FaceRow row) {
+    vec3 powers = powers_of_light(row);
+    vec3 half_way = 0.34657 * powers;  // ln 2 / 2
+    vec3 mean = 1.0 + half_way * half_way * (1.0 / 6.0 + half_way * half_way / 120.0);  // sinh(x) / x
+    return exp2(at * powers) / mean;
 }
 
 /// B at a place `at`, -0.5 to 0.5, along the axis of two halves, on a line that has theirs.
@@ -80,7 +86,8 @@ vec4 light_at(vec3 position, ivec3 cell, int face) {
     vec3 light = u.own.rgb;
     BRANCH(axis != vec3(0.0))
         light = light_of_halves(dot(off, axis), light, light_of(cell, face + face_inner));
-    return vec4(light + rise_over_face(off, face, u, v), u.own.a);
+    vec3 rise = rise_along(dot(off, vec3(first_axis(face))), u) * rise_along(dot(off, vec3(second_axis(face))), v);
+    return vec4(light * rise, u.own.a);
 }
 
 /// B where a ray hits. Beside a pane a face has two halves, and parts of blocks have faces of other sizes: these have their

@@ -125,13 +125,6 @@ vec3 sky_beyond(Hit hit, vec3 direction, float sky) {
     return sky_radiance(direction) * (sky_comes_to(hit.position) ? 1.0 : smoothstep(0.0, 0.1, sky));
 }
 
-/// Does the face that a ray has hit look into stained glass? Of what reaches such a face through the glass a window may
-/// take all but thousandths, so that its mean says nothing about its parts.
-bool faces_stained_glass(Hit hit) {
-    Voxel before = voxel_at(hit.cell + ivec3(hit.normal));
-    return hit.found && before.code == voxel_translucent && min(before.color.r, min(before.color.g, before.color.b)) < 0.1;
-}
-
 /// Has a ray passed the first side of a pane, and met the second?
 bool is_within_pane(Hit hit) {
     return is_pane(hit.voxel.code) && dot(hit.position - vec3(hit.cell) - 0.5, hit.normal) < 0.0;
@@ -154,7 +147,7 @@ bool is_between_sides(Hit hit) {
 /// Does the light on a hit differ too much over its face for the mean to stand for it? Glass and panes have two layers: what
 /// comes through the holes of one is reflected to and fro between them, and the face has the light on the outside.
 bool is_ill_known(Hit hit) {
-    return faces_stained_glass(hit) || is_glass(hit.voxel.code) || is_within_pane(hit) || is_between_sides(hit);
+    return is_glass(hit.voxel.code) || is_within_pane(hit) || is_between_sides(hit);
 }
 
 #if HAS_SHADOW_MAP
@@ -195,18 +188,20 @@ vec3 sun_share(Hit hit, vec3 light, float sky) {
     ivec3 cell = ivec3(floor(caster));
     bool is_exact = edge.found && cell != ivec3(floor(from)) && octants_of(voxel_at(cell).code, cell) != 0u;
 #if HAS_VOXEL_CHANGES
-    // The map's texels are as wide as a pane is thick.
-    bool beside_pane = is_pane(voxel_at(ivec3(floor(from))).code);
-    is_exact = is_exact || (edge.found && is_pane(voxel_at(cell).code));
-    bool near_pane = edge.dark && is_pane(voxel_at(cell).code) && (beside_pane || distance(caster, from) < 0.5);
-    is_exact = is_exact || near_pane;
-    bool passes = !is_stopped(from, light, is_exact, near_pane || beside_pane);
-    is_exact = is_exact || (beside_pane && !passes);
+    // The map's texels are wider than the frame of glass is, and as wide as a pane is thick.
+    bool beside_glass = is_clear(voxel_at(ivec3(floor(from))).code);
+    // A side is as far off the map's depth as it is aslant within a quarter of a texel, in its cell or beyond it.
+    vec3 around = 0.1 * light;
+    bool by_glass = edge.dark && (is_clear(voxel_at(ivec3(floor(caster - around))).code) ||
+                                  is_clear(voxel_at(ivec3(floor(caster + around))).code));
+    bool near_pane = by_glass && is_pane(voxel_at(cell).code) && (beside_glass || distance(caster, from) < 0.5);
+    is_exact = is_exact || by_glass;
+    bool passes = !is_stopped(from, light, is_exact || (lit > 0.0 && has_clear_glass()), near_pane || beside_glass);
 #else
     bool passes = !is_stopped(from, light, is_exact, false);
 #endif
     texel = is_exact && passes && edge.found ? edge.lit : texel;
-    lit = is_exact ? float(passes) : lit;
+    lit = is_exact ? float(passes) : lit * float(passes);
 #endif
     vec3 share = vec3(lit);
     BRANCH(lit > 0.0) {

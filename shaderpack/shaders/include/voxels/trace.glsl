@@ -219,8 +219,8 @@ Meeting meet(Walk walk, int code) {
     return met;
 }
 
-/// Does a ray meet what stops it? `opaque`: after its first cell, a block that fills its cell, or eighths of it, or a pane of
-/// clear glass; `boxes`: in its first cell or the next, a pane or another block of boxes. Neither: nothing is looked for.
+/// Does a ray meet what stops it? `opaque`: after its first cell, a block that fills its cell, or eighths of it, or clear
+/// glass or a pane of it; `boxes`: in its first cell or the next, a pane or another block of boxes. Neither: nothing is looked for.
 bool is_stopped(vec3 origin, vec3 direction, bool opaque, bool boxes) {
     Walk walk = begin_walk(origin, direction);
     bool found = false;
@@ -232,7 +232,7 @@ bool is_stopped(vec3 origin, vec3 direction, bool opaque, bool boxes) {
         bool beyond = opaque && i > 0;
         found = beyond && meet_octants(walk, octants_of(code, cell), span_in_cell(walk)).found;
 #if HAS_VOXEL_CHANGES
-        BRANCH((boxes && i < 2) || (beyond && is_pane(code))) found = found || meet_post(walk, code).found;
+        BRANCH((boxes && i < 2) || (beyond && is_clear(code))) found = found || meet_post(walk, code).found;
 #endif
         if (i == 0) leave_cube(walk, 1.0);
         else walk_on(walk);

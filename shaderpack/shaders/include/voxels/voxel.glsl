@@ -75,6 +75,9 @@ bool is_glass(int code) { return code == voxel_glass; }
 
 bool is_pane(int code) { return code == voxel_pane; }
 
+/// Light passes it by the holes of its texture.
+bool is_clear(int code) { return is_glass(code) || is_pane(code); }
+
 /// What holes take of a side of a door or trapdoor.
 float hole_share(int code) { return is_plate(code) ? float(code - voxel_plate) / 8.0 : 0.0; }
 
