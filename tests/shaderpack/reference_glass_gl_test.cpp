@@ -111,7 +111,7 @@ TEST(ReferenceGlazedRoom, light_between_the_layers_of_glass_is_found) {
   pack.renderFrames(160);
   const double ratio = pack.meanRadiance().g / .00462;
   RecordProperty("ratio", fmt::format("{:.4f}", ratio));
-  EXPECT_NEAR(ratio, 1, .03);
+  EXPECT_NEAR(ratio, 1, .025);
 }
 
 /// A picture of a room that the sun lights through a window of panes, over what orris trace --noise 0.003 finds.
@@ -255,13 +255,13 @@ TEST(ReferenceLowSun, passes_panes_by_their_holes) {
   EXPECT_NEAR(seen.g / .13080, 1, .03);
 }
 
-// And through those of glass, whose frame is finer still. By the map the floor is 10 % too bright, where sunlight begins within the
-// window another 4 %. orris trace --seconds 8: .06260 in green.
+// And through those of glass, whose frame is finer still. By the map the floor is 10 % too bright, with the frame of the block that
+// sunlight begins in left out 4 %. orris trace --seconds 8: .06260 in green.
 TEST(ReferenceLowSun, passes_glass_by_its_holes) {
   const glm::vec3 seen = seenBehindWindow("quartz_block", R"({"box": "glass", "min": [16, 5, 9], "max": [16, 6, 10]})",
                                           kFloorInside, kLowSun);
   RecordProperty("ratio", fmt::format("{:.4f}", seen.g / .06260));
-  EXPECT_NEAR(seen.g / .06260, 1, .025);
+  EXPECT_NEAR(seen.g / .06260, 1, .03);
 }
 
 // Halves of a face lie beside a pane; what lies between its sides has another light. As one with the half on its side, the top

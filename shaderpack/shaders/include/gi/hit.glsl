@@ -196,7 +196,7 @@ vec3 sun_share(Hit hit, vec3 light, float sky) {
                                   is_clear(voxel_at(ivec3(floor(caster + around))).code));
     bool near_pane = by_glass && is_pane(voxel_at(cell).code) && (beside_glass || distance(caster, from) < 0.5);
     is_exact = is_exact || by_glass;
-    bool passes = !is_stopped(from, light, is_exact || (lit > 0.0 && has_clear_glass()), near_pane || beside_glass);
+    bool passes = !is_stopped(from, light, is_exact, near_pane || beside_glass);
 #else
     bool passes = !is_stopped(from, light, is_exact, false);
 #endif

@@ -13,9 +13,6 @@ ivec2 holes_of_side(int code, int face) {
     return lake_now + ivec2(1 + (hole_words + 1) * (face + (is_pane(code) ? 6 : is_glass(code) ? 0 : 12)), 0);
 }
 
-/// Behind them: 1 where clear glass or a pane of it is in the volume.
-const ivec2 glass_now = lake_now + ivec2(1 + 18 * (hole_words + 1), 0);
-
 #if defined HAS_OCTANT_WRITES
 /// The texture of the quad at places of its block's whole side, of which panes are made in parts. The first triangle of a
 /// quad has its corners in order.
@@ -42,17 +39,8 @@ void note_holes(int code, int face, vec3 middle) {
         imageStore(voxel_sums, words + ivec2(word, 0), uvec4(open));
     }
     imageStore(voxel_sums, words + ivec2(hole_words, 0), uvec4(known));
-    if (is_glass(code) || is_pane(code)) imageStore(voxel_sums, glass_now, uvec4(1u));
 }
 #else
-bool has_clear_glass() {
-#if HAS_VOXEL_CHANGES
-    return imageLoad(voxel_sums, glass_now).r != 0u;
-#else
-    return false;
-#endif
-}
-
 /// Is this point of a side in one of its holes? `within`: from the lower end of the cell.
 bool in_texture_hole(int code, int face, vec3 within) {
 #if HAS_VOXEL_CHANGES
