@@ -102,9 +102,7 @@ TEST(ReferenceShore, edge_above_the_water_has_its_own_light) {
       "environment": {"time": 18000}})",
                    manyRays({{"WATER_WAVES", "false"}}), 16, 9);
   pack.renderFrames(160);
-  const double ratio = pack.meanRadiance().g / .012967;
-  RecordProperty("ratio", fmt::format("{:.4f}", ratio));
-  EXPECT_NEAR(ratio, 1, .03);
+  expectTraced(pack.meanRadiance().g, .012967, .03);
 }
 
 // Behind a wall, a room that is lit by what its gap lets through of one with a lamp: by faces on which light falls off. With one
@@ -119,9 +117,7 @@ TEST(ReferenceCorner, light_falls_off_over_the_faces_of_a_gap) {
       "environment": {"time": 18000}})",
                    options, 16, 9);
   pack.renderFrames(160);
-  const double ratio = pack.meanRadiance().g / .00003737;
-  RecordProperty("ratio", fmt::format("{:.4f}", ratio));
-  EXPECT_NEAR(ratio, 1, .03);
+  expectTraced(pack.meanRadiance().g, .00003737, .03);
 }
 
 // At the dead end of a passage one block wide behind that gap: from block to block light falls to a third. On planes, which fall by as
@@ -135,9 +131,7 @@ TEST(ReferenceCorner, light_falls_by_a_factor_from_block_to_block) {
       "environment": {"time": 18000}})",
                    manyRays(), 16, 9);
   pack.renderFrames(160);
-  const double ratio = pack.meanRadiance().g / .0003791;
-  RecordProperty("ratio", fmt::format("{:.4f}", ratio));
-  EXPECT_NEAR(ratio, 1, .1);
+  expectTraced(pack.meanRadiance().g, .0003791, .1);
 }
 
 // Behind a wall, a floor that gets light by the sides of a small opening alone, whose outer edges have the more: with one value
@@ -152,9 +146,7 @@ TEST(ReferenceOpening, light_falls_off_over_its_sides) {
       "environment": {"time": 18000}})",
                    manyRays(), 16, 9);
   pack.renderFrames(400);
-  const double ratio = pack.meanRadiance().g / .00003224;
-  RecordProperty("ratio", fmt::format("{:.4f}", ratio));
-  EXPECT_NEAR(ratio, 1, .035);
+  expectTraced(pack.meanRadiance().g, .00003224, .035);
 }
 
 /// What a lamp lights near it: the mean of a picture of 16x9 as orris trace finds it.

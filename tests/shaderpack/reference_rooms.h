@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include <string>
 
@@ -28,6 +29,12 @@ inline OptionValues manyRays(OptionValues changes = {}) {
   changes.insert({{"GI_SAMPLES", "16"}, {"FACE_RAYS", "8"}});
   changes.insert(kSettling.begin(), kSettling.end());
   return changes;
+}
+
+/// A picture's mean is that of `orris trace`, to a share of `tolerance`.
+inline void expectTraced(double seen, double traced, double tolerance) {
+  testing::Test::RecordProperty("ratio", fmt::format("{:.4f}", seen / traced));
+  EXPECT_NEAR(seen / traced, 1, tolerance);
 }
 
 }  // namespace orris::test
