@@ -1,4 +1,4 @@
-"""Mistakes put into exposure and waves of the reference pack, and the tests that must find them.
+"""Mistakes put into exposure, waves and the picture's format of the reference pack, and the tests that must find them.
 
 For tests/stability/kill_list.py --table; rows as in tests/stability/mutants.py.
 """
@@ -9,6 +9,10 @@ WAVES = "include/water/waves.glsl"
 TRANSLUCENT = "program/gbuffers/translucent.glsl"
 
 MUTANTS = [
+    ("half floats however many frames are averaged", "PackPicture.is_in_floats*",
+     [("include/math/half.glsl", "#if TEMPORAL_FRAMES > 128", "#if 0")]),
+    ("a picture in half floats of means in floats", "PackPicture.is_in_floats*",
+     [("include/buffers.glsl", "colortex0Format = RGBA32F", "colortex0Format = RGBA16F")]),
     ("exposure adapts from nothing", "AutoExposure.first*", [(PASS, "before > 0.0 ?", "before >= 0.0 ?")]),
     ("exposure never adapts", "AutoExposure.follows*", [(PASS, "exp(-frameTime / adaptation_time)", "1.0")]),
     ("exposure adapts by frames", "AutoExposure.follows*", [(PASS, "-frameTime / adaptation_time", "-0.02 / adaptation_time")]),

@@ -2,7 +2,7 @@
 //
 // target       format    size    clear  written by                    read by
 // colortex0    RGBA16F   window  0      sky, deferred4, translucent   deferred4, final
-//   linear radiance, before exposure
+//   linear radiance, before exposure; RGBA32F where colortex3 is
 // colortex1    RGBA8     window  0      opaque gbuffers               deferred, deferred4
 //   rgb albedo as textured (sRGB), a material byte (include/gbuffer.glsl)
 // colortex2    RGBA8     window  0      opaque gbuffers               deferred, deferred4
@@ -48,8 +48,16 @@
 #if !defined INCLUDED_BUFFERS
 #define INCLUDED_BUFFERS
 
+#if TEMPORAL_FRAMES > 128
+/*
+const int colortex0Format = RGBA32F;
+*/
+#else
 /*
 const int colortex0Format = RGBA16F;
+*/
+#endif
+/*
 const vec4 colortex0ClearColor = vec4(0.0, 0.0, 0.0, 0.0);
 const int colortex1Format = RGBA8;
 const vec4 colortex1ClearColor = vec4(0.0, 0.0, 0.0, 0.0);

@@ -125,7 +125,7 @@ void main() {
 #endif
     // What the sky programs drew: stars, sun, moon.
     vec3 behind = texelFetch(colortex0, pixel, 0).rgb + sky_radiance(normalize(s.player));
-    out_color = vec4(round_to_half(s.sky ? behind : light_surface(s, pixel)), 1.0);
+    out_color = vec4(as_stored(s.sky ? behind : light_surface(s, pixel)), 1.0);
 #if HAS_LIGHT_DEBUG
     out_color = vec4(light_debug(s), 1.0);
 #endif

@@ -78,11 +78,8 @@ vec4 accumulate(vec3 radiance, vec4 before) {
 #endif
     float floor_weight = camera_is_still() ? 1.0 / float(TEMPORAL_FRAMES) : TEMPORAL_WEIGHT;
     float weight = max(floor_weight, history_ramp / (before.a + history_ramp));
-    vec3 mean = mix(before.rgb, radiance, weight);
-#if TEMPORAL_FRAMES <= 128
-    // What drivers cut off is lost anew in each frame of the mean: 1.6 % of it at 128.
-    mean = round_to_half(mean);
-#endif
+    // What drivers cut off of half floats is lost anew in each frame of the mean: 1.6 % of it at 128.
+    vec3 mean = as_stored(mix(before.rgb, radiance, weight));
     return vec4(mean, min(before.a + 1.0, float(TEMPORAL_FRAMES)));
 }
 

@@ -10,6 +10,15 @@ vec3 round_to_half(vec3 x) {
     return mix(normal, small, lessThan(x, vec3(1.0 / 16384.0)));
 }
 
+/// Light as targets keep it that many frames are averaged in, and the picture: floats from 256 frames on (include/buffers.glsl).
+vec3 as_stored(vec3 x) {
+#if TEMPORAL_FRAMES > 128
+    return x;
+#else
+    return round_to_half(x);
+#endif
+}
+
 /// A half float next to it, up or down by `chance` (0..1, at random), so that the mean of many is what it was.
 vec3 dithered_half(vec3 x, float chance) {
     vec3 normal = uintBitsToFloat((floatBitsToUint(x) + uint(chance * 8192.0)) & 0xFFFFE000u);
