@@ -97,6 +97,8 @@ MUTANTS = [
     ("small lamps have no body", "ReferenceSmallLamp.body*", [("include/voxels/posts.glsl", "is_ball(code) ? 3 :", "is_ball(code) ? 0 :")]),
     ("halves beside a pane reach to its middle", "ReferencePaneInWindow.*", [(UPDATE, "float width = 0.5 - pane_radius;", "float width = 0.5;"), (HIT, " || is_between_sides(hit)", "")]),
     ("between the sides of a pane the light of a half", "ReferencePaneInWindow.*", [(HIT, " || is_between_sides(hit)", "")]),
+    ("rays go on from near hits once", "ReferenceCorner.rays_go_on*",
+     [(GATHER, "bool is_near = distance", "bool is_near = bounce == 0 && distance")]),
     ("one ray between the sides of glass", "ReferenceGlassInWindow.*", [(GATHER, "bounce < gi_bounces - 1 && (is_near", "bounce < 1 && (is_near"), (UPDATE, "most_rays_on = 3", "most_rays_on = 1")]),
     ("the edge of water has one light", "ReferenceShore.*", [(LIGHT_AT, "if (above.a > 0.0) return above.rgb;", "")]),
     ("the edge of water is sampled below it", "ReferenceShore.*", [(UPDATE, "upper > 0.0 ? vec2(water_height, 1.0) : vec2(0.0, water_height)", "vec2(0.0, water_height)")]),

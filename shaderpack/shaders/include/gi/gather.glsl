@@ -135,7 +135,7 @@ vec3 gather(Surface s, vec3 light, int number) {
 #elif HAS_FACE_CACHE
         // From so near the mean of a face is not what is seen of it: gathered anew, as final gathering with photon
         // maps does (Jensen 2001, "Realistic Image Synthesis Using Photon Mapping").
-        bool is_near = bounce == 0 && distance(hit.position, from) < FACE_NEAR;
+        bool is_near = distance(hit.position, from) < FACE_NEAR;
         if (bounce < gi_bounces - 1 && (is_near || is_ill_known(hit))) {
 #if HAS_LAMP_RAYS
             aimed = lamps > 0u && next_random().x < 0.5;
