@@ -274,6 +274,4 @@ MUTANTS = [
      [("include/buffers.glsl", "const bool colortex6Clear = false;", "const bool colortex6Clear = true;")]),
     ("planes of fire list their own faces only", "FaceEnergyOfLamps.rays_to_lamps_find*",
      [("program/shadow/shadow.glsl", "if (code >= voxel_lamp && abs(outward) < 0.3)", "if (false)")]),
-    ("inner sides of glass are dark", "FaceEnergy.*glass",
-     [("include/voxels/trace.glsl", "if (inside && is_glass(hit.voxel.code)) find_lit_side(hit);", "")]),
 ]

@@ -1,4 +1,4 @@
-"""Mistakes put into exposure, waves and the picture's format of the reference pack, and the tests that must find them.
+"""Mistakes put into exposure, waves, filter and the picture's format of the reference pack, and the tests that must find them.
 
 For tests/stability/kill_list.py --table; rows as in tests/stability/mutants.py.
 """
@@ -6,6 +6,7 @@ For tests/stability/kill_list.py --table; rows as in tests/stability/mutants.py.
 PASS = "program/post/exposure.glsl"
 EXPOSURE = "include/post/exposure.glsl"
 WAVES = "include/water/waves.glsl"
+FILTER = "program/gi/filter.glsl"
 TRANSLUCENT = "program/gbuffers/translucent.glsl"
 
 MUTANTS = [
@@ -13,6 +14,14 @@ MUTANTS = [
      [("include/math/half.glsl", "#if TEMPORAL_FRAMES > 128", "#if 0")]),
     ("a picture in half floats of means in floats", "PackPicture.is_in_floats*",
      [("include/buffers.glsl", "colortex0Format = RGBA32F", "colortex0Format = RGBA16F")]),
+    ("the filter mixes what is no noise", "PackPicture.filter_leaves*",
+     [(FILTER, "weight *= exp(", "weight *= 1.0 + 0.0 * exp(")]),
+    ("the filter mixes next to nothing", "PackPicture.filter_takes*",
+     [(FILTER, "const float noise_reach = 4.0;", "const float noise_reach = 0.1;")]),
+    ("bright pixels get more of the filter than they give", "PackPicture.filter_takes*",
+     [(FILTER, "max(center.a, beside.a)", "center.a")]),
+    ("the filter takes all noise for as large as before", "PackPicture.filter_leaves*",
+     [(FILTER, "noise * sqrt(squares) / sum.a", "noise")]),
     ("exposure adapts from nothing", "AutoExposure.first*", [(PASS, "before > 0.0 ?", "before >= 0.0 ?")]),
     ("exposure never adapts", "AutoExposure.follows*", [(PASS, "exp(-frameTime / adaptation_time)", "1.0")]),
     ("exposure adapts by frames", "AutoExposure.follows*", [(PASS, "-frameTime / adaptation_time", "-0.02 / adaptation_time")]),

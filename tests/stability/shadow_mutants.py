@@ -30,7 +30,7 @@ MUTANTS = [
      [(MAP, "across.z < 0.8 * texel", "across.z < 0.1 * texel")]),
     ("edges of what rays hit by texels", "ShadowOfHits.*", [(HIT, "bool is_exact = edge.found", "bool is_exact = false && edge.found")]),
     ("edges beside what throws the shadow", "ShadowOfHits.*", [(MAP, "0.25 * (dark.xy - ", "0.0 * (dark.xy - ")]),
-    ("edges let all light pass", "ShadowOfHits.*", [(HIT, "bool passes = !is_stopped(from, light, is_exact, near_pane || beside_glass);", "bool passes = true;")]),
+    ("edges let all light pass", "ShadowOfHits.*", [(HIT, "bool passes = !is_stopped(from, light, is_exact, boxes);", "bool passes = true;")]),
     ("C4 normal of the camera's space", "ShadowMapStability.shadows*",
      [(MAP, "clamp(dot(normal, light), 0.0, 1.0)",
        "clamp(dot(mat3(gbufferModelView) * normal, light), 0.0, 1.0)")]),

@@ -17,7 +17,7 @@
 // colortex5    RGBA16F   window  keep   deferred                      deferred (next frame), filter
 //   the plane that colortex3 belongs to (include/plane.glsl)
 // colortex6    RGBA16F   window  0      deferred1, 2, 3               deferred2, 3, 4
-//   colortex3 smoothed; kept where the picture rests (include/gi/rest.glsl)
+//   rgb of colortex3 smoothed, a standard deviation of its luminance; kept where the picture rests (include/gi/rest.glsl)
 // shadowcolor0 RGBA8     shadow  0      shadow                        prepare, deferred, translucent
 //   voxels in the bottom rows (include/voxels/voxel.glsl), above them what the surface nearest to the light
 //   takes of it (include/shadow/sheets.glsl)

@@ -187,6 +187,7 @@ vec3 sun_share(Hit hit, vec3 light, float sky) {
     vec3 caster = to_volume(edge.caster - 0.002 * light);
     ivec3 cell = ivec3(floor(caster));
     bool is_exact = edge.found && cell != ivec3(floor(from)) && octants_of(voxel_at(cell).code, cell) != 0u;
+    bool boxes = false;
 #if HAS_VOXEL_CHANGES
     // The map's texels are wider than the frame of glass is, and as wide as a pane is thick.
     bool beside_glass = is_clear(voxel_at(ivec3(floor(from))).code);
@@ -196,10 +197,9 @@ vec3 sun_share(Hit hit, vec3 light, float sky) {
                                   is_clear(voxel_at(ivec3(floor(caster + around))).code));
     bool near_pane = by_glass && is_pane(voxel_at(cell).code) && (beside_glass || distance(caster, from) < 0.5);
     is_exact = is_exact || by_glass;
-    bool passes = !is_stopped(from, light, is_exact, near_pane || beside_glass);
-#else
-    bool passes = !is_stopped(from, light, is_exact, false);
+    boxes = near_pane || beside_glass;
 #endif
+    bool passes = !is_stopped(from, light, is_exact, boxes);
     texel = is_exact && passes && edge.found ? edge.lit : texel;
     lit = is_exact ? float(passes) : lit * float(passes);
 #endif

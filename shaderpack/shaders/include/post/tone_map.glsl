@@ -2,10 +2,11 @@
 #if !defined INCLUDED_POST_TONE_MAP
 #define INCLUDED_POST_TONE_MAP
 
+#include "/include/math/color.glsl"
+
 vec3 tone_map_reinhard(vec3 color) {
     // On luminance, so that hue stays.
-    float luminance = dot(color, vec3(0.2126, 0.7152, 0.0722));
-    return color / (1.0 + luminance);
+    return color / (1.0 + luminance(color));
 }
 
 // A filmic curve x (a x + b) / (x (c x + d) + e): toe, straight part and shoulder of the ACES look.

@@ -240,23 +240,6 @@ bool is_stopped(vec3 origin, vec3 direction, bool opaque, bool boxes) {
     return found;
 }
 
-#if HAS_VOXEL_CHANGES
-/// Of glass that a ray meets from within: its light comes by the side that is opposite, of this block or of glass beyond.
-/// Without one, where that stands before a wall, the light of its own outer side stands for it.
-void find_lit_side(inout Hit hit) {
-    ivec3 cell = hit.cell;
-    for (int i = 0; i < 4 && is_glass(int(texel_of(cell).a * 255.0 + 0.5)); ++i) {
-        if ((kept_shape(cell) & plate_of_quad(0.5 * hit.normal, vec3(1.0), hit.normal)) != 0u) {
-            hit.cell = cell;
-            return;
-        }
-        cell += ivec3(round(hit.normal));
-        if (!in_volume(cell)) break;
-    }
-    hit.normal = -hit.normal;
-}
-#endif
-
 /// Where the ray came into its cell, or met a block in it, and what it finds there.
 void describe(inout Hit hit, Walk walk, Meeting met, vec4 texel) {
     vec3 came = plane_distances(walk, 0.0);
@@ -269,9 +252,6 @@ void describe(inout Hit hit, Walk walk, Meeting met, vec4 texel) {
         walk.origin + walk.direction * (inside ? met.t : max(came.x, max(came.y, came.z)));
     hit.inner = inside && !is_post(hit.voxel.code) && hit.voxel.code != voxel_lava;
     hit.normal = -(inside ? met.axis : vec3(x, y, !x && !y)) * walk.stride;
-#if HAS_VOXEL_CHANGES
-    if (inside && is_glass(hit.voxel.code)) find_lit_side(hit);
-#endif
 }
 
 /// First block from `origin` (volume space) on. The first cell is not tested: rays start on a face,
