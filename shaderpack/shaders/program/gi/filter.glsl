@@ -1,7 +1,7 @@
 // Smooths the gathered light within each face: three of these, FILTER_STEP 1, 2 and 4 pixels apart,
 // make a 15 x 15 kernel (the "a trous" scheme of Dammertz et al. 2010). What differs by more than noise does not mix
-// (Schied et al. 2017, "Spatiotemporal Variance-Guided Filtering"), so that edges of light stay, and where means over
-// frames have lost their noise, all of it. The first pass estimates the noise from the pixels about it and mixes all.
+// (Schied et al. 2017, "Spatiotemporal Variance-Guided Filtering"), so that edges of light stay. The first pass estimates
+// the noise from the pixels about it.
 #include "/settings.glsl"
 
 #if defined VERTEX_STAGE
@@ -27,6 +27,8 @@ uniform sampler2D colortex5;
 
 // Light mixes by exp(-1) where it differs by so many standard deviations.
 const float noise_reach = 4.0;
+// Frames after which the mean is trusted more than its neighbours, so that it converges.
+const float filter_frames = 64.0;
 
 /* RENDERTARGETS: 6 */
 layout(location = 0) out vec4 out_radiance;
@@ -36,6 +38,9 @@ void main() {
     ivec2 last = ivec2(viewWidth, viewHeight) - 1;
     vec4 center = texelFetch(FILTER_SOURCE, pixel, 0);
     vec4 plane = texelFetch(colortex5, pixel, 0);
+#if FILTER_STEP == 1
+    float trust = min(1.0, filter_frames / max(center.a, 1.0));
+#endif
 
     vec4 sum = vec4(center.rgb, 1.0);
     float squares = 1.0;           // of the weights
@@ -50,6 +55,7 @@ void main() {
         float difference = luminance(beside.rgb) - luminance(center.rgb);
 #if FILTER_STEP == 1
         differences += vec2(difference * difference, 2.0) * float(weight > 0.0);
+        weight *= trust;
 #else
         // The larger of both, so that either counts as much for the other, and no light is lost.
         weight *= exp(-abs(difference) / max(noise_reach * max(center.a, beside.a), 1e-12));
@@ -58,7 +64,7 @@ void main() {
         squares += weight * weight;
     }
 #if FILTER_STEP == 1
-    float noise = sqrt(differences.x / max(differences.y, 1.0));
+    float noise = sqrt(trust * differences.x / max(differences.y, 1.0));
 #else
     float noise = center.a;
 #endif
