@@ -14,10 +14,9 @@ import pathlib
 import subprocess
 import time
 
-from study_page import commit_of, markdown_table, with_part
+from study_page import CHANNELS, as_typed, commit_of, interval, markdown_table, rms_of, with_part
 
 GOAL = 0.03
-CHANNELS = ("red", "green", "blue")
 # What a frame costs at this size depends little on rays: 128 a pixel, and 8 to each face in each frame. The mean that values
 # of faces approach does not depend on how many are updated in a frame and by how many rays, as an update is linear in them.
 BIAS = ["--size", "16x9", "--warm-up", "160", "--trace-noise", "0.0001", "--no-costs", "--buffer", "colortex0", "--axis",
@@ -77,11 +76,6 @@ def summary(rows):
             f"Estimates at most .03, intervals too wide: {seeds(wide)}. Estimates above .03: {seeds(miss)}.")
 
 
-def interval(values, digits=3):
-    value, low, high = (f"{x:.{digits}f}" for x in values)
-    return f"{value} [{low}, {high}]"
-
-
 def table(rows):
     heads = ["seed", "time", "rms bias, red", "green", "blue", "signed mean, luminance", "noise of the reference", "effort",
              "cost over `BOUNCE_1`", "commit", "date"]
@@ -92,14 +86,7 @@ def table(rows):
 
 
 def command(orris, pack, scene, flags):
-    """Lines of at most about 120 characters."""
-    lines, line = [], f"    {pathlib.Path(orris).name} chart {pathlib.Path(pack).name} {scene} -o rooms"
-    for flag in flags:
-        if len(line) + len(flag) > 112:
-            lines.append(line + " \\")
-            line = "     "
-        line += " " + flag
-    return "\n".join([*lines, line])
+    return as_typed([orris, "chart", pathlib.Path(pack).name, *scene.split(), "-o", "rooms", *flags])
 
 
 def bias_of(args, seed, folder, effort):
@@ -107,7 +94,7 @@ def bias_of(args, seed, folder, effort):
                     *BIAS], check=True)
     with (folder / "scenes.csv").open() as file:
         measured = next(csv.DictReader(file))
-    row = {channel: [float(measured[f"rms{end}_{channel}"]) for end in ("", "_low", "_high")] for channel in CHANNELS}
+    row = {channel: rms_of(measured, channel) for channel in CHANNELS}
     row["signed"] = [float(measured[f"signed{end}_luminance"]) for end in ("", "_low", "_high")]
     return row | {"time": int(measured["time"]), "reference": float(measured["reference_noise"])}
 

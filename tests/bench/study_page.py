@@ -1,7 +1,11 @@
 """What studies share that write a part of a page of docs/results anew."""
 
+import pathlib
 import re
 import subprocess
+
+CHANNELS = ("red", "green", "blue")
+ENDS = ("", "_low", "_high")
 
 
 def with_part(page, name, text):
@@ -28,3 +32,36 @@ def markdown_table(heads, rows):
     | x | 2.5 |
     """
     return "\n".join("| " + " | ".join(map(str, cells)) + " |" for cells in [heads, ["---"] * len(heads), *rows])
+
+
+def rms_of(measured, channel):
+    """Root of the squared bias with its interval, of a row of scenes.csv.
+
+    >>> rms_of({"rms_red": ".02", "rms_low_red": ".01", "rms_high_red": ".03"}, "red")
+    [0.02, 0.01, 0.03]
+    """
+    return [float(measured[f"rms{end}_{channel}"]) for end in ENDS]
+
+
+def interval(values, digits=3):
+    """
+    >>> interval([1.234, 1.1, 1.3], 2)
+    '1.23 [1.10, 1.30]'
+    """
+    value, low, high = (f"{x:.{digits}f}" for x in values)
+    return f"{value} [{low}, {high}]"
+
+
+def as_typed(words):
+    """A command in a page: lines of at most about 120 characters.
+
+    >>> as_typed(["build/release/orris", "chart", "x" * 110, "--runs", "4"]).splitlines()[2]
+    '      --runs 4'
+    """
+    lines, line = [], "    " + pathlib.Path(words[0]).name
+    for word in words[1:]:
+        if len(line) + len(word) > 112:
+            lines.append(line + " \\")
+            line = "     "
+        line += " " + word
+    return "\n".join([*lines, line])
