@@ -1,7 +1,7 @@
 // Shapes of boxes. Fences, walls and chests: a post in the middle of the cell and arms to its sides; doors and
 // trapdoors: a plate along one side; glass: its sides; panes: thin walls; carpets; what is drawn of a small lamp. Which of them there are is kept
-// where stairs keep their octants: a bit each, arms or plates at -x +x -z +z, then the post, then plates at -y +y; of a small lamp those
-// below.
+// where stairs keep their octants: a bit each, arms or plates at -x +x -z +z, then the post, then plates at -y +y; of a small lamp and of
+// what covers a floor those below.
 #if !defined INCLUDED_VOXELS_POSTS
 #define INCLUDED_VOXELS_POSTS
 
@@ -15,12 +15,17 @@ const uint part_bottom = 32u;  // of water: below it there is none
 
 const float plate_thickness = 0.1875;
 const float pane_radius = 0.0625;
-const float cover_top = 0.0625 - 0.5;  // of a carpet, from the middle of the cell
 
 // What is drawn of small lamps: the rod of a torch, the foot of an end rod, the body of a lantern.
 const uint lamp_rod = 1u;
 const uint lamp_foot = 2u;
 const uint lamp_body = 4u;
+
+/// Of what covers a floor, by its height in blocks: of carpets, and of one to three layers of snow.
+uint part_of_cover(float height) { return 1u << (uint(height * 16.0 + 0.5) / 2u); }
+
+/// The height of the cover with this bit.
+float cover_height(int bit) { return bit == 0 ? 0.0625 : 0.125 * float(bit); }
 
 /// Half of the width of the widest.
 float lamp_radius(uint parts) {
@@ -59,7 +64,7 @@ uint part_of_quad(int code, vec3 low, vec3 high, vec3 normal) {
     uint arms = (low.x < -side ? 1u : 0u) | (high.x > side ? 2u : 0u) | (low.z < -side ? 4u : 0u) |
                 (high.z > side ? 8u : 0u);
     vec3 size = high - low;
-    if (code == voxel_cover) return part_post;
+    if (code == voxel_cover) return normal.y < 0.0 ? 0u : part_of_cover(high.y + 0.5);
     if (is_ball(code)) return part_of_lamp(max(size.x, size.z));
     if (code == voxel_chest) return part_post | arms;
     bool post = code == voxel_fence || max(size.x, size.z) > 1.9 * post_radius(code);
@@ -82,7 +87,7 @@ Box plate_box(int index, float thickness) {
 /// 0: the post; 1..4 the arms, of fences the lower rails; 5..8 the upper rails.
 Box post_box(int code, int index) {
     if (has_plates(code)) return plate_box(index, is_plate(code) ? plate_thickness : 0.0);
-    if (code == voxel_cover) return Box(vec3(-0.5), vec3(0.5, cover_top, 0.5));
+    if (code == voxel_cover) return Box(vec3(-0.5), vec3(0.5, cover_height(index) - 0.5, 0.5));
     if (is_ball(code)) {
         float wide = lamp_radius(1u << uint(index));
         float top = index == 0 ? 0.125 : index == 1 ? -0.4375 : -0.0625;
@@ -121,11 +126,11 @@ vec3 plate_normal(int index) {
 
 int post_boxes(int code) {
     int boxes = code == voxel_fence ? 9 : has_plates(code) ? 6 : 5;
-    return code == voxel_cover ? 1 : is_ball(code) ? 3 : is_post(code) ? boxes : 0;
+    return code == voxel_cover ? 4 : is_ball(code) ? 3 : is_post(code) ? boxes : 0;
 }
 
 bool has_part(int code, uint parts, int index) {
-    int bit = has_plates(code) ? index + int(index >= 4) : is_ball(code) ? index : index == 0 ? 4 : (index - 1) & 3;
+    int bit = has_plates(code) ? index + int(index >= 4) : is_ball(code) || code == voxel_cover ? index : index == 0 ? 4 : (index - 1) & 3;
     return (parts >> uint(bit) & 1u) == 1u;
 }
 
@@ -133,7 +138,8 @@ bool has_part(int code, uint parts, int index) {
 Box main_box(int code, uint parts) {
     if (is_glass(code)) return Box(vec3(-0.5), vec3(0.5));
     int index = 0;
-    for (int i = 1; is_plate(code) && i < 6 && !has_part(code, parts, index); ++i) index = i;
+    bool has_one = is_plate(code) || code == voxel_cover;
+    for (int i = 1; has_one && i < post_boxes(code) && !has_part(code, parts, index); ++i) index = i;
     return post_box(code, index);
 }
 
