@@ -17,7 +17,7 @@ MUTANTS = [
     ("the filter mixes what is no noise", "PackPicture.filter_leaves*",
      [(FILTER, "weight *= exp(", "weight *= 1.0 + 0.0 * exp(")]),
     ("the filter mixes next to nothing", "PackPicture.filter_takes*",
-     [(FILTER, "const float noise_reach = 4.0;", "const float noise_reach = 0.1;")]),
+     [(FILTER, "const float noise_reach = 6.0;", "const float noise_reach = 0.1;")]),
     ("bright pixels get more of the filter than they give", "PackPicture.filter_takes*",
      [(FILTER, "max(center.a, beside.a)", "center.a")]),
     ("the filter takes all noise for as large as before", "PackPicture.filter_leaves*",

@@ -26,7 +26,7 @@ uniform sampler2D colortex6;
 uniform sampler2D colortex5;
 
 // Light mixes by exp(-1) where it differs by so many standard deviations.
-const float noise_reach = 4.0;
+const float noise_reach = 6.0;
 // Frames after which the mean is trusted more than its neighbours, so that it converges.
 const float filter_frames = 64.0;
 
