@@ -14,7 +14,7 @@ import pathlib
 import subprocess
 import time
 
-from study_page import CHANNELS, as_typed, commit_of, interval, markdown_table, rms_of, with_part
+from study_page import CHANNELS, ENDS, as_typed, commit_of, interval, markdown_table, rms_of, with_part
 
 GOAL = 0.03
 # What a frame costs at this size depends little on rays: 128 a pixel, and 8 to each face in each frame. The mean that values
@@ -95,7 +95,7 @@ def bias_of(args, seed, folder, effort):
     with (folder / "scenes.csv").open() as file:
         measured = next(csv.DictReader(file))
     row = {channel: rms_of(measured, channel) for channel in CHANNELS}
-    row["signed"] = [float(measured[f"signed{end}_luminance"]) for end in ("", "_low", "_high")]
+    row["signed"] = [float(measured[f"signed{end}_luminance"]) for end in ENDS]
     return row | {"time": int(measured["time"]), "reference": float(measured["reference_noise"])}
 
 

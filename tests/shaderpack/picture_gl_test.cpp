@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <vector>
 
 #include <glm/gtc/packing.hpp>
@@ -58,59 +57,6 @@ double shareOfHalfFloats(const char* temporalFrames) {
 TEST(PackPicture, is_in_floats_where_many_frames_are_averaged) {
   EXPECT_EQ(shareOfHalfFloats("64"), 1);
   EXPECT_LT(shareOfHalfFloats("256"), .3);
-}
-
-/// Pictures of light that the rays of a few frames gather.
-class PictureFilter {
- public:
-  PictureFilter(const char* world, std::size_t camera) : world_(world), camera_(camera) {}
-  std::vector<float> drawn(int frames, OptionValues changes) const {
-    changes.insert({{"GI_METHOD", "FACE_CACHE"}, {"AMBIENT_MINIMUM", "0.0"}});
-    PackSession pack = PackSession::ofWorld(world_, changes, 64, 36, camera_);
-    pack.renderFrames(frames);
-    std::vector<float> light;
-    const ImageF picture = pack.dump("colortex0");
-    for (std::size_t i = 0; i < picture.pixels.size(); ++i)
-      if (i % 4 != 3) light.push_back(picture.pixels[i]);
-    return light;
-  }
-  /// Rms over pixels and channels, relative to the light of each.
-  static double difference(const std::vector<float>& light, const std::vector<float>& exact) {
-    double sum = 0;
-    for (std::size_t i = 0; i < light.size(); ++i) {
-      const double off = (light[i] - exact[i]) / (exact[i] + 1e-5);
-      sum += off * off / double(light.size());
-    }
-    return std::sqrt(sum);
-  }
-
- private:
-  const char* world_;
-  std::size_t camera_;
-};
-
-// Round the corner from a lamp light falls to a tenth within the 15 pixels that the filter mixes.
-TEST(PackPicture, filter_leaves_what_is_no_noise) {
-  const PictureFilter corridor("bend_grey", 1);
-  const auto exact = corridor.drawn(160, {{"GI_FILTER", "false"}, {"GI_SAMPLES", "16"}});
-  const auto filtered = corridor.drawn(60, {}), noisy = corridor.drawn(60, {{"GI_FILTER", "false"}});
-  EXPECT_LT(PictureFilter::difference(filtered, exact), .75 * PictureFilter::difference(noisy, exact));
-}
-
-// A mean of many frames counts more than what lies beside it: .151 of difference, .162 if the weights of the first pass do not know.
-TEST(PackPicture, filter_fades_as_means_grow) {
-  const PictureFilter hall("h6_hall", 0);
-  const auto unfiltered = hall.drawn(240, {{"TEMPORAL_FRAMES", "1024"}, {"GI_FILTER", "false"}});
-  EXPECT_LT(PictureFilter::difference(hall.drawn(240, {{"TEMPORAL_FRAMES", "1024"}}), unfiltered), .156);
-}
-
-TEST(PackPicture, filter_takes_most_of_the_noise_and_no_light) {
-  const PictureFilter room("cornell", 0);
-  const auto exact = room.drawn(160, {{"GI_FILTER", "false"}, {"GI_SAMPLES", "16"}});
-  const auto filtered = room.drawn(4, {}), noisy = room.drawn(4, {{"GI_FILTER", "false"}});
-  EXPECT_LT(PictureFilter::difference(filtered, exact), .35 * PictureFilter::difference(noisy, exact));
-  const auto sum = [](const std::vector<float>& light) { return std::accumulate(light.begin(), light.end(), 0.0); };
-  EXPECT_NEAR(sum(filtered) / sum(noisy), 1, .015);
 }
 
 // Where a quad is a pixel or two wide, rasterisers move its corners by a thousandth of it, and the middle of a pixel may lie
