@@ -24,6 +24,7 @@ BEND = "Views/Reference.*/bend"
 CAVE = "Views/Reference.*/cave"
 CHAPEL = "Views/Reference.*/chapel"
 GLASS = "ReferenceGlass.*"
+LEAVES = "ReferenceLeaves.*"
 ONE = "Views/Reference.*/one_bounce"
 
 MUTANTS = [
@@ -31,17 +32,17 @@ MUTANTS = [
     ("red and blue of voxels swapped", BEND, [(VOXEL, "vec3 square = texel.rgb * texel.rgb;", "vec3 square = texel.bgr * texel.bgr;")]),
     ("no feedback", HOUSE, [(UPDATE, "light_on(hit) :", "vec3(0.0) :")]),
     ("feedback twice", HOUSE, [(UPDATE, "light_on(hit) :", "2.0 * light_on(hit) :")]),
-    ("no cache where pixels' rays end", BEND, [(GATHER, "if (reads_cache)", "if (false)")]),
+    ("no cache where pixels' rays end", BEND, [(GATHER, "    if (reads_cache) radiance", "    if (false) radiance")]),
     ("sky of rays halved", HALL, [(HIT, "return sky_radiance(direction) *", "return 0.5 * sky_radiance(direction) *")]),
     ("sky by the level where a ray begins", HALL, [(HIT, "(sky_comes_to(hit.position) ? 1.0 : smoothstep(0.0, 0.1, sky))", "smoothstep(0.0, 0.1, sky)")]),
     ("no sky in the face update", HALL, [(UPDATE, ": sky_beyond(hit, direction, f.sky)", ": vec3(0.0)")]),
     ("sky in caves below lit floors", "ReferenceCave.*", [(OCTANTS, "height >= lit_floor;", "lit_floor < height_end;")]),
     ("sky in all caves", "ReferenceCave.*", [(HIT, "sky_comes_to(hit.position) ?", "true ?")]),
     ("no sky for pixels", HALL, [(GATHER, "radiance += throughput * sky_beyond(hit, direction, s.light.y);", ";")]),
-    ("no sun in the face update", HOUSE, [(UPDATE, "sun_along(hit, passes ? vec3(0.0) : throughput,", "sun_along(hit, vec3(0.0),")]),
-    ("sun bounce without 1/pi", HOUSE, [(HIT, "(max(dot(hit.normal, light), 0.0) / pi)", "max(dot(hit.normal, light), 0.0)")]),
-    ("no sun on what pixels' rays hit", HOUSE, [(GATHER, "sun_along(hit, reflected,", "sun_along(hit, vec3(0.0),")]),
-    ("sun bounce without 1/pi, one bounce", ONE, [(HIT, "(max(dot(hit.normal, light), 0.0) / pi)", "max(dot(hit.normal, light), 0.0)")]),
+    ("no sun in the face update", HOUSE, [(UPDATE, "passes || !hit.found ? vec3(0.0)", "true ? vec3(0.0)")]),
+    ("sun bounce without 1/pi", HOUSE, [(HIT, "(max(slope, 0.0) / pi)", "max(slope, 0.0)")]),
+    ("no sun on what pixels' rays hit", HOUSE, [(GATHER, "radiance += throughput * sun_at(hit, direction, light, s.light.y);", "")]),
+    ("sun bounce without 1/pi, one bounce", ONE, [(HIT, "(max(slope, 0.0) / pi)", "max(slope, 0.0)")]),
     ("sky of rays halved, one bounce", ONE, [(HIT, "return sky_radiance(direction) *", "return 0.5 * sky_radiance(direction) *")]),
     ("sun through glass by mean alpha", GLASS, [(SHADOW, "textureLod(gtexture, place, 0.0).a < cutout_alpha", "textureLod(gtexture, place, 4.0).a < cutout_alpha")]),
     ("sun through glass by an edge that repeats", GLASS, [(SHADOW, "fract((place - tile.xy) / size)", "clamp((place - tile.xy) / size, 0.0, 1.0)")]),
@@ -75,8 +76,11 @@ MUTANTS = [
     ("panes beside a point do not shade it", "ReferenceSunlitPanes.shade*", [(HIT, "boxes = near_pane || beside_glass;", "boxes = near_pane;")]),
     ("panes alone shade what is beside them", "ReferenceSunlitPanes.stand*", [(HIT, "is_stopped(from, light, is_exact, boxes)", "is_stopped(from, light, false, boxes)")]),
     ("tint beside a stained pane by the map's texels", "ReferenceSunlitPanes.tint*", [(HIT, "beside_stained || tint != vec3(1.0) ? tint : mapped", "mapped")]),
-    ("holes of leaves by their mean", "ReferenceSpot.*by_a_hole", [(HIT, "|| in_leaf_hole(side))", ") + leaf_holes")]),
-    ("holes of leaves unknown", "ReferenceSpot.*by_a_hole", [(SHADOW, " || block.id == block_leaves) note", ") note")]),
+    ("holes of leaves unknown", "ReferenceSpot.*by_a_hole", [(SHADOW, " || code == voxel_leaves) note", ") note")]),
+    ("rays stop at leaves", LEAVES, [(TRACE, "met = meet_leaves(walk, false);", "met = Meeting(true, span.x, vec3(0.0));")]),
+    ("leaves have no inside", LEAVES, [(TRACE, "bool drawn = code == voxel_leaves || !is_full(code);", "const bool drawn = false;")]),
+    ("leaves are lit from outside", LEAVES, [(UPDATE, "choose_side(own.code == voxel_leaves,", "choose_side(false,")]),
+    ("sun on the outside of leaves alone", LEAVES, [(HIT, "hit.normal *= slope < 0.0 ? -1.0 : 1.0;\n        slope = abs(slope);", "")]),
     ("stained panes tint in their middle", "ReferenceSpot.*between_the_sides*", [(TRACE, "pane_radius * dot(abs(inverse), axis)", "0.0")]),
     ("stained panes of the next cell tint nothing", "ReferenceSunlitPanes.tint*", [(HIT, ": beside_stained ? 2.0 : 0.0;", ": beside_stained ? 1e-4 : 0.0;")]),
     ("one value a face", "ReferenceCorner.*", [(LIGHT_AT, "return vec4(light * rise, u.own.a);", "return vec4(light, u.own.a);")]),
@@ -103,7 +107,7 @@ MUTANTS = [
      [("include/voxels/posts.glsl", "normal.y < 0.0 ? 0u : part_of_cover(high.y + 0.5)", "part_of_cover(0.0)")]),
     ("rays go on from near hits once", "ReferenceCorner.rays_go_on*",
      [(GATHER, "bool is_near = distance", "bool is_near = bounce == 0 && distance")]),
-    ("one ray between the sides of glass", "ReferenceGlassInWindow.*", [(GATHER, "bounce < gi_bounces - 1 && (is_near", "bounce < 1 && (is_near"), (UPDATE, "most_rays_on = 3", "most_rays_on = 1")]),
+    ("one ray between the sides of glass", "ReferenceGlassInWindow.*", [(GATHER, "bounce == gi_bounces - 1 || !(is_near", "bounce == 1 || !(is_near"), (UPDATE, "most_rays_on = 3", "most_rays_on = 1")]),
     ("the edge of water has one light", "ReferenceShore.*", [(LIGHT_AT, "if (above.a > 0.0) return above.rgb;", "")]),
     ("the edge of water is sampled below it", "ReferenceShore.*", [(UPDATE, "upper > 0.0 ? vec2(water_height, 1.0) : vec2(0.0, water_height)", "vec2(0.0, water_height)")]),
     ("sides of stained glass are sampled whole", "ReferenceGlassBesideGlass.*", [(UPDATE, "(is_full(code) || code == voxel_translucent)", "is_full(code)")]),

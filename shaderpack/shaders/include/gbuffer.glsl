@@ -22,12 +22,6 @@ struct Surface {
     bool sky;      // nothing was drawn: only player is valid, as a direction
 };
 
-/// Of the light on the back of a thin surface, what shows as a share of what the front would
-/// reflect: it passes as much as it reflects, at most what is left of it.
-vec3 passed_share(vec3 albedo) {
-    return min(vec3(1.0), (1.0 - albedo) / max(albedo, vec3(1e-3)));
-}
-
 #if defined HAS_GBUFFER_READS
 uniform sampler2D colortex1;
 uniform sampler2D colortex2;

@@ -14,7 +14,7 @@
 #if HAS_FACE_CACHE
 #include "/include/face_cache/light_at.glsl"
 #endif
-#include "/include/gi/leaves.glsl"
+#include "/include/gi/thin.glsl"
 #if HAS_LAMP_RAYS
 layout(r32ui) uniform readonly uimage2D face_list;
 layout(r32ui) uniform readonly uimage3D face_seen;
@@ -42,19 +42,10 @@ bool lit_directly(int bounce, vec3 position) {
 #endif
 }
 
-/// Plants and leaves look to either side by chance: turns the normal of half of the rays round.
-/// Returns what counts for the light that comes from there.
-vec3 choose_side(Surface s, inout vec3 normal) {
-    if (!s.thin) return vec3(1.0);
-    if (next_random().x < 0.5) return vec3(2.0);
-    normal = -normal;
-    return 2.0 * passed_share(s.albedo);
-}
-
 /// One sample of the mean incoming radiance, the pixel's n-th over all frames.
 vec3 gather(Surface s, vec3 light, int number) {
     vec3 normal = s.normal;
-    vec3 throughput = choose_side(s, normal);
+    vec3 throughput = choose_side(s.thin, s.albedo, normal);
     vec3 origin = to_volume(s.player) + normal * pixel_offset(s.player);
     vec3 radiance = vec3(0.0);
     begins_on_lamp = s.emission > 0.0;
@@ -95,7 +86,6 @@ vec3 gather(Surface s, vec3 light, int number) {
 #else
         hit = trace_from_face(from, direction);
 #endif
-        vec3 leaves = s.thin && bounce == 0 ? throughput * within_leaves(origin) : vec3(0.0);
         throughput *= hit.transmittance;
         if (!hit.found) radiance += throughput * sky_beyond(hit, direction, s.light.y);
         if (is_lamp_voxel(hit.voxel.code)) {
@@ -111,8 +101,6 @@ vec3 gather(Surface s, vec3 light, int number) {
         // As in update.glsl.
         goes_straight = bounce == 0 && goes_on(hit);
 #endif
-        vec3 reflected = goes_straight ? vec3(0.0) : throughput * voxel_albedo(hit.voxel);
-        radiance += sun_along(hit, reflected, leaves, origin, direction, light, s.light.y);
         if (!hit.found) break;
 #if HAS_FACE_CACHE
         if (goes_straight) {
@@ -123,8 +111,18 @@ vec3 gather(Surface s, vec3 light, int number) {
             continue;
         }
 #endif
-        throughput = reflected;
-        normal = hit.normal;
+        throughput *= voxel_albedo(hit.voxel);
+        radiance += throughput * sun_at(hit, direction, light, s.light.y);
+#if HAS_FACE_CACHE
+        // From so near the mean of a face is not what is seen of it: gathered anew, as final gathering with photon
+        // maps does (Jensen 2001, "Realistic Image Synthesis Using Photon Mapping").
+        bool is_near = distance(hit.position, from) < FACE_NEAR;
+        reads_cache = bounce == gi_bounces - 1 || !(is_near || is_ill_known(hit));
+        if (reads_cache) break;
+#endif
+        bool thin = hit.voxel.code == voxel_leaves;
+        normal = thin && dot(hit.normal, direction) > 0.0 ? -hit.normal : hit.normal;
+        throughput *= choose_side(thin, hit.voxel.color, normal);
         origin = hit.position + normal * face_offset;
         begins_on_lamp = false;
 #if HAS_AIR_LIGHT
@@ -132,18 +130,9 @@ vec3 gather(Surface s, vec3 light, int number) {
         if (is_lamp_voxel(hit.voxel.code)) break;
         radiance += throughput * light_at_face(hit.position, normal, next_random().xy) *
                     FLOODFILL_STRENGTH;
-#elif HAS_FACE_CACHE
-        // From so near the mean of a face is not what is seen of it: gathered anew, as final gathering with photon
-        // maps does (Jensen 2001, "Realistic Image Synthesis Using Photon Mapping").
-        bool is_near = distance(hit.position, from) < FACE_NEAR;
-        if (bounce < gi_bounces - 1 && (is_near || is_ill_known(hit))) {
-#if HAS_LAMP_RAYS
-            aimed = lamps > 0u && next_random().x < 0.5;
 #endif
-            continue;
-        }
-        reads_cache = true;
-        break;
+#if HAS_LAMP_RAYS
+        aimed = lamps > 0u && next_random().x < 0.5;
 #endif
         // A loop that is not known to end here costs a quarter more on llvmpipe.
         if (gi_bounces == 1) break;

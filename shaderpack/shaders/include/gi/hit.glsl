@@ -4,6 +4,7 @@
 
 #include "/include/shadow/shadow.glsl"
 #include "/include/sky/sky.glsl"
+#include "/include/gi/thin.glsl"
 #include "/include/math/branch.glsl"
 #include "/include/sun/sun_tint.glsl"
 #include "/include/math/sampling.glsl"
@@ -35,9 +36,6 @@ vec3 point_in_ball(Hit hit, vec3 from, vec3 direction) {
     return from + direction * dot(vec3(hit.cell) + 0.5 - from, direction);
 }
 
-// Share of a block of leaves' side that is open, where the texture's holes are not known.
-const float leaf_holes = 0.09;
-
 /// The distance from `origin` to where a ray leaves its first cell.
 float distance_out(vec3 origin, vec3 direction) {
     direction = mix(direction, vec3(1e-6), lessThan(abs(direction), vec3(1e-6)));
@@ -45,36 +43,10 @@ float distance_out(vec3 origin, vec3 direction) {
     return min(leave.x, min(leave.y, leave.z));
 }
 
-/// Of full blocks leaves alone are looked out of.
-bool begins_in_leaves(vec3 origin) { return voxel_at(ivec3(floor(origin))).code == voxel_solid; }
-
-/// The side by which a ray leaves the block of leaves that it begins in.
-Hit side_of_leaves(vec3 origin, vec3 direction) {
-    Hit side;
-    side.cell = ivec3(floor(origin));
-    side.voxel = voxel_at(side.cell);
-    side.position = origin + direction * distance_out(origin, direction);
-    vec3 from_middle = side.position - vec3(side.cell) - 0.5;
-    vec3 size = abs(from_middle);
-    float most = max(size.x, max(size.y, size.z));
-    side.normal = sign(from_middle) * vec3(greaterThanEqual(size, vec3(most)));
-    return side;
-}
-
-bool in_leaf_hole(Hit side) {
-    return in_texture_hole(voxel_solid, face_of(side.normal), side.position - vec3(side.cell));
-}
-
-/// What the side of a block of leaves leaves of a ray from inside; all that has a full block behind it, as it is not
-/// drawn. Without a cache of light it passes on what falls on it as if that went straight on.
-vec3 left_by_leaves(Voxel own, vec3 origin, vec3 direction) {
-#if HAS_FACE_CACHE
-    Hit side = side_of_leaves(origin, direction);
-    return vec3(is_opaque_voxel(voxel_at(side.cell + ivec3(side.normal)).code) || in_leaf_hole(side));
-#else
-    return mix(own.color, vec3(1.0), leaf_holes);
+#if !HAS_VOXEL_CHANGES
+// Share of a side of leaves that is open.
+const float leaf_holes = 0.09;
 #endif
-}
 
 /// Do rays begin on the faces of a lamp?
 bool begins_on_lamp = false;
@@ -102,14 +74,18 @@ Hit trace_from_face(vec3 origin, vec3 direction) {
     Meeting met = meet_octants(walk, octants, vec2(-1.0, distance_out(origin, direction)));
 #if HAS_VOXEL_CHANGES
     if (is_post(own.code)) met = post;
+    BRANCH(own.code == voxel_leaves) met = meet_leaves(walk, true);
 #endif
     // From above it, off the blocks around it.
     if (own.code == voxel_lava) met = meet_lava(walk, vec2(0.0, distance_out(origin, direction)));
     if (met.found)
-        return Hit(true, cell, origin + direction * met.t, -met.axis * walk.stride, own, vec3(1.0),
-                   !is_post(own.code) && own.code != voxel_lava);
+        return Hit(true, cell, origin + direction * met.t, -met.axis * walk.stride, own, vec3(1.0), has_middle(own.code));
     Hit hit = trace(origin, direction, own.code);
-    BRANCH(own.code == voxel_solid) hit.transmittance *= left_by_leaves(own, origin, direction);
+#if !HAS_VOXEL_CHANGES
+    // Of full blocks leaves alone are looked out of: without a picture of their holes they pass light on as if it went
+    // straight on.
+    if (own.code == voxel_solid) hit.transmittance *= mix(own.color, vec3(1.0), leaf_holes);
+#endif
     if (is_filter_voxel(own.code)) {
         vec2 span = vec2(0.0, distance_out(origin, direction));
         if (own.code == voxel_water_surface)
@@ -221,9 +197,17 @@ vec3 sun_share(Hit hit, vec3 light, float sky) {
 vec3 sun_share(Hit hit, vec3 light, float sky) { return vec3(unmapped_visibility(sky)); }
 #endif
 
-/// Sun or moon light that a hit reflects, without its albedo. `sky`: level where the ray began.
-vec3 sun_at(Hit hit, vec3 light, float sky) {
-    return light_irradiance() * (max(dot(hit.normal, light), 0.0) / pi) * sun_share(hit, light, sky);
+/// Sun or moon light that a hit reflects or, on leaves, lets pass to where the ray came from, without its albedo. `sky`: level
+/// where the ray began.
+vec3 sun_at(Hit hit, vec3 direction, vec3 light, float sky) {
+    float slope = dot(hit.normal, light);
+    vec3 share = vec3(1.0);
+    if (hit.voxel.code == voxel_leaves) {
+        if (slope * dot(hit.normal, direction) > 0.0) share = passed_share(hit.voxel.color);
+        hit.normal *= slope < 0.0 ? -1.0 : 1.0;
+        slope = abs(slope);
+    }
+    return light_irradiance() * share * (max(slope, 0.0) / pi) * sun_share(hit, light, sky);
 }
 
 #endif

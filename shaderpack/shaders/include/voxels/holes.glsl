@@ -8,7 +8,7 @@
 
 const int hole_words = 8;
 
-/// The first word of a side: `face` looks out of the block. Of full blocks leaves alone have holes.
+/// The first word of a side: `face` looks out of the block.
 ivec2 holes_of_side(int code, int face) {
     return lake_now + ivec2(1 + (hole_words + 1) * (face + (is_pane(code) ? 6 : is_glass(code) ? 0 : 12)), 0);
 }

@@ -112,9 +112,9 @@ bool sky_comes_to(vec3 position) {
 #endif
 }
 
-/// Of what stops light; none of what lets it pass, of balls of lamps, and outside of the volume.
+/// Of what stops light; none of what lets it pass, of leaves, of balls of lamps, and outside of the volume.
 uint octants_of(int code, ivec3 cell) {
-    bool full = is_opaque_voxel(code) && !is_ball(code) && !is_plate(code);
+    bool full = is_opaque_voxel(code) && !is_ball(code) && !is_plate(code) && code != voxel_leaves;
     uint octants = full ? all_octants : 0u;
     octants = code == voxel_slab_bottom ? lower_octants : octants;
     octants = code == voxel_slab_top ? upper_octants : octants;

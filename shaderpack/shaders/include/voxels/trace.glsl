@@ -119,7 +119,7 @@ bool is_beyond_pane(Hit hit, vec3 cell, int code) {
 struct Meeting {
     bool found;
     float t;    // distance along the ray
-    vec3 axis;  // of a plane through the middle of the cell, if it is met there; else 0
+    vec3 axis;  // of a plane through the middle of the cell, if it is met there; less than 0 of a side met from inside; else 0
 };
 
 /// The first of these octants that the ray comes into: where it enters the cell, or by one of the planes
@@ -199,6 +199,23 @@ Meeting meet_lava(Walk walk, vec2 span) {
     return Meeting(below.x <= below.y, below.x, vec3(0.0, 1.0, 0.0));
 }
 
+/// The side of a block of leaves that stops a ray: that by which it comes in, or from inside that by which it goes out; towards
+/// a full block none is drawn. `begins`: the ray begins in the cell.
+Meeting meet_leaves(Walk walk, bool begins) {
+    vec3 came = plane_distances(walk, 0.0);
+    vec3 leave = plane_distances(walk, 1.0);
+    vec3 from = walk.origin - walk.cell;
+    float t = max(came.x, max(came.y, came.z));
+    int face = face_of(-axis_of(t, came) * walk.stride);
+    if (!begins && !in_texture_hole(voxel_leaves, face, from + walk.direction * t)) return Meeting(true, t, vec3(0.0));
+    t = min(leave.x, min(leave.y, leave.z));
+    vec3 out_of = axis_of(t, leave) * walk.stride;
+    int code = voxel_at(cell_of(walk) + ivec3(out_of)).code;
+    bool drawn = code == voxel_leaves || !is_full(code);
+    bool found = drawn && !in_texture_hole(voxel_leaves, face_of(out_of), from + walk.direction * t);
+    return Meeting(found, t, -out_of * walk.stride);
+}
+
 /// Does a ray meet the ball of a small lamp in that cell?
 bool meets_ball(ivec3 cell, vec3 origin, vec3 direction) {
     vec3 to_center = vec3(cell) + 0.5 - origin;
@@ -211,6 +228,9 @@ Meeting meet(Walk walk, int code) {
     vec2 span = span_in_cell(walk);
     Meeting met = meet_octants(walk, octants_of(code, cell_of(walk)), span);
     BRANCH(code == voxel_lava) met = meet_lava(walk, span);
+#if HAS_VOXEL_CHANGES
+    BRANCH(code == voxel_leaves) met = meet_leaves(walk, false);
+#endif
     met.found = met.found || (is_ball(code) && meets_ball(cell_of(walk), walk.origin, walk.direction));
 #if HAS_VOXEL_CHANGES
     Meeting post = meet_post(walk, code);
@@ -240,6 +260,9 @@ bool is_stopped(vec3 origin, vec3 direction, bool opaque, bool boxes) {
     return found;
 }
 
+/// Are planes through the middle of a cell what a ray meets inside of it?
+bool has_middle(int code) { return !is_post(code) && code != voxel_lava && code != voxel_leaves; }
+
 /// Where the ray came into its cell, or met a block in it, and what it finds there.
 void describe(inout Hit hit, Walk walk, Meeting met, vec4 texel) {
     vec3 came = plane_distances(walk, 0.0);
@@ -250,7 +273,7 @@ void describe(inout Hit hit, Walk walk, Meeting met, vec4 texel) {
     hit.voxel = decode_voxel(texel);
     hit.position =
         walk.origin + walk.direction * (inside ? met.t : max(came.x, max(came.y, came.z)));
-    hit.inner = inside && !is_post(hit.voxel.code) && hit.voxel.code != voxel_lava;
+    hit.inner = inside && has_middle(hit.voxel.code);
     hit.normal = -(inside ? met.axis : vec3(x, y, !x && !y)) * walk.stride;
 }
 

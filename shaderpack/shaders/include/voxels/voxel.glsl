@@ -21,6 +21,7 @@ const int voxel_pane = 17;   // a post with arms, thin, with such holes
 const int voxel_small_lamp = 32;  // + light level 1..15, a ball in the cell
 const int voxel_cover = 48;       // a carpet on the floor of the cell
 const int voxel_tinted_pane = 49;  // a stained pane across x; + 1: across z
+const int voxel_leaves = 51;       // the sides of the cell, with holes: include/voxels/holes.glsl
 const int voxel_lamp = 64;        // + 16 * digit of lamp_color + light level 1..15, fills the cell
 
 // Lava: the only lamp of its colour at that level. With something else above it it ends where water does.
@@ -45,7 +46,7 @@ bool is_tinted_pane(int code) { return code == voxel_tinted_pane || code == voxe
 vec3 pane_axis(int code) { return code == voxel_tinted_pane ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 0.0, 1.0); }
 
 /// Does the block fill its cell?
-bool is_full(int code) { return code == voxel_solid || code >= voxel_lamp; }
+bool is_full(int code) { return code == voxel_solid || code == voxel_leaves || code >= voxel_lamp; }
 
 /// Light passes, and takes its colour.
 bool is_filter_voxel(int code) {
@@ -83,7 +84,7 @@ float hole_share(int code) { return is_plate(code) ? float(code - voxel_plate) /
 
 /// Light of the propagation does not pass; slabs leave half of their cell open.
 bool is_opaque_voxel(int code) {
-    return code == voxel_solid || code == voxel_stairs || is_plate(code) || is_lamp_voxel(code);
+    return code == voxel_solid || code == voxel_leaves || code == voxel_stairs || is_plate(code) || is_lamp_voxel(code);
 }
 
 /// As bright as a colour of that hue can be.

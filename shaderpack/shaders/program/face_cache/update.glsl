@@ -28,7 +28,7 @@ vec4 light_of(ivec3 cell, int face) {
 }
 
 #include "/include/face_cache/light_at.glsl"
-#include "/include/gi/leaves.glsl"
+#include "/include/gi/thin.glsl"
 
 // Rays more where the light on what one hits is ill known: between the sides of glass one after the other.
 const int most_rays_on = 3;
@@ -49,8 +49,8 @@ vec3 hemisphere_sample(Face f, vec2 u, vec3 light) {
         bool ends = ray == most_rays_on || !(goes_on(hit) || is_ill_known(hit));
         bool passes = goes_on(hit) && !ends;
         throughput *= passes ? vec3(1.0) : voxel_albedo(hit.voxel);
-        vec3 leaves = ray == 0 ? within_leaves(from) : vec3(0.0);
-        radiance += sun_along(hit, passes ? vec3(0.0) : throughput, leaves, from, direction, light, f.sky);
+        vec3 reflected = passes || !hit.found ? vec3(0.0) : throughput;
+        radiance += reflected * sun_at(hit, direction, light, f.sky);
         if (ends) break;
         from = passes ? point_in_ball(hit, from, direction) : hit.position + hit.normal * face_offset;
         direction = passes ? direction : cosine_direction(hit.normal, next_random().xy);
@@ -114,7 +114,8 @@ vec4 fresh_sample(uint entry, vec3 light) {
     // Independent numbers: along a sequence, what a face looks up would follow how it came about.
     seed_random(ivec2(place.x + 2048u * place.y, place.z), frameCounter);
     vec3 halves = vec3(axis_of_halves(f));
-    bool shore = is_full(voxel_at(f.cell).code) && is_shore(f.cell, f.face);
+    Voxel own = voxel_at(f.cell);
+    bool shore = is_full(own.code) && is_shore(f.cell, f.face);
     float upper = halves == vec3(0.0) && !shore ? 0.0 : floor(2.0 * next_random().x);
     vec2 shore_span = upper > 0.0 ? vec2(water_height, 1.0) : vec2(0.0, water_height);
     vec3 sum = vec3(0.0);
@@ -122,7 +123,10 @@ vec4 fresh_sample(uint entry, vec3 light) {
         f.from.origin = point_of(f.cell, f.face, next_random().xy);
         f.from.origin += 0.5 * halves * (upper - dot(f.from.origin - vec3(f.cell), halves));
         if (shore) f.from.origin.y = float(f.cell.y) + mix(shore_span.x, shore_span.y, f.from.origin.y - float(f.cell.y));
-        vec3 sampled = hemisphere_sample(f, next_random().xy, light) + lamp_sample(f.from);
+        Face seen = f;
+        vec3 counts = choose_side(own.code == voxel_leaves, own.color, seen.from.normal);
+        seen.from.origin += face_offset * (seen.from.normal - f.from.normal);
+        vec3 sampled = counts * (hemisphere_sample(seen, next_random().xy, light) + lamp_sample(seen.from));
         sum += min(sampled, vec3(face_light_max));
     }
     float updates = trusted_updates(light_of(f.cell, f.face + int(upper) * face_inner).a);

@@ -199,7 +199,7 @@ vec3 mirrored_radiance(vec3 n, vec3 direction, vec3 l) {
         vec3 from = position + n * pixel_offset(player);
         Hit hit = trace(from, direction, voxel_air);
         vec3 lamp = lamp_light(hit, from, direction);
-        vec3 sun = DIRECT_LIGHT == NONE ? vec3(0.0) : sun_at(hit, l, light.y);
+        vec3 sun = DIRECT_LIGHT == NONE ? vec3(0.0) : sun_at(hit, direction, l, light.y);
         if (hit.found) return hit.transmittance * (lamp + voxel_albedo(hit.voxel) * (sun + light_on(hit)));
     }
 #endif

@@ -223,6 +223,7 @@ vec4 block_voxel(int id, float emission, vec3 normal, ivec3 cell) {
     if (id == block_glass) return encode_voxel(color, voxel_glass);
     if (id == block_pane) return encode_voxel(color, voxel_pane);
     if (id == block_cover) return encode_voxel(color, voxel_cover);
+    if (id == block_leaves) return encode_voxel(color, voxel_leaves);
 #else
     bool is_thin = id == block_glass || id == block_pane || id == block_cover;
     if (is_thin || id == block_fence || id == block_wall || id == block_chest) return vec4(0.0);
@@ -250,7 +251,7 @@ void emit_voxel() {
     add_to_brick(cell, face, code, vertex_mid_uv[0]);
     if (code == voxel_water_surface) note_lake();
     bool side_of_pane = is_pane(code) && face != 2 && face != 3;
-    BRANCH(is_glass(code) || side_of_pane || block.id == block_leaves) note_holes(code, face, block.middle);
+    BRANCH(is_glass(code) || side_of_pane || code == voxel_leaves) note_holes(code, face, block.middle);
     // Not the underside of its surface.
     bool bottom = vertex_normal[0].y < -0.5 && vertex_player[0].y - block.middle.y < -0.4;
     if (block.id == block_water && bottom) add_octants(cell, part_bottom);
