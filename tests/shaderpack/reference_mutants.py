@@ -8,6 +8,7 @@ UPDATE = "program/face_cache/update.glsl"
 GATHER = "include/gi/gather.glsl"
 HIT = "include/gi/hit.glsl"
 OCTANTS = "include/voxels/octants.glsl"
+POSTS = "include/voxels/posts.glsl"
 VOXEL = "include/voxels/voxel.glsl"
 TRACE = "include/voxels/trace.glsl"
 HOLES = "include/voxels/holes.glsl"
@@ -25,6 +26,7 @@ CAVE = "Views/Reference.*/cave"
 CHAPEL = "Views/Reference.*/chapel"
 GLASS = "ReferenceGlass.*"
 LEAVES = "ReferenceLeaves.*"
+PLANTS = "ReferencePlants.*"
 ONE = "Views/Reference.*/one_bounce"
 
 MUTANTS = [
@@ -76,11 +78,17 @@ MUTANTS = [
     ("panes beside a point do not shade it", "ReferenceSunlitPanes.shade*", [(HIT, "boxes = near_pane || beside_glass;", "boxes = near_pane;")]),
     ("panes alone shade what is beside them", "ReferenceSunlitPanes.stand*", [(HIT, "is_stopped(from, light, is_exact, boxes)", "is_stopped(from, light, false, boxes)")]),
     ("tint beside a stained pane by the map's texels", "ReferenceSunlitPanes.tint*", [(HIT, "beside_stained || tint != vec3(1.0) ? tint : mapped", "mapped")]),
-    ("holes of leaves unknown", "ReferenceSpot.*by_a_hole", [(SHADOW, " || code == voxel_leaves) note", ") note")]),
+    ("holes of leaves unknown", "ReferenceSpot.*by_a_hole", [(SHADOW, " || is_thin(code)) {", ") {")]),
     ("rays stop at leaves", LEAVES, [(TRACE, "met = meet_leaves(walk, false);", "met = Meeting(true, span.x, vec3(0.0));")]),
     ("leaves have no inside", LEAVES, [(TRACE, "bool drawn = code == voxel_leaves || !is_full(code);", "const bool drawn = false;")]),
-    ("leaves are lit from outside", LEAVES, [(UPDATE, "choose_side(own.code == voxel_leaves,", "choose_side(false,")]),
+    ("leaves are lit from outside", LEAVES, [(UPDATE, "choose_side(is_thin(own.code),", "choose_side(false,")]),
     ("sun on the outside of leaves alone", LEAVES, [(HIT, "hit.normal *= slope < 0.0 ? -1.0 : 1.0;\n        slope = abs(slope);", "")]),
+    ("rays pass plants", PLANTS, [(TRACE, "met = meet_plant(walk, code);", "met.found = false;")]),
+    ("rays from beside plants pass them", PLANTS, [(HIT, "met = meet_plant(walk, own.code);", "met.found = false;")]),
+    ("plants have no holes", PLANTS, [(TRACE, " && !is_open(holes_of_plant(code), at)", "")]),
+    ("plants upside down", PLANTS, [(POSTS, "0.5, 0.5 - off.y)", "0.5, 0.5 + off.y)")]),
+    ("plants reflect nothing", PLANTS, [(SHADOW, "is_plant(code) ? face_of_plant : inner", "inner")]),
+    ("plants are lit from one side", PLANTS, [(UPDATE, "choose_side(is_thin(own.code),", "choose_side(own.code == voxel_leaves,")]),
     ("stained panes tint in their middle", "ReferenceSpot.*between_the_sides*", [(TRACE, "pane_radius * dot(abs(inverse), axis)", "0.0")]),
     ("stained panes of the next cell tint nothing", "ReferenceSunlitPanes.tint*", [(HIT, ": beside_stained ? 2.0 : 0.0;", ": beside_stained ? 1e-4 : 0.0;")]),
     ("one value a face", "ReferenceCorner.*", [(LIGHT_AT, "return vec4(light * rise, u.own.a);", "return vec4(light, u.own.a);")]),
@@ -98,13 +106,13 @@ MUTANTS = [
     ("both halves beside a pane lit alike", "ReferenceSky.*/low_panes", [(UPDATE, "bool parts = dot(face_normal(face), axis) == 0.0;", "bool parts = false;")]),
     ("light within glass by its outer side", "ReferenceGlazedRoom.*", [(HIT, "return is_glass(hit.voxel.code) ||", "return")]),
     ("balls of small lamps stop light", "ReferenceSmallLamp.balls*", [(HIT, "return hit.found && is_ball(hit.voxel.code) && !hit.inner;", "return false;")]),
-    ("small lamps have no body", "ReferenceSmallLamp.body*", [("include/voxels/posts.glsl", "is_ball(code) ? 3 :", "is_ball(code) ? 0 :")]),
+    ("small lamps have no body", "ReferenceSmallLamp.body*", [(POSTS, "is_ball(code) ? 3 :", "is_ball(code) ? 0 :")]),
     ("halves beside a pane reach to its middle", "ReferencePaneInWindow.*", [(UPDATE, "float width = 0.5 - pane_radius;", "float width = 0.5;"), (HIT, " || is_between_sides(hit)", "")]),
     ("between the sides of a pane the light of a half", "ReferencePaneInWindow.*", [(HIT, " || is_between_sides(hit)", "")]),
     ("snow as thin as a carpet", "ReferenceSnow.*",
-     [("include/voxels/posts.glsl", "return bit == 0 ? 0.0625 : 0.125 * float(bit);", "return 0.0625;")]),
+     [(POSTS, "return bit == 0 ? 0.0625 : 0.125 * float(bit);", "return 0.0625;")]),
     ("snow has the height of its underside", "ReferenceSnow.*",
-     [("include/voxels/posts.glsl", "normal.y < 0.0 ? 0u : part_of_cover(high.y + 0.5)", "part_of_cover(0.0)")]),
+     [(POSTS, "normal.y < 0.0 ? 0u : part_of_cover(high.y + 0.5)", "part_of_cover(0.0)")]),
     ("rays go on from near hits once", "ReferenceCorner.rays_go_on*",
      [(GATHER, "bool is_near = distance", "bool is_near = bounce == 0 && distance")]),
     ("one ray between the sides of glass", "ReferenceGlassInWindow.*", [(GATHER, "bounce == gi_bounces - 1 || !(is_near", "bounce == 1 || !(is_near"), (UPDATE, "most_rays_on = 3", "most_rays_on = 1")]),

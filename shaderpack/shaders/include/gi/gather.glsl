@@ -120,7 +120,7 @@ vec3 gather(Surface s, vec3 light, int number) {
         reads_cache = bounce == gi_bounces - 1 || !(is_near || is_ill_known(hit));
         if (reads_cache) break;
 #endif
-        bool thin = hit.voxel.code == voxel_leaves;
+        bool thin = is_thin(hit.voxel.code);
         normal = thin && dot(hit.normal, direction) > 0.0 ? -hit.normal : hit.normal;
         throughput *= choose_side(thin, hit.voxel.color, normal);
         origin = hit.position + normal * face_offset;

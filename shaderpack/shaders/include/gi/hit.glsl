@@ -75,6 +75,7 @@ Hit trace_from_face(vec3 origin, vec3 direction) {
 #if HAS_VOXEL_CHANGES
     if (is_post(own.code)) met = post;
     BRANCH(own.code == voxel_leaves) met = meet_leaves(walk, true);
+    BRANCH(is_plant(own.code)) met = meet_plant(walk, own.code);
 #endif
     // From above it, off the blocks around it.
     if (own.code == voxel_lava) met = meet_lava(walk, vec2(0.0, distance_out(origin, direction)));
@@ -197,12 +198,12 @@ vec3 sun_share(Hit hit, vec3 light, float sky) {
 vec3 sun_share(Hit hit, vec3 light, float sky) { return vec3(unmapped_visibility(sky)); }
 #endif
 
-/// Sun or moon light that a hit reflects or, on leaves, lets pass to where the ray came from, without its albedo. `sky`: level
+/// Sun or moon light that a hit reflects or, if it is thin, lets pass to where the ray came from, without its albedo. `sky`: level
 /// where the ray began.
 vec3 sun_at(Hit hit, vec3 direction, vec3 light, float sky) {
     float slope = dot(hit.normal, light);
     vec3 share = vec3(1.0);
-    if (hit.voxel.code == voxel_leaves) {
+    if (is_thin(hit.voxel.code)) {
         if (slope * dot(hit.normal, direction) > 0.0) share = passed_share(hit.voxel.color);
         hit.normal *= slope < 0.0 ? -1.0 : 1.0;
         slope = abs(slope);

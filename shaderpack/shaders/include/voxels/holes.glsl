@@ -1,6 +1,6 @@
 // Which texels of clear glass light passes: for each of its sides, and of those of panes and leaves, 16 x 16 bits, as the texture
-// of the first such block that the shadow pass meets has them. In voxel_sums, behind lake_now: two rows of texels a word, and a
-// word that is one more than all that are open, where a side is known.
+// of the first such block that the shadow pass meets has them; and of eight kinds of plants. In voxel_sums, behind lake_now: two
+// rows of texels a word, and a word that is one more than all that are open, where a picture is known.
 #if !defined INCLUDED_VOXELS_HOLES
 #define INCLUDED_VOXELS_HOLES
 
@@ -8,23 +8,24 @@
 
 const int hole_words = 8;
 
-/// The first word of a side: `face` looks out of the block.
-ivec2 holes_of_side(int code, int face) {
-    return lake_now + ivec2(1 + (hole_words + 1) * (face + (is_pane(code) ? 6 : is_glass(code) ? 0 : 12)), 0);
-}
+/// The first word of a picture.
+ivec2 holes_of_picture(int index) { return lake_now + ivec2(1 + (hole_words + 1) * index, 0); }
+
+/// That of a side: `face` looks out of the block.
+ivec2 holes_of_side(int code, int face) { return holes_of_picture(face + (is_pane(code) ? 6 : is_glass(code) ? 0 : 12)); }
+
+/// That of a plant: its texture, from its upper left corner on.
+ivec2 holes_of_plant(int code) { return holes_of_picture(18 + code - voxel_plant); }
 
 #if defined HAS_OCTANT_WRITES
-/// The texture of the quad at places of its block's whole side, of which panes are made in parts. The first triangle of a
-/// quad has its corners in order.
-void note_holes(int code, int face, vec3 middle) {
-    ivec2 words = holes_of_side(code, face);
+/// The texture of the quad along two axes of a picture, if it is not known, whatever part of that the quad shows: panes are made
+/// in parts. The first triangle of a quad has its corners in order. `middle`: of the block.
+void note_holes(ivec2 words, vec3 across, vec3 up, vec3 middle) {
     if (imageLoad(voxel_sums, words + ivec2(hole_words, 0)).r != 0u) return;
     vec3 a = vertex_player[1] - vertex_player[0];
     vec3 b = vertex_player[2] - vertex_player[1];
     vec2 uv_a = (vertex_uv[1] - vertex_uv[0]) / dot(a, a);
     vec2 uv_b = (vertex_uv[2] - vertex_uv[1]) / dot(b, b);
-    vec3 across = face < 2 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
-    vec3 up = face == 2 || face == 3 ? vec3(0.0, 0.0, 1.0) : vec3(0.0, 1.0, 0.0);
     vec3 first = middle - vertex_player[0] - 0.46875 * (across + up);  // the middle of the first texel
     uint known = 1u;
     for (int word = 0; word < hole_words; ++word) {
@@ -41,16 +42,20 @@ void note_holes(int code, int face, vec3 middle) {
     imageStore(voxel_sums, words + ivec2(hole_words, 0), uvec4(known));
 }
 #else
-/// Is this point of a side in one of its holes? `within`: from the lower end of the cell.
-bool in_texture_hole(int code, int face, vec3 within) {
+/// Is a place of a picture, 0..1, a hole?
+bool is_open(ivec2 words, vec2 at) {
 #if HAS_VOXEL_CHANGES
-    vec2 at = face < 2 ? within.zy : face < 4 ? within.xz : within.xy;
     uvec2 texel = uvec2(clamp(at * 16.0, 0.0, 15.0));
-    uint open = imageLoad(voxel_sums, holes_of_side(code, face) + ivec2(texel.y >> 1u, 0)).r;
+    uint open = imageLoad(voxel_sums, words + ivec2(texel.y >> 1u, 0)).r;
     return (open >> (texel.x + 16u * (texel.y & 1u)) & 1u) == 1u;
 #else
     return false;
 #endif
+}
+
+/// Is this point of a side in one of its holes? `within`: from the lower end of the cell.
+bool in_texture_hole(int code, int face, vec3 within) {
+    return is_open(holes_of_side(code, face), face < 2 ? within.zy : face < 4 ? within.xz : within.xy);
 }
 
 /// What the holes take of a side.

@@ -34,7 +34,9 @@ struct Walk {
     int reach;    // 0: something is here, or the ray has left the volume; stopped: what is here stops it
 };
 
-int face_of_hit(Hit hit) { return face_of(hit.normal) + (hit.inner ? face_inner : 0); }
+int face_of_hit(Hit hit) {
+    return is_plant(hit.voxel.code) ? face_of_plant : face_of(hit.normal) + (hit.inner ? face_inner : 0);
+}
 
 const int stopped = 15;
 
@@ -119,7 +121,7 @@ bool is_beyond_pane(Hit hit, vec3 cell, int code) {
 struct Meeting {
     bool found;
     float t;    // distance along the ray
-    vec3 axis;  // of a plane through the middle of the cell, if it is met there; less than 0 of a side met from inside; else 0
+    vec3 axis;  // 0 where it enters the cell; else the normal, times -stride: of a plane through the middle, 1 along an axis
 };
 
 /// The first of these octants that the ray comes into: where it enters the cell, or by one of the planes
@@ -216,6 +218,22 @@ Meeting meet_leaves(Walk walk, bool begins) {
     return Meeting(found, t, -out_of * walk.stride);
 }
 
+/// The plane of a plant that a ray meets first, from the side that has this texel.
+Meeting meet_plant(Walk walk, int code) {
+    vec3 middle = walk.cell + 0.5 - walk.origin;
+    Meeting met = Meeting(false, 1e9, vec3(0.0));
+    for (int i = 0; i < 2; ++i) {
+        vec3 normal = plane_of_plant(i);
+        float slope = dot(normal, walk.direction);
+        float t = dot(normal, middle) / slope;
+        normal *= -sign(slope);
+        vec2 at = place_on_plant(walk.direction * t - middle, normal);
+        bool inside = all(greaterThanEqual(at, vec2(0.0))) && all(lessThanEqual(at, vec2(1.0)));
+        if (t > 0.0 && t < met.t && inside && !is_open(holes_of_plant(code), at)) met = Meeting(true, t, -normal * walk.stride);
+    }
+    return met;
+}
+
 /// Does a ray meet the ball of a small lamp in that cell?
 bool meets_ball(ivec3 cell, vec3 origin, vec3 direction) {
     vec3 to_center = vec3(cell) + 0.5 - origin;
@@ -230,6 +248,7 @@ Meeting meet(Walk walk, int code) {
     BRANCH(code == voxel_lava) met = meet_lava(walk, span);
 #if HAS_VOXEL_CHANGES
     BRANCH(code == voxel_leaves) met = meet_leaves(walk, false);
+    BRANCH(is_plant(code)) met = meet_plant(walk, code);
 #endif
     met.found = met.found || (is_ball(code) && meets_ball(cell_of(walk), walk.origin, walk.direction));
 #if HAS_VOXEL_CHANGES
@@ -261,7 +280,7 @@ bool is_stopped(vec3 origin, vec3 direction, bool opaque, bool boxes) {
 }
 
 /// Are planes through the middle of a cell what a ray meets inside of it?
-bool has_middle(int code) { return !is_post(code) && code != voxel_lava && code != voxel_leaves; }
+bool has_middle(int code) { return !is_post(code) && code != voxel_lava && !is_thin(code); }
 
 /// Where the ray came into its cell, or met a block in it, and what it finds there.
 void describe(inout Hit hit, Walk walk, Meeting met, vec4 texel) {

@@ -77,6 +77,9 @@ const int face_up = 3;
 // Added to the number of a face that lies in the middle of its cell.
 const int face_inner = 8;
 
+// That of both planes of a plant.
+const int face_of_plant = face_inner + face_up;
+
 /// Of an axis-parallel normal: 0..5 = -x +x -y +y -z +z.
 int face_of(vec3 normal) {
     vec3 size = abs(normal);

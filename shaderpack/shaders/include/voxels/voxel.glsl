@@ -22,6 +22,7 @@ const int voxel_small_lamp = 32;  // + light level 1..15, a ball in the cell
 const int voxel_cover = 48;       // a carpet on the floor of the cell
 const int voxel_tinted_pane = 49;  // a stained pane across x; + 1: across z
 const int voxel_leaves = 51;       // the sides of the cell, with holes: include/voxels/holes.glsl
+const int voxel_plant = 52;        // .. 59: two crossed planes, with holes by one of eight pictures
 const int voxel_lamp = 64;        // + 16 * digit of lamp_color + light level 1..15, fills the cell
 
 // Lava: the only lamp of its colour at that level. With something else above it it ends where water does.
@@ -75,6 +76,11 @@ bool is_plate(int code) { return code >= voxel_plate && code < voxel_glass; }
 bool is_glass(int code) { return code == voxel_glass; }
 
 bool is_pane(int code) { return code == voxel_pane; }
+
+bool is_plant(int code) { return code >= voxel_plant && code < voxel_plant + 8; }
+
+/// Is it lit from both sides?
+bool is_thin(int code) { return code == voxel_leaves || is_plant(code); }
 
 /// Light passes it by the holes of its texture.
 bool is_clear(int code) { return is_glass(code) || is_pane(code); }

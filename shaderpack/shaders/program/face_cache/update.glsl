@@ -78,6 +78,13 @@ vec2 half_beside_pane(vec2 at, ivec3 pane, int face) {
     return mix(at, at * width + (1.0 - width) * float(face >= face_inner), axis.xz * float(parts));
 }
 
+/// A point of a plant that is no hole, if one is found soon. `normal`: of its plane, to the side that shows it.
+vec3 point_of_plant(ivec3 cell, int code, vec3 normal) {
+    vec2 at = next_random().xy;
+    for (int i = 0; i < 4 && is_open(holes_of_plant(code), at); ++i) at = next_random().xy;
+    return vec3(cell) + 0.5 + point_of_plant(at, normal) + face_offset * normal;
+}
+
 vec3 point_of(ivec3 cell, int face, vec2 at) {
     int code = voxel_at(cell).code;
     if (is_post(code)) return point_of_post(cell, code, face, at);
@@ -121,10 +128,14 @@ vec4 fresh_sample(uint entry, vec3 light) {
     vec3 sum = vec3(0.0);
     for (int i = 0; i < FACE_RAYS; ++i) {
         f.from.origin = point_of(f.cell, f.face, next_random().xy);
+        BRANCH(is_plant(own.code)) {
+            f.from.normal = plane_of_plant(int(2.0 * next_random().x));
+            f.from.origin = point_of_plant(f.cell, own.code, f.from.normal);
+        }
         f.from.origin += 0.5 * halves * (upper - dot(f.from.origin - vec3(f.cell), halves));
         if (shore) f.from.origin.y = float(f.cell.y) + mix(shore_span.x, shore_span.y, f.from.origin.y - float(f.cell.y));
         Face seen = f;
-        vec3 counts = choose_side(own.code == voxel_leaves, own.color, seen.from.normal);
+        vec3 counts = choose_side(is_thin(own.code), own.color, seen.from.normal);
         seen.from.origin += face_offset * (seen.from.normal - f.from.normal);
         vec3 sampled = counts * (hemisphere_sample(seen, next_random().xy, light) + lamp_sample(seen.from));
         sum += min(sampled, vec3(face_light_max));

@@ -189,6 +189,12 @@ float open_texels() {
     return float(open) / 256.0;
 }
 
+/// Does the quad lie as those of a plant do, which cross?
+bool is_plane_of_plant(vec3 normal) { return abs(abs(normal.x) - abs(normal.z)) < 0.1 && abs(normal.y) < 0.1; }
+
+/// One of eight pictures for the texture: which plants share one is chance.
+int picture_of_plant() { return int(hash(floatBitsToUint(vertex_mid_uv[0].xyy)).x >> 29u); }
+
 /// A share in eighths, up or down by the block's place in the world, so that the mean over blocks is right.
 int in_eighths(float share, ivec3 cell) {
     uvec3 place = uvec3(cell + volume_origin());
@@ -207,6 +213,9 @@ vec4 block_voxel(int id, float emission, vec3 normal, ivec3 cell) {
         if (!is_small_lamp(id)) return encode_voxel(color, voxel_lamp + 16 * digit + level);
         return encode_voxel(digit > 0 ? lamp_color(digit) : brightest(color), voxel_small_lamp + level);
     }
+#if HAS_VOXEL_CHANGES
+    if (id == block_plant && is_plane_of_plant(normal)) return encode_voxel(color, voxel_plant + picture_of_plant());
+#endif
     if (id == block_plant || id == block_open || is_small_lamp(id)) return vec4(0.0);
     bool surface = id == block_water && normal.y > 0.5;
     if (surface) return encode_voxel(color, voxel_water_surface);
@@ -251,7 +260,15 @@ void emit_voxel() {
     add_to_brick(cell, face, code, vertex_mid_uv[0]);
     if (code == voxel_water_surface) note_lake();
     bool side_of_pane = is_pane(code) && face != 2 && face != 3;
-    BRANCH(is_glass(code) || side_of_pane || code == voxel_leaves) note_holes(code, face, block.middle);
+    BRANCH(is_glass(code) || side_of_pane || is_thin(code)) {
+        vec3 across = face < 2 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
+        vec3 up = face == 2 || face == 3 ? vec3(0.0, 0.0, 1.0) : vec3(0.0, 1.0, 0.0);
+        if (is_plant(code)) {
+            across = plant_width * side_of_plant(vertex_normal[0]);
+            up = vec3(0.0, -1.0, 0.0);
+        }
+        note_holes(is_plant(code) ? holes_of_plant(code) : holes_of_side(code, face), across, up, block.middle);
+    }
     // Not the underside of its surface.
     bool bottom = vertex_normal[0].y < -0.5 && vertex_player[0].y - block.middle.y < -0.4;
     if (block.id == block_water && bottom) add_octants(cell, part_bottom);
@@ -268,7 +285,7 @@ void emit_voxel() {
     float outward = dot(vertex_player[0] - block.middle, vertex_normal[0]);
     bool inner = has_octants(code) && outward < 0.25;
     int sky = int(clamp(vertex_sky[0], 0.0, 15.0) + 0.5);
-    list_face(cell, inner ? face + face_inner : face, code, sky);
+    list_face(cell, is_plant(code) ? face_of_plant : inner ? face + face_inner : face, code, sky);
     if (code >= voxel_lamp && abs(outward) < 0.3) list_cube(cell, code, sky);
     if (is_tinted_pane(code)) list_halves(cell, pane_axis(code), sky);
     if (side_of_pane) list_halves(cell, abs(face_normal(face)), sky);
@@ -279,6 +296,7 @@ void emit_voxel() {
     int kind = int(voxel.a * 255.0 + 0.5);
     vec3 size = quad_high() - quad_low();
     float depth = -hole_share(kind) - (vertex_normal[0].y > 0.5 ? 0.1 : 0.0);
+    if (is_plant(kind)) depth = 0.5;  // below the water that it stands in
     if (is_tinted_pane(kind) || is_pane(kind)) depth = abs(vertex_normal[0].y) < 0.5 && max(size.x, size.z) > 0.3 ? -0.5 : 0.0;
     // A right angle at the texel's corner that holds its centre and no other.
     vec2 corner = vec2(atlas_texel(cell));
