@@ -16,10 +16,11 @@ const uint part_bottom = 32u;  // of water: below it there is none
 const float plate_thickness = 0.1875;
 const float pane_radius = 0.0625;
 
-// What is drawn of small lamps: the rod of a torch, the foot of an end rod, the body of a lantern.
+// What is drawn of small lamps: the rod of a torch, the foot of an end rod, the body of a lantern, logs.
 const uint lamp_rod = 1u;
 const uint lamp_foot = 2u;
 const uint lamp_body = 4u;
+const uint lamp_logs = 8u;
 
 /// Of what covers a floor, by its height in blocks: of carpets, and of one to three layers of snow.
 uint part_of_cover(float height) { return 1u << (uint(height * 16.0 + 0.5) / 2u); }
@@ -29,7 +30,7 @@ float cover_height(int bit) { return bit == 0 ? 0.0625 : 0.125 * float(bit); }
 
 /// Half of the width of the widest.
 float lamp_radius(uint parts) {
-    return (parts & lamp_body) != 0u ? 0.1875 : (parts & lamp_foot) != 0u ? 0.125 : (parts & lamp_rod) != 0u ? 0.0625 : 0.0;
+    return (parts & lamp_logs) != 0u ? 0.4375 : (parts & lamp_body) != 0u ? 0.1875 : (parts & lamp_foot) != 0u ? 0.125 : (parts & lamp_rod) != 0u ? 0.0625 : 0.0;
 }
 
 bool is_post(int code) { return (code >= voxel_fence && code < voxel_small_lamp) || code == voxel_cover; }
@@ -51,9 +52,12 @@ uint plate_of_quad(vec3 middle, vec3 size, vec3 normal) {
     return at.x | at.y | at.z;
 }
 
-/// Of a small lamp, by the width of a quad: what is wider is a plane with holes, or the logs of a campfire.
-uint part_of_lamp(float width) {
-    return width < 0.2 ? lamp_rod : width < 0.3 ? lamp_foot : width < 0.6 ? lamp_body : 0u;
+/// Of a small lamp, by a quad: what is wide is a plane with holes, or the logs of a campfire, which end a quarter high.
+uint part_of_lamp(vec3 low, vec3 high) {
+    vec3 size = high - low;
+    float width = max(size.x, size.z);
+    bool on_logs = size.y < 0.01 && abs(high.y + 0.25) < 0.02;
+    return width < 0.2 ? lamp_rod : width < 0.3 ? lamp_foot : width < 0.6 ? lamp_body : on_logs ? lamp_logs : 0u;
 }
 
 /// The part that a quad belongs to, which reaches from `low` to `high` as seen from the middle of its block.
@@ -65,13 +69,12 @@ uint part_of_quad(int code, vec3 low, vec3 high, vec3 normal) {
                 (high.z > side ? 8u : 0u);
     vec3 size = high - low;
     if (code == voxel_cover) return normal.y < 0.0 ? 0u : part_of_cover(high.y + 0.5);
-    if (is_ball(code)) return part_of_lamp(max(size.x, size.z));
+    if (is_ball(code)) return part_of_lamp(low, high);
     if (code == voxel_chest) return part_post | arms;
     bool post = code == voxel_fence || max(size.x, size.z) > 1.9 * post_radius(code);
     return arms != 0u ? arms : post ? part_post : 0u;
 }
 
-/// A box, as seen from the middle of the cell.
 // Of the game's model, from corner to corner.
 const float plant_width = 1.2728;
 
@@ -92,6 +95,7 @@ vec3 point_of_plant(vec2 at, vec3 normal) {
     return (at.x - 0.5) * plant_width * side_of_plant(normal) + vec3(0.0, 0.5 - at.y, 0.0);
 }
 
+/// A box, as seen from the middle of the cell.
 struct Box {
     vec3 low;
     vec3 high;
@@ -110,7 +114,7 @@ Box post_box(int code, int index) {
     if (code == voxel_cover) return Box(vec3(-0.5), vec3(0.5, cover_height(index) - 0.5, 0.5));
     if (is_ball(code)) {
         float wide = lamp_radius(1u << uint(index));
-        float top = index == 0 ? 0.125 : index == 1 ? -0.4375 : -0.0625;
+        float top = index == 0 ? 0.125 : index == 1 ? -0.4375 : index == 2 ? -0.0625 : -0.25;
         return Box(vec3(-wide, -0.5, -wide), vec3(wide, top, wide));
     }
     float radius = post_radius(code);
@@ -146,7 +150,7 @@ vec3 plate_normal(int index) {
 
 int post_boxes(int code) {
     int boxes = code == voxel_fence ? 9 : has_plates(code) ? 6 : 5;
-    return code == voxel_cover ? 4 : is_ball(code) ? 3 : is_post(code) ? boxes : 0;
+    return code == voxel_cover ? 4 : is_ball(code) ? 4 : is_post(code) ? boxes : 0;
 }
 
 bool has_part(int code, uint parts, int index) {
