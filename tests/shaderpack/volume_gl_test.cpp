@@ -17,7 +17,7 @@ TEST(VoxelVolume, blocks_have_the_code_of_their_class) {
       {"stone", 1}, {"oak_slab[type=bottom]", 2}, {"oak_slab[type=top]", 3}, {"oak_slab[type=double]", 1},
       {"red_stained_glass", 4}, {"water", 5}, {"glass", 16}, {"glowstone", 64 + 2 * 16 + 15},
       {"glass_pane[north=true]", 17}, {"red_carpet", 48}, {"torch", 32 + 14}, {"soul_torch", 32 + 10},
-      {"dandelion", 0}, {"oak_fence_gate", 0}, {"oak_fence", 7}, {"stone_brick_wall", 8},
+      {"dandelion", 52}, {"wheat", 0}, {"oak_leaves", 51}, {"oak_fence_gate", 0}, {"oak_fence", 7}, {"stone_brick_wall", 8},
       {"chest[facing=east]", 9}, {"white_shulker_box", 9}, {"red_bed", 2}, {"oak_trapdoor", 12},
       {"oak_door[half=lower]", 10}, {"oak_sign", 0}, {"white_banner", 0}, {"conduit", 32 + 15}};
   const auto place = [](int i) { return glm::ivec3(i % 6 * 2, 0, i / 6 * 2); };
@@ -25,13 +25,15 @@ TEST(VoxelVolume, blocks_have_the_code_of_their_class) {
   for (int i = 0; i < int(std::size(all)); ++i)
     blocks += fmt::format(R"({}{{"block": "{}", "at": [{}, 0, {}]}})", i > 0 ? "," : "", all[i].state, place(i).x,
                           place(i).z);
-  PackSession pack(R"({"size": [12, 1, 8], "blocks": [)" + blocks + R"(],
+  PackSession pack(R"({"size": [12, 1, 10], "blocks": [)" + blocks + R"(],
       "cameras": [{"name": "eye", "position": [5.5, 0.5, 9.5], "yaw": 180}]})",
                    {{"VOXEL_SIZE", "32"}});
   pack.renderFrames(1);
   const CellField voxels = pack.voxels({32, 32});
-  for (int i = 0; i < int(std::size(all)); ++i)
-    EXPECT_EQ(int(voxels.at(cellOf(place(i), {5, 0, 9}, 32))[3] * 255 + 0.5f), all[i].code) << all[i].state;
+  for (int i = 0; i < int(std::size(all)); ++i) {
+    const int code = int(voxels.at(cellOf(place(i), {5, 0, 9}, 32))[3] * 255 + 0.5f);
+    EXPECT_EQ(code >= 52 && code < 60 ? 52 : code, all[i].code) << all[i].state;  // plants: by chance
+  }
 }
 
 TEST(VoxelVolume, red_concrete_becomes_a_red_voxel) {
