@@ -214,7 +214,7 @@ MUTANTS = [
      [("include/voxels/trace.glsl", "vec4 at = vec4((walk.cell + 0.5 - walk.origin)",
        "vec4 at = vec4((walk.cell + 0.5 + walk.stride - walk.origin)")]),
     ("fences and walls are none", "LightOfShapes.posts*",
-     [("include/voxels/posts.glsl", "return code == voxel_cover ? 4 :",
+     [("include/voxels/posts.glsl", "return code == voxel_cover || is_ball(code) ? 4 :",
        "return is_wall_like(code) ? 0 : code == voxel_cover ? 4 :"),
       ("include/voxels/posts.glsl", "int post_boxes(int code) {",
        "bool is_wall_like(int code) { return code == voxel_fence || code == voxel_wall; }\nint post_boxes(int code) {")]),

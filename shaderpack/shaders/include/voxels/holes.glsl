@@ -42,8 +42,8 @@ void note_holes(ivec2 words, vec3 across, vec3 up, vec3 middle) {
     imageStore(voxel_sums, words + ivec2(hole_words, 0), uvec4(known));
 }
 #else
-/// Is a place of a picture, 0..1, a hole?
-bool is_open(ivec2 words, vec2 at) {
+/// Is this place of a picture, 0..1, a hole?
+bool is_hole(ivec2 words, vec2 at) {
 #if HAS_VOXEL_CHANGES
     uvec2 texel = uvec2(clamp(at * 16.0, 0.0, 15.0));
     uint open = imageLoad(voxel_sums, words + ivec2(texel.y >> 1u, 0)).r;
@@ -55,7 +55,7 @@ bool is_open(ivec2 words, vec2 at) {
 
 /// Is this point of a side in one of its holes? `within`: from the lower end of the cell.
 bool in_texture_hole(int code, int face, vec3 within) {
-    return is_open(holes_of_side(code, face), face < 2 ? within.zy : face < 4 ? within.xz : within.xy);
+    return is_hole(holes_of_side(code, face), face < 2 ? within.zy : face < 4 ? within.xz : within.xy);
 }
 
 /// What the holes take of a side.

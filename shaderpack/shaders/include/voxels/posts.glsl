@@ -150,7 +150,7 @@ vec3 plate_normal(int index) {
 
 int post_boxes(int code) {
     int boxes = code == voxel_fence ? 9 : has_plates(code) ? 6 : 5;
-    return code == voxel_cover ? 4 : is_ball(code) ? 4 : is_post(code) ? boxes : 0;
+    return code == voxel_cover || is_ball(code) ? 4 : is_post(code) ? boxes : 0;
 }
 
 bool has_part(int code, uint parts, int index) {

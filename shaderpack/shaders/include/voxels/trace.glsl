@@ -211,11 +211,11 @@ Meeting meet_leaves(Walk walk, bool begins) {
     int face = face_of(-axis_of(t, came) * walk.stride);
     if (!begins && !in_texture_hole(voxel_leaves, face, from + walk.direction * t)) return Meeting(true, t, vec3(0.0));
     t = min(leave.x, min(leave.y, leave.z));
-    vec3 out_of = axis_of(t, leave) * walk.stride;
-    int code = voxel_at(cell_of(walk) + ivec3(out_of)).code;
+    vec3 outward = axis_of(t, leave) * walk.stride;
+    int code = voxel_at(cell_of(walk) + ivec3(outward)).code;
     bool drawn = code == voxel_leaves || !is_full(code);
-    bool found = drawn && !in_texture_hole(voxel_leaves, face_of(out_of), from + walk.direction * t);
-    return Meeting(found, t, -out_of * walk.stride);
+    bool found = drawn && !in_texture_hole(voxel_leaves, face_of(outward), from + walk.direction * t);
+    return Meeting(found, t, -outward * walk.stride);
 }
 
 /// The plane of a plant that a ray meets first, from the side that has this texel.
@@ -229,7 +229,7 @@ Meeting meet_plant(Walk walk, int code) {
         normal *= -sign(slope);
         vec2 at = place_on_plant(walk.direction * t - middle, normal);
         bool inside = all(greaterThanEqual(at, vec2(0.0))) && all(lessThanEqual(at, vec2(1.0)));
-        if (t > 0.0 && t < met.t && inside && !is_open(holes_of_plant(code), at)) met = Meeting(true, t, -normal * walk.stride);
+        if (t > 0.0 && t < met.t && inside && !is_hole(holes_of_plant(code), at)) met = Meeting(true, t, -normal * walk.stride);
     }
     return met;
 }

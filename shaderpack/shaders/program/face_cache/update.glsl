@@ -79,9 +79,9 @@ vec2 half_beside_pane(vec2 at, ivec3 pane, int face) {
 }
 
 /// A point of a plant that is no hole, if one is found soon. `normal`: of its plane, to the side that shows it.
-vec3 point_of_plant(ivec3 cell, int code, vec3 normal) {
+vec3 point_on_plant(ivec3 cell, int code, vec3 normal) {
     vec2 at = next_random().xy;
-    for (int i = 0; i < 4 && is_open(holes_of_plant(code), at); ++i) at = next_random().xy;
+    for (int i = 0; i < 4 && is_hole(holes_of_plant(code), at); ++i) at = next_random().xy;
     return vec3(cell) + 0.5 + point_of_plant(at, normal) + face_offset * normal;
 }
 
@@ -130,7 +130,7 @@ vec4 fresh_sample(uint entry, vec3 light) {
         f.from.origin = point_of(f.cell, f.face, next_random().xy);
         BRANCH(is_plant(own.code)) {
             f.from.normal = plane_of_plant(int(2.0 * next_random().x));
-            f.from.origin = point_of_plant(f.cell, own.code, f.from.normal);
+            f.from.origin = point_on_plant(f.cell, own.code, f.from.normal);
         }
         f.from.origin += 0.5 * halves * (upper - dot(f.from.origin - vec3(f.cell), halves));
         if (shore) f.from.origin.y = float(f.cell.y) + mix(shore_span.x, shore_span.y, f.from.origin.y - float(f.cell.y));
