@@ -6,7 +6,6 @@ what BIAS and COST set. A room whose interval leaves open whether it is within t
 EFFORTS. Rows stay in FOLDER and keep commit and date; rooms that have one are not measured again, so that the command can be
 interrupted. What stands in PAGE between the comments `rooms` and `end of rooms` is written anew."""
 
-import argparse
 import csv
 import datetime
 import json
@@ -14,7 +13,7 @@ import pathlib
 import subprocess
 import time
 
-from study_page import CHANNELS, ENDS, as_typed, commit_of, interval, markdown_table, rms_of, with_part
+from study_page import CHANNELS, ENDS, as_typed, commit_of, interval, markdown_table, parser_of, rms_of, with_part
 
 GOAL = 0.03
 # What a frame costs at this size depends little on rays: 128 a pixel, and 8 to each face in each frame. The mean that values
@@ -122,11 +121,7 @@ def measure(args, seed, in_time):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("orris")
-    parser.add_argument("pack")
-    parser.add_argument("page", type=pathlib.Path)
-    parser.add_argument("--folder", type=pathlib.Path, default=pathlib.Path("build/rooms"))
+    parser = parser_of(__doc__, "build/rooms")
     parser.add_argument("--first", type=int, default=1, help="seed; odd ones are held out")
     parser.add_argument("--rooms", type=int, default=50)
     parser.add_argument("--efforts", type=int, default=len(EFFORTS), choices=range(1, len(EFFORTS) + 1))

@@ -5,14 +5,13 @@ One run of `orris chart --scenes`, so that bias, noise, costs, lag and memory of
 cache with many rays and no filter, as in random rooms (rooms_study.py). What stands in PAGE between the comments `scenes` and
 `end of scenes`, `bias` and `end of bias` is written anew."""
 
-import argparse
 import csv
 import datetime
 import pathlib
 import subprocess
 
 import rooms_study
-from study_page import CHANNELS, ENDS, as_typed, commit_of, interval, markdown_table, rms_of, with_part
+from study_page import CHANNELS, ENDS, as_typed, commit_of, interval, markdown_table, parser_of, rms_of, with_part
 
 SCENES = ("glazed_house@ground", "deep_hall@back", "bend_grey@bend", "bend_white@bend", "lava_cave@lava", "glow_floor@room",
           "nether_room@lake", "street@street", "forest_floor@floor", "bay@shore", "snow_hut@inside", "chapel@nave",
@@ -92,11 +91,7 @@ def measured(args, part, flags):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("orris")
-    parser.add_argument("pack")
-    parser.add_argument("page", type=pathlib.Path)
-    parser.add_argument("--folder", type=pathlib.Path, default=pathlib.Path("build/scenes"))
+    parser = parser_of(__doc__, "build/scenes")
     parser.add_argument("--only", default=",".join(SCENES), help="scenes, separated by commas")
     parser.add_argument("--parts", default="scenes,bias")
     parser.add_argument("--budget", help="begin no scene of a part after this time, 60m")

@@ -1,5 +1,6 @@
 """What studies share that write a part of a page of docs/results anew."""
 
+import argparse
 import pathlib
 import re
 import subprocess
@@ -14,6 +15,16 @@ def with_part(page, name, text):
     'a<!-- rooms -->\\nnew\\n<!-- end of rooms -->b'
     """
     return re.sub(rf"(<!-- {name} -->).*(<!-- end of {name} -->)", lambda m: f"{m[1]}\n{text}\n{m[2]}", page, flags=re.S)
+
+
+def parser_of(description, folder):
+    """What each study is called with; `folder`: where it keeps what it measures."""
+    parser = argparse.ArgumentParser(description=description)
+    parser.add_argument("orris")
+    parser.add_argument("pack")
+    parser.add_argument("page", type=pathlib.Path)
+    parser.add_argument("--folder", type=pathlib.Path, default=pathlib.Path(folder))
+    return parser
 
 
 def commit_of(pack):
