@@ -44,14 +44,22 @@ TEST(GiFilter, leaves_what_is_no_noise) {
   const GatheredLight corridor("bend_grey", 1);
   const auto exact = corridor.drawn(160, {{"GI_FILTER", "false"}, {"GI_SAMPLES", "16"}});
   const auto filtered = corridor.drawn(60, {}), noisy = corridor.drawn(60, {{"GI_FILTER", "false"}});
-  EXPECT_LT(GatheredLight::difference(filtered, exact), .75 * GatheredLight::difference(noisy, exact));
+  EXPECT_LT(GatheredLight::difference(filtered, exact), .5 * GatheredLight::difference(noisy, exact));
 }
 
-// A mean of many frames counts more than what lies beside it: .151 of difference, .162 if the weights of the first pass do not know.
+// Light behind stained glass differs from what is beside it in colour, and little in luminance.
+TEST(GiFilter, leaves_edges_of_color) {
+  const GatheredLight chapel("chapel", 0);
+  const auto unfiltered = chapel.drawn(100, {{"GI_FILTER", "false"}}), filtered = chapel.drawn(100, {});
+  EXPECT_LT(GatheredLight::difference(filtered, unfiltered), 1.3);
+}
+
+// The longer a mean, the less of a difference beside it is noise.
 TEST(GiFilter, fades_as_means_grow) {
   const GatheredLight hall("h6_hall", 0);
   const auto unfiltered = hall.drawn(240, {{"TEMPORAL_FRAMES", "1024"}, {"GI_FILTER", "false"}});
-  EXPECT_LT(GatheredLight::difference(hall.drawn(240, {{"TEMPORAL_FRAMES", "1024"}}), unfiltered), .156);
+  const auto filtered = hall.drawn(240, {{"TEMPORAL_FRAMES", "1024"}});
+  EXPECT_LT(GatheredLight::difference(filtered, unfiltered), .15);
 }
 
 TEST(GiFilter, takes_most_of_the_noise_and_no_light) {

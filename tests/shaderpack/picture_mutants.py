@@ -7,6 +7,7 @@ PASS = "program/post/exposure.glsl"
 EXPOSURE = "include/post/exposure.glsl"
 WAVES = "include/water/waves.glsl"
 FILTER = "program/gi/filter.glsl"
+NOISE = "include/gi/noise.glsl"
 TRANSLUCENT = "program/gbuffers/translucent.glsl"
 
 MUTANTS = [
@@ -17,14 +18,19 @@ MUTANTS = [
     ("the filter mixes what is no noise", "GiFilter.leaves*",
      [(FILTER, "weight *= exp(", "weight *= 1.0 + 0.0 * exp(")]),
     ("the filter mixes next to nothing", "GiFilter.takes*",
-     [(FILTER, "const float noise_reach = 6.0;", "const float noise_reach = 0.1;")]),
-    ("bright pixels get more of the filter than they give", "GiFilter.takes*",
-     [(FILTER, "max(center.a, beside.a)", "center.a")]),
-    ("the filter takes all noise for as large as before", "GiFilter.leaves*",
-     [(FILTER, "noise * sqrt(squares) / sum.a", "noise")]),
-    ("the filter mixes long means as short ones", "GiFilter.fades*", [(FILTER, "weight *= trust;", "")]),
-    ("long means have the noise of short ones", "GiFilter.fades*",
-     [(FILTER, "sqrt(trust * differences.x", "sqrt(differences.x")]),
+     [(FILTER, "const float noise_reach = 3.5;", "const float noise_reach = 0.1;")]),
+    ("bright pixels give more to the filter than they get", "GiFilter.takes*",
+     [(FILTER, "(center.a + beside.a)", "2.0 * center.a")]),
+    ("the filter takes all noise for as large as before", "GiFilter.leaves_what*",
+     [(FILTER, "sqrt(variance) / sum.a);", "sqrt(center.a));")]),
+    ("the filter sees luminance only", "GiFilter.leaves_edges*",
+     [(NOISE, "return max(max(off.r, off.g), off.b);", "return pow(luminance(a - b), 2.0);")]),
+    ("a mean has the noise of a sample", "GiFilter.fades*",
+     [(NOISE, "sqrt(variance) * noise_left(mean.a)", "sqrt(variance)"), (NOISE, "noise / noise_left(before.a)", "noise")]),
+    ("noise is that of the last sample", "GiFilter.leaves_what*",
+     [(NOISE, "weight_of_sample(min(mean.a, deviation_samples))", "1.0")]),
+    ("noise is not kept", "GiFilter.leaves_what*", [("program/gi/gather.glsl", "if (mean.a > 0.0) noise =", "if (mean.a < 0.0) noise =")]),
+    ("all noise counts as none", "GiFilter.takes*", [("program/gi/gather.glsl", "out_plane.w = noise_with", "out_plane.w = 0.0 * noise_with")]),
     ("exposure adapts from nothing", "AutoExposure.first*", [(PASS, "before > 0.0 ?", "before >= 0.0 ?")]),
     ("exposure never adapts", "AutoExposure.follows*", [(PASS, "exp(-frameTime / adaptation_time)", "1.0")]),
     ("exposure adapts by frames", "AutoExposure.follows*", [(PASS, "-frameTime / adaptation_time", "-0.02 / adaptation_time")]),

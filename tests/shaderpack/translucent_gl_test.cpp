@@ -47,8 +47,8 @@ TEST(TranslucentRays, come_from_the_nearest_surface_of_a_pixel) {
 }
 
 /// Of the pixel in the middle: how many frames its mean is of.
-float framesInMean(PackSession& pack) {
-  const ImageF means = pack.dump("colortex12");
+float framesInMean(PackSession& pack, const char* buffer = "colortex12") {
+  const ImageF means = pack.dump(buffer);
   const std::size_t middle = std::size_t(kAcross / 2 * kAcross + kAcross / 2);
   return means.pixels[middle * std::size_t(means.channels) + 3];
 }
@@ -85,6 +85,18 @@ TEST(TranslucentMean, begins_anew_where_nothing_translucent_was) {
   EXPECT_EQ(framesInMean(pack), kExpectedFrames + 8);
   pack.renderFrames(5);
   EXPECT_EQ(framesInMean(pack), kExpectedFrames + 1);
+}
+
+// A mean whose samples weigh TEMPORAL_WEIGHT each holds no more than what makes the next one weigh as much.
+TEST(OpaqueMean, holds_fewer_frames_while_the_eye_moves) {
+  PackSession pack = settling(glassRoom(0));
+  for (int i = 0; i < 100; ++i) {
+    pack.look({4.5 + .0005 * i, 3.5, 6.5}, {4.5 + .0005 * i, 3.5, 4});
+    pack.renderFrames(1);
+  }
+  EXPECT_EQ(framesInMean(pack, "colortex3"), 28);
+  pack.renderFrames(4);
+  EXPECT_EQ(framesInMean(pack, "colortex3"), 32);
 }
 
 /// Of the green of a picture: its standard deviation over its mean, after few frames.

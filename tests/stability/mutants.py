@@ -193,7 +193,7 @@ MUTANTS = [
     ("B4 the same noise in each frame", "PixelRays.weight*:PixelRays.still*",
      [(GI, "seed_random(pixel, frameCounter);", "seed_random(pixel, 0);")]),
     ("B4 new frames count twice", "PixelRays.weight*",
-     [(HISTORY, "mix(before.rgb, radiance, weight)", "mix(before.rgb, radiance, min(2.0 * weight, 1.0))")]),
+     [(HISTORY, "mix(before.rgb, radiance, weight_of_sample(count))", "mix(before.rgb, radiance, min(2.0 * weight_of_sample(count), 1.0))")]),
     ("B5 light divided by its distance squared", "PixelRays.furnace*",
      [(GATHER, "radiance += throughput * lamp_light(hit, from, direction) *",
        "float range = 0.3 * length(hit.position - origin);\n"

@@ -5,6 +5,7 @@
 #include "/include/gbuffer.glsl"
 #include "/include/plane.glsl"
 #include "/include/math/half.glsl"
+#include "/include/gi/noise.glsl"
 #include "/include/gi/rest.glsl"
 #if HAS_FACE_CACHE
 uniform usampler2D face_list_texture;
@@ -39,36 +40,27 @@ vec4 history(sampler2D means, sampler2D planes, ivec2 pixel, vec4 plane) {
     return texelFetch(means, pixel, 0);
 }
 
-// While the cache still fills, early frames are wrong rather than noisy: let them fade as the
-// frames' number cubed instead of keeping them in a plain mean.
-#if HAS_AIR_LIGHT || HAS_FACE_CACHE
-const float history_ramp = 3.0;
-#else
-const float history_ramp = 1.0;
-#endif
-
 /// Was this surface behind another one, at this pixel?
 bool was_hidden(sampler2D planes, Before before) {
     if (!in_picture(before.pixel)) return false;
     vec4 plane = texelFetch(planes, before.pixel, 0);
-    float along = dot(plane.xyz, before.player);
+    float along = dot(plane_normal(plane), before.player);
     // Of the way to the surface, what the plane leaves.
-    float share = along == 0.0 ? 1.0 : plane.w / along;
+    float share = along == 0.0 ? 1.0 : plane.z / along;
     return share > 0.0 && (1.0 - share) * length(before.player) > 0.1;
 }
 
-// Not every frame draws a translucent surface at each pixel: the length of the normal, which is 1 more than the frame's
-// number in this cycle, says when it was. frameCounter begins anew at a multiple of the cycle.
+// Not every frame draws a translucent surface at each pixel: w of its plane, which is 1 more than the frame's number in
+// this cycle, says when it was. frameCounter begins anew at a multiple of the cycle.
 const int stamp_cycle = 240;
 
 /// The plane of a translucent surface, as colortex13 has it.
-vec4 with_stamp(vec4 plane) { return vec4(plane.xyz * float(1 + frameCounter % stamp_cycle), plane.w); }
+vec4 with_stamp(vec4 plane) { return vec4(plane.xyz, float(1 + frameCounter % stamp_cycle)); }
 
 /// The plane of what the frame before drew; 0 if it drew nothing.
 vec4 of_last_frame(vec4 stored) {
     float stamp = float(1 + (frameCounter + stamp_cycle - 1) % stamp_cycle);
-    bool is_last = abs(length(stored.xyz) - stamp) < 0.5;
-    return is_last ? vec4(stored.xyz / stamp, stored.w) : vec4(0.0);
+    return stored.w == stamp ? stored : vec4(0.0);
 }
 
 vec4 accumulate(vec3 radiance, vec4 before) {
@@ -76,11 +68,10 @@ vec4 accumulate(vec3 radiance, vec4 before) {
     if (light_changes(texelFetch(face_list_texture, last_edit, 0).r))
         before.a = min(before.a, face_edited_updates);
 #endif
-    float floor_weight = camera_is_still() ? 1.0 / float(TEMPORAL_FRAMES) : TEMPORAL_WEIGHT;
-    float weight = max(floor_weight, history_ramp / (before.a + history_ramp));
+    float most = camera_is_still() ? float(TEMPORAL_FRAMES) : samples_of_weight(TEMPORAL_WEIGHT);
+    float count = min(before.a + 1.0, most);
     // What drivers cut off of half floats is lost anew in each frame of the mean: 1.6 % of it at 128.
-    vec3 mean = as_stored(mix(before.rgb, radiance, weight));
-    return vec4(mean, min(before.a + 1.0, float(TEMPORAL_FRAMES)));
+    return vec4(as_stored(mix(before.rgb, radiance, weight_of_sample(count))), count);
 }
 
 #endif

@@ -108,9 +108,17 @@ void main() {
     radiance /= float(GI_SAMPLES);
 
     out_radiance = vec4(radiance, 1.0);
+    out_plane = surface_plane(s.player, s.normal);
+    vec4 mean = vec4(0.0);
+    float noise = 0.0;
 #ifdef TEMPORAL_ACCUMULATION
     Before before = before_of(s);
-    out_radiance = accumulate(radiance, history(colortex3, colortex5, before.pixel, before.plane));
+    mean = history(colortex3, colortex5, before.pixel, before.plane);
+    if (mean.a > 0.0) noise = texelFetch(colortex5, before.pixel, 0).w;
+    out_radiance = accumulate(radiance, mean);
+#endif
+#ifdef GI_FILTER
+    out_plane.w = noise_with(noise, radiance, mean, out_radiance);
 #endif
 #if HAS_TRANSLUCENT_MEANS
     // What the translucent surfaces of the last frame left is history to those of this one, which cannot read what
@@ -127,7 +135,6 @@ void main() {
         accumulate(out_mirrored.rgb, camera_is_still() ? texelFetch(colortex8, pixel, 0) : vec4(0.0));
 #endif
 #endif
-    out_plane = surface_plane(s.player, s.normal);
     if (s.sky) {
         out_radiance = vec4(0.0);
         out_plane = vec4(0.0);

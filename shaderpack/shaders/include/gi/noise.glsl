@@ -1,0 +1,55 @@
+// How far the samples of a pixel lie from their mean, which says what of a difference between pixels is noise
+// (Schied et al. 2017, "Spatiotemporal Variance-Guided Filtering").
+#if !defined INCLUDED_GI_NOISE
+#define INCLUDED_GI_NOISE
+
+#include "/include/math/color.glsl"
+#include "/include/math/half.glsl"
+
+// While the cache still fills, early frames are wrong rather than noisy: let them fade as the
+// frames' number cubed instead of keeping them in a plain mean.
+#if HAS_AIR_LIGHT || HAS_FACE_CACHE
+const float history_ramp = 3.0;
+#else
+const float history_ramp = 1.0;
+#endif
+
+/// Weight of a sample in the mean of `count` with it.
+float weight_of_sample(float count) { return history_ramp / (count - 1.0 + history_ramp); }
+
+/// In the mean of so many a sample has this weight.
+float samples_of_weight(float weight) { return history_ramp / weight + 1.0 - history_ramp; }
+
+/// Squared distance of two lights, in units of luminance, in the channel where they differ most beside the light `about` them:
+/// the edge of blue light in a red room is an edge.
+float squared_distance(vec3 a, vec3 b, vec3 about) {
+    float level = luminance(about);
+    vec3 off = (a - b) * level / (about + 0.05 * level + 1e-9);
+    off *= off;
+    return max(max(off.r, off.g), off.b);
+}
+
+// Rays of a pixel follow a sequence: the squared error of their mean falls faster than with the number of samples, as it would
+// if they were independent.
+const float sequence_power = 1.3;
+
+/// Standard deviation of a mean of `count` samples, over that of a sample.
+float noise_left(float count) {
+    // The sum of squared weights of a mean whose n-th sample has a weight of n^(history_ramp - 1).
+    float of_ramp = history_ramp * history_ramp / (2.0 * history_ramp - 1.0);
+    return min(1.0, sqrt(of_ramp) * pow(max(count, 1.0), -0.5 * sequence_power));
+}
+
+// Of so many samples the deviation is known well enough.
+const float deviation_samples = 64.0;
+
+/// Noise of a mean (its standard deviation), with one more sample. `noise`: without it. `before`, `mean`: rgb the mean without and
+/// with it, a how many samples are in it.
+float noise_with(float noise, vec3 radiance, vec4 before, vec4 mean) {
+    float deviation = noise / noise_left(before.a);
+    float variance = mix(deviation * deviation, squared_distance(radiance, before.rgb, mean.rgb),
+                         weight_of_sample(min(mean.a, deviation_samples)));
+    return round_to_half(vec3(sqrt(variance) * noise_left(mean.a))).x;
+}
+
+#endif
