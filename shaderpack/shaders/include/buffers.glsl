@@ -15,9 +15,9 @@
 //   whose steps become too small for half floats long before it is done. With
 //   FLOODFILL_STORAGE=IMAGE_3D the image flood_light is instead
 // colortex5    RGBA16F   window  keep   deferred                      deferred (next frame), filter
-//   the plane that colortex3 belongs to (include/plane.glsl)
+//   the plane that colortex3 belongs to (include/plane.glsl); w with GI_FILTER: the noise of colortex3 (include/gi/noise.glsl)
 // colortex6    RGBA16F   window  0      deferred1, 2, 3               deferred2, 3, 4
-//   rgb of colortex3 smoothed, a standard deviation of its luminance; kept where the picture rests (include/gi/rest.glsl)
+//   rgb of colortex3 smoothed, a its noise; kept where the picture rests (include/gi/rest.glsl)
 // shadowcolor0 RGBA8     shadow  0      shadow                        prepare, deferred, translucent
 //   voxels in the bottom rows (include/voxels/voxel.glsl), above them what the surface nearest to the light
 //   takes of it (include/shadow/sheets.glsl)
@@ -38,7 +38,7 @@
 // colortex12   RGBA16F   window  keep   translucent                   deferred (next frame)
 //   with TEMPORAL_ACCUMULATION: what colortex3 is, for the nearest translucent surface; RGBA32F where that is
 // colortex13   RGBA16F   window  keep   translucent                   deferred (next frame)
-//   with TEMPORAL_ACCUMULATION: the plane that colortex12 belongs to; length of the normal: the frame that drew it
+//   with TEMPORAL_ACCUMULATION: the plane that colortex12 belongs to; w: the frame that drew it
 //   (include/gi/history.glsl)
 //
 // The images of the lamps are described in include/lights, those of the face cache in
