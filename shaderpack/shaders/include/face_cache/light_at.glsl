@@ -17,8 +17,8 @@ struct FaceRow {
     vec4 last;
 };
 
-FaceRow face_row(ivec3 cell, ivec3 along, int face) {
-    return FaceRow(light_of(cell, face), known_light(cell + along, face), known_light(cell - along, face));
+FaceRow face_row(vec4 own, ivec3 cell, ivec3 along, int face) {
+    return FaceRow(own, known_light(cell + along, face), known_light(cell - along, face));
 }
 
 bool is_alone(FaceRow row) { return max(row.next.a, row.last.a) == 0.0; }
@@ -79,10 +79,12 @@ vec3 light_of_halves(float at, vec3 lower, vec4 upper) {
 
 /// B at a place on a face (volume space) that fills a side of its cell, and its number of updates.
 vec4 light_at(vec3 position, ivec3 cell, int face) {
-    FaceRow u = face_row(cell, first_axis(face), face);
-    FaceRow v = face_row(cell, second_axis(face), face);
+    vec4 own = light_of(cell, face);
+    FaceRow u = face_row(own, cell, first_axis(face), face);
+    FaceRow v = face_row(own, cell, second_axis(face), face);
     vec3 off = place_on_face(position, cell);
-    vec3 axis = vec3(halved_axis(cell, face, u, v));
+    vec3 axis = vec3(0.0);
+    BRANCH(is_alone(u) || is_alone(v)) axis = vec3(halved_axis(cell, face, u, v));
     vec3 light = u.own.rgb;
     BRANCH(axis != vec3(0.0))
         light = light_of_halves(dot(off, axis), light, light_of(cell, face + face_inner));
@@ -97,8 +99,10 @@ vec3 light_on(Hit hit) {
     ivec3 before = hit.cell + ivec3(hit.normal);
     bool whole = is_full(hit.voxel.code) && !hit.inner && parted_axis(voxel_at(before).code, before) == vec3(0.0);
     if (!whole) return light_of(hit.cell, face).rgb;
-    bool above_water = hit.position.y - float(hit.cell.y) > water_height && is_shore(hit.cell, face);
-    vec4 above = above_water ? light_of(hit.cell, face + face_inner) : vec4(0.0);
+    vec4 above = vec4(0.0);
+    BRANCH(hit.position.y - float(hit.cell.y) > water_height) {
+        if (is_shore(hit.cell, face)) above = light_of(hit.cell, face + face_inner);
+    }
     if (above.a > 0.0) return above.rgb;
     return light_at(hit.position, hit.cell, face).rgb;
 }

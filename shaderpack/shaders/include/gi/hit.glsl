@@ -48,6 +48,27 @@ float distance_out(vec3 origin, vec3 direction) {
 const float leaf_holes = 0.09;
 #endif
 
+#if HAS_FACE_CACHE && HAS_SHADOW_MAP
+/// Of a ray that has left the volume downwards: the ground beyond, if the shadow map knows of any there. It goes on as at the edge
+/// of the volume, by its height, its colour and its light.
+void find_ground(inout Hit hit, vec3 origin, vec3 direction) {
+    ivec3 cell = clamp(hit.cell, ivec3(0), volume_size - 1);
+    float height = ground_below(hit.position, cell.xz);
+    BRANCH(hit.position.y > height) {
+        cell.y = int(ceil(height)) - 1;
+        Voxel ground = voxel_at(cell);
+        vec3 position = origin + direction * ((height - origin.y) / direction.y);
+        vec2 away = abs(from_volume(position).xz);
+        bool near = max(away.x, away.y) < SHADOW_DISTANCE;
+        // Light does not come to what lies below it.
+        PlaneInMap below = plane_in_map(from_volume(position) - vec3(0.0, 0.5, 0.0), vec3(0.0, 1.0, 0.0));
+        bool is_there = lit_at(floor(below.position) + 0.5, depth_in_texel(below, floor(below.position))) == 0.0;
+        if (ground.code == voxel_solid && near && is_there)
+            hit = Hit(true, cell, position, vec3(0.0, 1.0, 0.0), ground, hit.transmittance, false);
+    }
+}
+#endif
+
 /// Do rays begin on the faces of a lamp?
 bool begins_on_lamp = false;
 
@@ -74,14 +95,16 @@ Hit trace_from_face(vec3 origin, vec3 direction) {
     Meeting met = meet_octants(walk, octants, vec2(-1.0, distance_out(origin, direction)));
 #if HAS_VOXEL_CHANGES
     if (is_post(own.code)) met = post;
-    BRANCH(own.code == voxel_leaves) met = meet_leaves(walk, true);
-    BRANCH(is_plant(own.code)) met = meet_plant(walk, own.code);
+    BRANCH(is_thin(own.code)) met = meet_thin(walk, own.code, true);
 #endif
     // From above it, off the blocks around it.
-    if (own.code == voxel_lava) met = meet_lava(walk, vec2(0.0, distance_out(origin, direction)));
+    BRANCH(own.code == voxel_lava) met = meet_lava(walk, vec2(0.0, distance_out(origin, direction)));
     if (met.found)
         return Hit(true, cell, origin + direction * met.t, -met.axis * walk.stride, own, vec3(1.0), has_middle(own.code));
     Hit hit = trace(origin, direction, own.code);
+#if HAS_FACE_CACHE && HAS_SHADOW_MAP
+    BRANCH(!hit.found && direction.y < 0.0) find_ground(hit, origin, direction);
+#endif
 #if !HAS_VOXEL_CHANGES
     // Of full blocks leaves alone are looked out of: without a picture of their holes they pass light on as if it went
     // straight on.

@@ -45,6 +45,8 @@ const ivec2 lake_now = ivec2(0, 1 + octant_rows + 2 * column_rows);
 uint stored_height(float y) { return uint(clamp(y * 8.0, -16000.0, 16000.0) + 16384.0); }
 const uint height_end = 32768u;
 
+float height_of_stored(uint stored) { return (float(stored) - 16384.0) / 8.0; }
+
 int octants_shift(ivec3 cell) { return (cell.x & 3) * 8; }
 
 /// Does the block fill a part of its cell only?
@@ -111,6 +113,16 @@ bool sky_comes_to(vec3 position) {
     return false;
 #endif
 }
+
+#if HAS_FACE_CACHE
+/// The height of the ground in a column of cells, below a place: of its highest block, or of the lowest floor that gets light of
+/// the sky; above the place if there is none.
+float ground_below(vec3 position, ivec2 column) {
+    float highest = height_of_stored(imageLoad(voxel_sums, height_texel(column)).r);
+    float lit_floor = height_of_stored(height_end - imageLoad(voxel_sums, lit_floor_texel(column)).r);
+    return position.y > highest ? highest : lit_floor;
+}
+#endif
 
 /// Of what stops light; none of what lets it pass, of leaves, of balls of lamps, and outside of the volume.
 uint octants_of(int code, ivec3 cell) {

@@ -202,7 +202,7 @@ Meeting meet_lava(Walk walk, vec2 span) {
 }
 
 /// The side of a block of leaves that stops a ray: that by which it comes in, or from inside that by which it goes out; towards
-/// a full block none is drawn. `begins`: the ray begins in the cell.
+/// a full block none is drawn. `begins`: as in meet_thin.
 Meeting meet_leaves(Walk walk, bool begins) {
     vec3 came = plane_distances(walk, 0.0);
     vec3 leave = plane_distances(walk, 1.0);
@@ -234,6 +234,14 @@ Meeting meet_plant(Walk walk, int code) {
     return met;
 }
 
+/// What of leaves or of a plant stops a ray? `begins`: it begins in the cell.
+Meeting meet_thin(Walk walk, int code, bool begins) {
+    Meeting met = Meeting(false, 0.0, vec3(0.0));
+    BRANCH(code == voxel_leaves) met = meet_leaves(walk, begins);
+    BRANCH(is_plant(code)) met = meet_plant(walk, code);
+    return met;
+}
+
 /// Does a ray meet the ball of a small lamp in that cell?
 bool meets_ball(ivec3 cell, vec3 origin, vec3 direction) {
     vec3 to_center = vec3(cell) + 0.5 - origin;
@@ -247,8 +255,7 @@ Meeting meet(Walk walk, int code) {
     Meeting met = meet_octants(walk, octants_of(code, cell_of(walk)), span);
     BRANCH(code == voxel_lava) met = meet_lava(walk, span);
 #if HAS_VOXEL_CHANGES
-    BRANCH(code == voxel_leaves) met = meet_leaves(walk, false);
-    BRANCH(is_plant(code)) met = meet_plant(walk, code);
+    BRANCH(is_thin(code)) met = meet_thin(walk, code, false);
 #endif
     met.found = met.found || (is_ball(code) && meets_ball(cell_of(walk), walk.origin, walk.direction));
 #if HAS_VOXEL_CHANGES

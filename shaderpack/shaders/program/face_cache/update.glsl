@@ -85,8 +85,9 @@ vec3 point_on_plant(ivec3 cell, int code, vec3 normal) {
     return vec3(cell) + 0.5 + point_of_plant(at, normal) + face_offset * normal;
 }
 
-vec3 point_of(ivec3 cell, int face, vec2 at) {
-    int code = voxel_at(cell).code;
+/// A point of a face; of a plant's, on the plane that looks to `normal`.
+vec3 point_of(ivec3 cell, int code, int face, vec3 normal, vec2 at) {
+    if (is_plant(code)) return point_on_plant(cell, code, normal);
     if (is_post(code)) return point_of_post(cell, code, face, at);
     ivec3 before = cell + ivec3(face_normal(face));
     at = half_beside_pane(at, before, face);
@@ -105,8 +106,9 @@ ivec3 axis_of_halves(Face f) {
     int code = voxel_at(f.cell).code;
     bool whole = (is_full(code) || code == voxel_translucent) && f.face < face_inner;
     if (!whole) return ivec3(0);
-    return halved_axis(f.cell, f.face, face_row(f.cell, first_axis(f.face), f.face),
-                       face_row(f.cell, second_axis(f.face), f.face));
+    vec4 own = light_of(f.cell, f.face);
+    return halved_axis(f.cell, f.face, face_row(own, f.cell, first_axis(f.face), f.face),
+                       face_row(own, f.cell, second_axis(f.face), f.face));
 }
 
 /// B / face_unit by this frame's rays, and on how many updates the old light rests; that, less than 0, if they are of the upper
@@ -127,11 +129,8 @@ vec4 fresh_sample(uint entry, vec3 light) {
     vec2 shore_span = upper > 0.0 ? vec2(water_height, 1.0) : vec2(0.0, water_height);
     vec3 sum = vec3(0.0);
     for (int i = 0; i < FACE_RAYS; ++i) {
-        f.from.origin = point_of(f.cell, f.face, next_random().xy);
-        BRANCH(is_plant(own.code)) {
-            f.from.normal = plane_of_plant(int(2.0 * next_random().x));
-            f.from.origin = point_on_plant(f.cell, own.code, f.from.normal);
-        }
+        if (is_plant(own.code)) f.from.normal = plane_of_plant(int(2.0 * next_random().x));
+        f.from.origin = point_of(f.cell, own.code, f.face, f.from.normal, next_random().xy);
         f.from.origin += 0.5 * halves * (upper - dot(f.from.origin - vec3(f.cell), halves));
         if (shore) f.from.origin.y = float(f.cell.y) + mix(shore_span.x, shore_span.y, f.from.origin.y - float(f.cell.y));
         Face seen = f;

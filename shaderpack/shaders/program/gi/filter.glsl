@@ -31,7 +31,7 @@ const float noise_reach = 3.5;
 layout(location = 0) out vec4 out_radiance;
 
 /// rgb light, a its variance.
-vec4 light_at(ivec2 pixel, vec4 plane) {
+vec4 noisy_light(ivec2 pixel, vec4 plane) {
     vec4 light = texelFetch(FILTER_SOURCE, pixel, 0);
 #if FILTER_STEP == 1
     light.a = plane.w;
@@ -44,7 +44,7 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     ivec2 last = ivec2(viewWidth, viewHeight) - 1;
     vec4 plane = texelFetch(colortex5, pixel, 0);
-    vec4 center = light_at(pixel, plane);
+    vec4 center = noisy_light(pixel, plane);
 
     vec4 sum = vec4(center.rgb, 1.0);
     float variance = center.a;
@@ -53,7 +53,7 @@ void main() {
         ivec2 offset = ivec2(i % 3, i / 3) - 1;
         ivec2 tap = clamp(pixel + offset * FILTER_STEP, ivec2(0), last);
         vec4 tap_plane = texelFetch(colortex5, tap, 0);
-        vec4 beside = light_at(tap, tap_plane);
+        vec4 beside = noisy_light(tap, tap_plane);
         float kernel = offset.x == 0 || offset.y == 0 ? 0.5 : 0.25;
         float weight = same_plane(tap_plane, plane) ? kernel : 0.0;
         // The noise of both, so that either counts as much for the other, and no light is lost.
