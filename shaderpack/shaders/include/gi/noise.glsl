@@ -1,4 +1,4 @@
-// How far the samples of a pixel lie from their mean, which says what of a difference between pixels is noise
+// What a sample counts in a pixel's mean, and how far samples lie from it, which says what of a difference between pixels is noise
 // (Schied et al. 2017, "Spatiotemporal Variance-Guided Filtering").
 #if !defined INCLUDED_GI_NOISE
 #define INCLUDED_GI_NOISE
@@ -29,8 +29,8 @@ float squared_distance(vec3 a, vec3 b, vec3 about) {
     return max(max(off.r, off.g), off.b);
 }
 
-// Rays of a pixel follow a sequence: the squared error of their mean falls faster than with the number of samples, as it would
-// if they were independent.
+// The squared error of a mean falls by this power of the number of samples. With the face cache a pixel's rays follow a sequence;
+// those of other methods are independent (1.0), so that the filter takes their long means for less noisy than they are and mixes less.
 const float sequence_power = 1.3;
 
 /// Standard deviation of a mean of `count` samples, over that of a sample.
