@@ -36,7 +36,7 @@ class Looker {
       seen.push_back(hit.quad);
       if (hit.quad == kNoQuad) break;
       const TraceQuad& quad = scene_.grid.quad(hit.quad);
-      if (!quad.translucent) break;
+      if (!quad.blended) break;
       ray.origin = quad.corner + quad.edgeU * hit.at.x + quad.edgeV * hit.at.y;
       ray.cell = hit.cell;
       ray.enteredBy = -1;

@@ -89,7 +89,7 @@ void PathTracer::look(const Look& from, PixelView& view, RayCounts& counts) cons
       return;
     }
     const TraceQuad& quad = scene_.grid.quad(hit.quad);
-    if (!quad.translucent) return seeOpaque(now, hit, now.weight, view, counts);
+    if (!quad.blended) return seeOpaque(now, hit, now.weight, view, counts);
     now.weight *= seeTranslucent(now, hit, now.weight, view, counts);
     now.ray.origin = quad.corner + quad.edgeU * hit.at.x + quad.edgeV * hit.at.y;
     now.ray.cell = hit.cell;

@@ -95,7 +95,7 @@ void SeenSurfaces::forEachSurface(double px, double py, bool whole, const Visit&
     const RayHit hit = scene_.grid.look(ray, &footprint);
     if (hit.quad == kNoQuad) return;
     const TraceQuad& quad = scene_.grid.quad(hit.quad);
-    if (!quad.translucent) {
+    if (!quad.blended) {
       const SeenSurface next = seen(quad, eye(), direction);
       // What has no plane fills the inside of a solid.
       if (std::isnan(glm::distance(eye(), next.position)) || !visit(next)) return;

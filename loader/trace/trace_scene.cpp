@@ -182,6 +182,7 @@ void SceneBuilder::addCell(glm::ivec3 cell, std::size_t first, std::size_t end) 
     quad.thin = state.thin;
     quad.water = state.water;
     quad.gloss = state.gloss;
+    quad.blended = quad.translucent;
     quad.translucent = quad.translucent && !state.emits;
     quad.filters = quad.translucent && state.filter == 0;
     if (isUnitSide(placed_[i])) made.faces = std::uint8_t(made.faces | 1 << placed_[i].face);

@@ -156,8 +156,8 @@ INSTANTIATE_TEST_SUITE_P(
       return block.substr(0, block.find('['));
     });
 
-// Of light the room has no other, so that what is behind the portal adds nothing.
-TEST(SeenLamps, portals_show_their_texture_times_their_level) {
+// Of light the room has no other, so that what is behind the portal adds nothing. It stops rays, but is drawn as glass is.
+TEST(SeenLamps, portals_show_their_texture_times_their_level_and_what_is_behind) {
   const BlockScene portal = roomWith("nether_portal[axis=x]");
   TraceCamera camera;
   camera.width = camera.height = 1;
@@ -167,10 +167,12 @@ TEST(SeenLamps, portals_show_their_texture_times_their_level) {
   camera.projectionInverse[3] = glm::vec4(0, 0, -1, 1);
   RayCounts counts;
   const PixelView view = PathTracer(portal.scene, camera, {}).view(0, 0, counts);
-  ASSERT_GE(view.layers.size(), 1u);
+  ASSERT_EQ(view.layers.size(), 2u);
   const PixelView::Layer& seen = view.layers.front();
   const glm::vec3 shown = seen.weight * seen.surface.albedo * portal.scene.emissionScale[11];
   EXPECT_GT(shown.b, .1f);
+  EXPECT_NEAR(seen.weight.b + view.layers.back().weight.b, 1, 1e-5);
+  EXPECT_GT(view.layers.back().weight.b, .1f);
   for (int c = 0; c < 3; ++c) EXPECT_FLOAT_EQ(view.constant[c], shown[c]) << c;
 }
 

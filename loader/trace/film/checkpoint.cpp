@@ -52,7 +52,7 @@ void addScene(Digest& digest, const TraceScene& scene) {
   digest.add(scene.origin).add(scene.grid.size());
   for (const TraceQuad& q : scene.grid.quads()) {
     digest.add(q.corner).add(q.edgeU).add(q.edgeV).add(q.uvCorner).add(q.tint).add(q.emission);
-    digest.add(q.alphaTested).add(q.translucent).add(q.filters).add(q.thin).add(q.water);
+    digest.add(q.alphaTested).add(q.blended).add(q.translucent).add(q.filters).add(q.thin).add(q.water);
   }
   for (const glm::vec4& texel : scene.grid.texture().levels[0]) digest.add(texel);
   for (const LampFace& lamp : scene.lamps.faces()) digest.add(lamp.quad).add(lamp.radiance);

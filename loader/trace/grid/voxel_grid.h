@@ -22,7 +22,8 @@ struct TraceQuad {
   std::uint16_t state = 0;                ///< palette index
   std::uint8_t emission = 0;              ///< light level 0..15
   bool alphaTested = false;               ///< holes where the texture is
-  bool translucent = false;               ///< blended; rays pass
+  bool blended = false;                   ///< the camera sees what is behind, too
+  bool translucent = false;               ///< light passes
   bool filters = false;    ///< translucent and no block of it: tints rays that meet its front
   bool thin = false;       ///< lit from both sides
   std::uint32_t twin = kNoQuad;  ///< the same rectangle seen from behind; set by the grid
