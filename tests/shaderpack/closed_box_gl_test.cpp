@@ -21,7 +21,8 @@ void evenGlow(PackTexts& files) {
   std::string& voxel = files["/include/voxels/voxel.glsl"];
   replaceOnce(voxel, "return color * (EMISSION_STRENGTH * share * share);", "return vec3(1.0);");
   replaceOnce(voxel, "return is_ball(v.code) ? vec3(0.0) : v.color;",
-              "return is_ball(v.code) ? vec3(0.0) : vec3(v.code >= voxel_lamp ? 0.5 : 1.0);");
+              "return is_ball(v.code) ? vec3(0.0) : vec3(is_lamp_voxel(v.code) ? 0.5 : 1.0);");
+  replaceOnce(files["/include/gi/hit.glsl"], "return open / (2.0 - 2.0 * portal_aside * shut);", "return 1.0;");
   replaceOnce(voxel, "return pow(max(color, vec3(1e-3)), vec3(thickness));", "return vec3(1.0);");
 }
 

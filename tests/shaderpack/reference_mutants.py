@@ -16,6 +16,7 @@ SHADOW = "program/shadow/shadow.glsl"
 COMMIT = "program/face_cache/commit.glsl"
 LIGHT_AT = "include/face_cache/light_at.glsl"
 TINT = "include/sun/sun_tint.glsl"
+LAMP_SAMPLE = "include/lights/lamp_sample.glsl"
 TRANSLUCENT = "program/gbuffers/translucent.glsl"
 SUN = "include/sun/sun_visibility.glsl"
 
@@ -27,6 +28,7 @@ CHAPEL = "Views/Reference.*/chapel"
 GLASS = "ReferenceGlass.*"
 LEAVES = "ReferenceLeaves.*"
 PLANTS = "ReferencePlants.*"
+PORTAL = "ReferenceSpot.*portal"
 ONE = "Views/Reference.*/one_bounce"
 
 MUTANTS = [
@@ -82,16 +84,20 @@ MUTANTS = [
     ("no ground beyond the volume", "ReferenceGround.*", [(HIT, "if (ground.code == voxel_solid && near && is_there)", "if (false)")]),
     ("ground beyond the volume wherever there is none", "ReferenceGround.*", [(HIT, "near && is_there)", "near)")]),
     ("ground at the roof", "ReferenceGround.*", [(OCTANTS, "return position.y > highest ? highest : lit_floor;", "return highest;")]),
-    ("rays stop at leaves", LEAVES, [(TRACE, "met = meet_thin(walk, code, false);", "met = code == voxel_leaves ? Meeting(true, span.x, vec3(0.0)) : meet_plant(walk, code);")]),
+    ("rays stop at leaves", LEAVES, [(TRACE, "met = meet_planes(walk, code, false);", "met = code == voxel_leaves ? Meeting(true, span.x, vec3(0.0)) : meet_plant(walk, code);")]),
     ("leaves have no inside", LEAVES, [(TRACE, "bool drawn = code == voxel_leaves || !is_full(code);", "const bool drawn = false;")]),
     ("leaves are lit from outside", LEAVES, [(UPDATE, "choose_side(is_thin(own.code),", "choose_side(false,")]),
     ("sun on the outside of leaves alone", LEAVES, [(HIT, "hit.normal *= slope < 0.0 ? -1.0 : 1.0;\n        slope = abs(slope);", "")]),
-    ("rays pass plants", PLANTS, [(TRACE, "met = meet_thin(walk, code, false);", "met = code == voxel_leaves ? meet_leaves(walk, false) : Meeting(false, 0.0, vec3(0.0));")]),
-    ("rays from beside plants pass them", PLANTS, [(HIT, "met = meet_thin(walk, own.code, true);", "met = own.code == voxel_leaves ? meet_leaves(walk, true) : Meeting(false, 0.0, vec3(0.0));")]),
+    ("rays pass plants", PLANTS, [(TRACE, "met = meet_planes(walk, code, false);", "met = code == voxel_leaves ? meet_leaves(walk, false) : Meeting(false, 0.0, vec3(0.0));")]),
+    ("rays from beside plants pass them", PLANTS, [(HIT, "met = meet_planes(walk, own.code, true);", "met = own.code == voxel_leaves ? meet_leaves(walk, true) : Meeting(false, 0.0, vec3(0.0));")]),
     ("plants have no holes", PLANTS, [(TRACE, " && !is_hole(holes_of_plant(code), at)", "")]),
     ("plants upside down", PLANTS, [(POSTS, "0.5, 0.5 - off.y)", "0.5, 0.5 + off.y)")]),
     ("plants reflect nothing", PLANTS, [(SHADOW, "is_plant(code) ? face_of_plant : inner", "inner")]),
     ("plants are lit from one side", PLANTS, [(UPDATE, "choose_side(is_thin(own.code),", "choose_side(own.code == voxel_leaves,")]),
+    ("portals are cubes", PORTAL, [(SHADOW, "if (id == block_portal) return", "if (false) return")]),
+    ("planes of a portal as bright as its cube", PORTAL, [(HIT, "return open / (2.0 - 2.0 * portal_aside * shut);", "return 1.0;")]),
+    ("rays to lamps look for portals on the sides of their cell", PORTAL, [(LAMP_SAMPLE, "is_portal(code) ? normal * (0.5 - portal_radius) : vec3(0.0)", "vec3(0.0)")]),
+    ("one value for both sides of a portal", PORTAL, [(OCTANTS, "if (is_portal(code)) return portal_axis(code);", "")]),
     ("stained panes tint in their middle", "ReferenceSpot.*between_the_sides*", [(TRACE, "pane_radius * dot(abs(inverse), axis)", "0.0")]),
     ("stained panes of the next cell tint nothing", "ReferenceSunlitPanes.tint*", [(HIT, ": beside_stained ? 2.0 : 0.0;", ": beside_stained ? 1e-4 : 0.0;")]),
     ("one value a face", "ReferenceCorner.*", [(LIGHT_AT, "return vec4(light * rise, u.own.a);", "return vec4(light, u.own.a);")]),
@@ -111,7 +117,7 @@ MUTANTS = [
     ("balls of small lamps stop light", "ReferenceSmallLamp.balls*", [(HIT, "return hit.found && is_ball(hit.voxel.code) && !hit.inner;", "return false;")]),
     ("campfires have no logs", "ReferenceSmallLamp.logs*", [(POSTS, "on_logs ? lamp_logs : 0u", "0u")]),
     ("small lamps have no body", "ReferenceSmallLamp.body*", [(POSTS, "code == voxel_cover || is_ball(code) ?", "code == voxel_cover ?")]),
-    ("halves beside a pane reach to its middle", "ReferencePaneInWindow.*", [(UPDATE, "float width = 0.5 - pane_radius;", "float width = 0.5;"), (HIT, " || is_between_sides(hit)", "")]),
+    ("halves beside a pane reach to its middle", "ReferencePaneInWindow.*", [(UPDATE, "float width = 0.5 - (is_portal(code) ? portal_radius : pane_radius);", "float width = 0.5;"), (HIT, " || is_between_sides(hit)", "")]),
     ("between the sides of a pane the light of a half", "ReferencePaneInWindow.*", [(HIT, " || is_between_sides(hit)", "")]),
     ("snow as thin as a carpet", "ReferenceSnow.*",
      [(POSTS, "return bit == 0 ? 0.0625 : 0.125 * float(bit);", "return 0.0625;")]),

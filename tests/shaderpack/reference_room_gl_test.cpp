@@ -259,6 +259,10 @@ constexpr const char* kPillarBeforeGlass =
     R"({"box": "white_stained_glass", "min": [2, 2, 4], "max": [8, 6, 4]},
        {"box": "stone", "min": [6, 2, 6], "max": [6, 6, 6]}, {"block": "end_rod", "at": [7, 4, 8]})";
 
+// Its planes lie 6/16 behind the front of its frame, which shades the floor and parts light on its own inside.
+constexpr const char* kPortal =
+    R"({"box": "white_concrete", "min": [4, 2, 4], "max": [7, 6, 4]}, {"box": "nether_portal[axis=x]", "min": [5, 3, 4], "max": [6, 5, 4]})";
+
 INSTANTIATE_TEST_SUITE_P(
     , ReferenceSpot,
     testing::Values(
@@ -290,6 +294,8 @@ INSTANTIATE_TEST_SUITE_P(
              R"({"box": "glass_pane[east=true,west=true]", "min": [2, 2, 4], "max": [8, 6, 4]},
                             {"block": "glowstone", "at": [5, 4, 1]})",
              R"("position": [5.5, 4, 5.5], "target": [5.5, 3.5, 8], "fov": 60)", .008315, .04},
+        Spot{"floor_before_a_portal", kPortal, R"("position": [6, 5, 8.5], "target": [6, 2, 5.6], "fov": 20)", .03532, .02},
+        Spot{"frame_of_a_portal", kPortal, R"("position": [6.5, 4.5, 6.5], "target": [5, 4.5, 4.74], "fov": 1.5)", .9871, .015},
         Spot{"glass_beside_the_shadow_of_a_pillar", kPillarBeforeGlass,
              R"("position": [8.3, 4.5, 6.5], "target": [6.93, 4.5, 5], "fov": 2)", .2319, .04},
         Spot{"glass_in_the_shadow_of_a_pillar", kPillarBeforeGlass,

@@ -21,6 +21,7 @@ const int block_tinted_pane = 25;  // stained
 const int block_polished = 30;     // full blocks with a smooth coat
 const int block_metal = 31;        // full blocks
 const int block_lamp = 100;        // full cubes, 100 + colour
+const int block_portal = 117;      // two planes about the middle
 const int block_small_lamp = 200;  // torches and the like, 200 + colour
 const int block_spot_lamp = 300;   // small ones that shine one way, 300 + 10 * direction + colour:
                                    // towards -x +x -y +y -z +z

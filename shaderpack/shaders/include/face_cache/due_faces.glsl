@@ -41,17 +41,17 @@ void list_face(ivec3 cell, int face, int code, int sky) {
     bool due = face != face_ball && is_due(cell, face);
     if (!lamp && !due) return;
     if (!first_of_face(cell, face)) return;
-    if (lamp) enter_lamp(pack_face(cell, face, code & 15));
+    if (lamp) enter_lamp(pack_face(cell, face, level_of_lamp(code)));
     if (due) enter_face(pack_face(cell, face, sky));
 }
 
-/// Of a lamp that planes inside its cell draw (fire, portals): rays meet a cube, and what a ray into the hemisphere leaves
+/// Of a lamp that planes inside its cell draw, as fire does: rays meet a cube, and what a ray into the hemisphere leaves
 /// to rays to lamps must be found by these on every side.
 void list_cube(ivec3 cell, int code, int sky) {
     for (int face = 0; face < 6; ++face) list_face(cell, face, code, sky);
 }
 
-/// The upper halves of the faces beside a pane that lies across `axis`, should there be blocks.
+/// The upper halves of the faces beside a pane or a portal that lies across `axis`, should there be blocks.
 void list_halves(ivec3 pane, vec3 axis, int sky) {
     for (int face = 0; face < 6; ++face) {
         ivec3 cell = pane - ivec3(face_normal(face));

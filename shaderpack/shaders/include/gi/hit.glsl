@@ -17,15 +17,36 @@ const float face_offset = 0.001;
 /// Off what a pixel shows, more than its depth rounds. `player`: player space.
 float pixel_offset(vec3 player) { return min(0.02, face_offset + 2e-5 * dot(player, player)); }
 
+// Of what a plane of a portal gives this leaves its cell by each of the four sides beside it.
+const float portal_aside = 0.1225;
+
+/// How much brighter the planes of a portal are than the cube that stands for it: as much light leaves its cell. That which falls
+/// on what is beside the portal, its frame, does not; nor does that of sides of the cube which lie there or on other lamps.
+float portal_boost(ivec3 cell, int code) {
+    ivec3 across = ivec3(portal_axis(code));
+    float shut = 0.0;
+    float open = 2.0;
+    for (int i = 0; i < 4; ++i) {
+        ivec3 beside = i < 2 ? across.zyx : ivec3(0, 1, 0);
+        int code_beside = voxel_at(cell + ((i & 1) == 0 ? beside : -beside)).code;
+        bool full = is_full(code_beside);
+        shut += float(full);
+        open += float(!full && !is_portal(code_beside));
+    }
+    return open / (2.0 - 2.0 * portal_aside * shut);
+}
+
 /// Radiance of a lamp where a ray hits it: small ones are balls.
-vec3 lamp_light(Voxel v) {
-    return lamp_radiance(v) * (is_ball(v.code) ? small_lamp_boost : 1.0);
+vec3 lamp_light(Voxel v, ivec3 cell) {
+    float boost = is_ball(v.code) ? small_lamp_boost : 1.0;
+    BRANCH(is_portal(v.code)) boost = portal_boost(cell, v.code);
+    return lamp_radiance(v) * boost;
 }
 
 /// What a ray gets of the lamp that it hits; 0: it hits none, or what is drawn of a small one beside its ball.
 vec3 lamp_light(Hit hit, vec3 from, vec3 direction) {
     bool beside = is_ball(hit.voxel.code) && !meets_ball(hit.cell, from, direction);
-    return is_lamp_voxel(hit.voxel.code) && !beside ? lamp_light(hit.voxel) : vec3(0.0);
+    return is_lamp_voxel(hit.voxel.code) && !beside ? lamp_light(hit.voxel, hit.cell) : vec3(0.0);
 }
 
 /// Does a ray go on behind the small lamp that it hits? What is drawn of that stops it, its ball does not.
@@ -95,7 +116,7 @@ Hit trace_from_face(vec3 origin, vec3 direction) {
     Meeting met = meet_octants(walk, octants, vec2(-1.0, distance_out(origin, direction)));
 #if HAS_VOXEL_CHANGES
     if (is_post(own.code)) met = post;
-    BRANCH(is_thin(own.code)) met = meet_thin(walk, own.code, true);
+    BRANCH(has_planes(own.code)) met = meet_planes(walk, own.code, true);
 #endif
     // From above it, off the blocks around it.
     BRANCH(own.code == voxel_lava) met = meet_lava(walk, vec2(0.0, distance_out(origin, direction)));

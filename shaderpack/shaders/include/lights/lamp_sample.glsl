@@ -142,11 +142,12 @@ LampSample sample_ball(Receiver r, ivec3 cell, vec3 radiance, vec2 u) {
     return LampSample(cell, direction, radiance * share, density);
 }
 
-/// Of lava the top lies lower.
-LampSample sample_cube(Receiver r, ivec3 cell, int face, bool lava, vec3 radiance, vec2 u) {
+/// Of lava the top lies lower, the planes of a portal lie inside.
+LampSample sample_cube(Receiver r, ivec3 cell, int face, int code, vec3 radiance, vec2 u) {
     vec3 normal = face_normal(face);
     vec3 to_lamp = point_of_side(cell, normal, u) - r.origin;
-    to_lamp.y -= lava && normal.y > 0.5 ? 1.0 - water_height : 0.0;
+    to_lamp.y -= code == voxel_lava && normal.y > 0.5 ? 1.0 - water_height : 0.0;
+    to_lamp -= is_portal(code) ? normal * (0.5 - portal_radius) : vec3(0.0);
     float far = length(to_lamp);
     vec3 direction = to_lamp / far;
     float cosine = max(0.0, -dot(direction, normal));
@@ -157,10 +158,10 @@ LampSample sample_cube(Receiver r, ivec3 cell, int face, bool lava, vec3 radianc
 LampSample sample_lamp(Receiver r, uint entry, uint lamps, vec2 u) {
     ivec3 cell = packed_cell(entry);
     Voxel voxel = voxel_at(cell);
-    vec3 radiance = lamp_light(voxel);
+    vec3 radiance = lamp_light(voxel, cell);
     LampSample lamp = packed_face(entry) == face_ball
                           ? sample_ball(r, cell, radiance, u)
-                          : sample_cube(r, cell, packed_face(entry), voxel.code == voxel_lava, radiance, u);
+                          : sample_cube(r, cell, packed_face(entry), voxel.code, radiance, u);
     lamp.light *= sampled_share(lamp.density, lamps, dot(lamp.direction, r.normal));
     return lamp;
 }

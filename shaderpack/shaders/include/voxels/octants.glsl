@@ -93,11 +93,12 @@ uint kept_shape(ivec3 cell) {
 #endif
 }
 
-/// What a pane lies across, if it parts its cell: a stained one, or a straight one of clear glass; else 0.
+/// What a pane or a portal lies across, if it parts its cell: a stained pane, or a straight one of clear glass; else 0.
 vec3 parted_axis(int code, ivec3 cell) {
     uint arms = 0u;
     BRANCH(is_pane(code)) arms = kept_shape(cell) & arms_of_pane;
     vec3 axis = vec3(arms == arms_along_z, 0.0, arms == arms_along_x);
+    if (is_portal(code)) return portal_axis(code);
     return is_tinted_pane(code) ? pane_axis(code) : axis;
 }
 
@@ -126,7 +127,7 @@ float ground_below(vec3 position, ivec2 column) {
 
 /// Of what stops light; none of what lets it pass, of leaves, of balls of lamps, and outside of the volume.
 uint octants_of(int code, ivec3 cell) {
-    bool full = is_opaque_voxel(code) && !is_ball(code) && !is_plate(code) && code != voxel_leaves;
+    bool full = is_opaque_voxel(code) && !is_ball(code) && !is_plate(code) && !has_planes(code);
     uint octants = full ? all_octants : 0u;
     octants = code == voxel_slab_bottom ? lower_octants : octants;
     octants = code == voxel_slab_top ? upper_octants : octants;

@@ -202,7 +202,7 @@ Meeting meet_lava(Walk walk, vec2 span) {
 }
 
 /// The side of a block of leaves that stops a ray: that by which it comes in, or from inside that by which it goes out; towards
-/// a full block none is drawn. `begins`: as in meet_thin.
+/// a full block none is drawn. `begins`: as in meet_planes.
 Meeting meet_leaves(Walk walk, bool begins) {
     vec3 came = plane_distances(walk, 0.0);
     vec3 leave = plane_distances(walk, 1.0);
@@ -234,9 +234,19 @@ Meeting meet_plant(Walk walk, int code) {
     return met;
 }
 
-/// What of leaves or of a plant stops a ray? `begins`: it begins in the cell.
-Meeting meet_thin(Walk walk, int code, bool begins) {
+/// The plane of a portal that looks to where a ray comes from.
+Meeting meet_portal(Walk walk, int code) {
+    vec3 axis = portal_axis(code);
+    vec3 plane = walk.cell + 0.5 - portal_radius * walk.stride;
+    float t = dot((plane - walk.origin) * walk.inverse, axis);
+    vec3 off = abs(walk.origin + walk.direction * t - walk.cell - 0.5) * (1.0 - axis);
+    return Meeting(t > 0.0 && max(off.x, max(off.y, off.z)) <= 0.5, t, axis);
+}
+
+/// What of leaves, a plant or a portal stops a ray? `begins`: it begins in the cell.
+Meeting meet_planes(Walk walk, int code, bool begins) {
     Meeting met = Meeting(false, 0.0, vec3(0.0));
+    BRANCH(is_portal(code)) met = meet_portal(walk, code);
     BRANCH(code == voxel_leaves) met = meet_leaves(walk, begins);
     BRANCH(is_plant(code)) met = meet_plant(walk, code);
     return met;
@@ -255,7 +265,7 @@ Meeting meet(Walk walk, int code) {
     Meeting met = meet_octants(walk, octants_of(code, cell_of(walk)), span);
     BRANCH(code == voxel_lava) met = meet_lava(walk, span);
 #if HAS_VOXEL_CHANGES
-    BRANCH(is_thin(code)) met = meet_thin(walk, code, false);
+    BRANCH(has_planes(code)) met = meet_planes(walk, code, false);
 #endif
     met.found = met.found || (is_ball(code) && meets_ball(cell_of(walk), walk.origin, walk.direction));
 #if HAS_VOXEL_CHANGES
@@ -287,7 +297,7 @@ bool is_stopped(vec3 origin, vec3 direction, bool opaque, bool boxes) {
 }
 
 /// Are planes through the middle of a cell what a ray meets inside of it?
-bool has_middle(int code) { return !is_post(code) && code != voxel_lava && !is_thin(code); }
+bool has_middle(int code) { return !is_post(code) && code != voxel_lava && !has_planes(code); }
 
 /// Where the ray came into its cell, or met a block in it, and what it finds there.
 void describe(inout Hit hit, Walk walk, Meeting met, vec4 texel) {

@@ -68,13 +68,13 @@ float trusted_updates(float updates) {
 
 uint octants_at(ivec3 cell) { return octants_of(voxel_at(cell).code, cell); }
 
-/// Of a face beside a pane the half on one side of it: the upper one has the place of an inner face. What lies between the
+/// Of a face beside a pane or a portal the half on one side of it: the upper one has the place of an inner face. What lies between the
 /// sides of a stained pane sees more of every colour than the halves, and is seen through the pane alone.
 vec2 half_beside_pane(vec2 at, ivec3 pane, int face) {
     int code = voxel_at(pane).code;
     vec3 axis = parted_axis(code, pane);
     bool parts = dot(face_normal(face), axis) == 0.0;
-    float width = 0.5 - pane_radius;
+    float width = 0.5 - (is_portal(code) ? portal_radius : pane_radius);
     return mix(at, at * width + (1.0 - width) * float(face >= face_inner), axis.xz * float(parts));
 }
 
@@ -89,6 +89,7 @@ vec3 point_on_plant(ivec3 cell, int code, vec3 normal) {
 vec3 point_of(ivec3 cell, int code, int face, vec3 normal, vec2 at) {
     if (is_plant(code)) return point_on_plant(cell, code, normal);
     if (is_post(code)) return point_of_post(cell, code, face, at);
+    if (is_portal(code)) return point_of_side(cell, normal, at) - (0.5 - portal_radius) * normal;
     ivec3 before = cell + ivec3(face_normal(face));
     at = half_beside_pane(at, before, face);
     if (is_full(code)) face &= 7;

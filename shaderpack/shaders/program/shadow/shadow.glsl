@@ -210,6 +210,9 @@ vec4 block_voxel(int id, float emission, vec3 normal, ivec3 cell) {
     int level = int(clamp(emission, 0.0, 15.0) + 0.5);
     if (level > 0) {
         int digit = is_lamp(id) ? id % 10 : 0;
+#if HAS_VOXEL_CHANGES
+        if (id == block_portal) return encode_voxel(color, voxel_portal + int(abs(normal.z) > 0.5));
+#endif
         if (!is_small_lamp(id)) return encode_voxel(color, voxel_lamp + 16 * digit + level);
         return encode_voxel(digit > 0 ? lamp_color(digit) : brightest(color), voxel_small_lamp + level);
     }
@@ -288,6 +291,7 @@ void emit_voxel() {
     list_face(cell, is_plant(code) ? face_of_plant : inner ? face + face_inner : face, code, sky);
     if (code >= voxel_lamp && abs(outward) < 0.3) list_cube(cell, code, sky);
     if (is_tinted_pane(code)) list_halves(cell, pane_axis(code), sky);
+    if (is_portal(code)) list_halves(cell, portal_axis(code), sky);
     if (side_of_pane) list_halves(cell, abs(face_normal(face)), sky);
 #endif
 
