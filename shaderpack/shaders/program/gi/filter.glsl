@@ -26,41 +26,57 @@ uniform sampler2D colortex5;
 
 // Light mixes by exp(-1/2) where it differs by so many standard deviations.
 const float noise_reach = 3.5;
+// With this standard deviation as a share of its light, a pixel at the edge of a face mixes half as much with those on one side.
+const float noise_of_edges = 0.2;
 
 /* RENDERTARGETS: 6 */
 layout(location = 0) out vec4 out_radiance;
 
-/// rgb light, a its variance.
-vec4 noisy_light(ivec2 pixel, vec4 plane) {
+/// Light that may mix with that of a pixel.
+struct Tap {
+    vec4 light;  // rgb light, a its variance
+    vec4 plane;
+};
+
+Tap tap_at(ivec2 pixel) {
+    vec4 plane = texelFetch(colortex5, pixel, 0);
     vec4 light = texelFetch(FILTER_SOURCE, pixel, 0);
 #if FILTER_STEP == 1
     light.a = plane.w;
 #endif
     light.a *= light.a;
-    return light;
+    return Tap(light, plane);
+}
+
+/// How much of the light of one mixes with that of the other, 0..1: the noise of both counts, so that either counts as much for
+/// the other, and no light is lost.
+float mixes(Tap a, Tap b) {
+    vec3 about = 0.5 * (a.light.rgb + b.light.rgb);
+    float noise = 2.0 * noise_reach * noise_reach * (a.light.a + b.light.a);
+    float near = exp(-squared_distance(a.light.rgb, b.light.rgb, about) / max(noise, 1e-20));
+    return same_plane(a.plane, b.plane) ? near : 0.0;
 }
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     ivec2 last = ivec2(viewWidth, viewHeight) - 1;
-    vec4 plane = texelFetch(colortex5, pixel, 0);
-    vec4 center = noisy_light(pixel, plane);
+    Tap center = tap_at(pixel);
 
-    vec4 sum = vec4(center.rgb, 1.0);
-    float variance = center.a;
-    for (int i = 0; i < 9; ++i) {
-        if (i == 4) continue;
+    // Light that rises evenly over a face keeps its place where pixels opposite to each other mix alike, which those at the edge of
+    // the face cannot. They mix all the same while noise is large beside the light.
+    float level = noise_of_edges * luminance(center.light.rgb);
+    float one_sided = (center.light.a + 1e-20) / (center.light.a + level * level + 1e-20);
+    vec4 sum = vec4(center.light.rgb, 1.0);
+    float variance = center.light.a;
+    for (int i = 0; i < 4; ++i) {
         ivec2 offset = ivec2(i % 3, i / 3) - 1;
-        ivec2 tap = clamp(pixel + offset * FILTER_STEP, ivec2(0), last);
-        vec4 tap_plane = texelFetch(colortex5, tap, 0);
-        vec4 beside = noisy_light(tap, tap_plane);
+        Tap a = tap_at(clamp(pixel + offset * FILTER_STEP, ivec2(0), last));
+        Tap b = tap_at(clamp(pixel - offset * FILTER_STEP, ivec2(0), last));
         float kernel = offset.x == 0 || offset.y == 0 ? 0.5 : 0.25;
-        float weight = same_plane(tap_plane, plane) ? kernel : 0.0;
-        // The noise of both, so that either counts as much for the other, and no light is lost.
-        float noise = 2.0 * noise_reach * noise_reach * (center.a + beside.a);
-        weight *= exp(-squared_distance(center.rgb, beside.rgb, 0.5 * (center.rgb + beside.rgb)) / max(noise, 1e-20));
-        sum += weight * vec4(beside.rgb, 1.0);
-        variance += weight * weight * beside.a;
+        vec2 weights = kernel * vec2(mixes(center, a), mixes(center, b));
+        weights = min(weights, mix(weights.yx, weights, one_sided));
+        sum += weights.x * vec4(a.light.rgb, 1.0) + weights.y * vec4(b.light.rgb, 1.0);
+        variance += dot(weights * weights, vec2(a.light.a, b.light.a));
     }
     // Drivers may cut off what half floats do not hold.
     out_radiance = vec4(round_to_half(sum.rgb / sum.a), sqrt(variance) / sum.a);
