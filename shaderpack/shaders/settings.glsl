@@ -72,7 +72,7 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 #define GI_FILTER // Smooth the gathered light within each face
 #define TEMPORAL_ACCUMULATION // Reuse the samples of earlier frames
 #define TEMPORAL_WEIGHT 0.1 // [0.02 0.05 0.1 0.2 0.5]
-#define TEMPORAL_FRAMES 64 // [10 16 32 64 128 256 1024]
+#define TEMPORAL_FRAMES 1024 // [10 16 32 64 128 256 1024]
 
 // Picture
 #define WATER_WAVES // Waves on open water, and the sun that they mirror

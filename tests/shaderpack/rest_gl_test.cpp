@@ -12,8 +12,8 @@ namespace {
 constexpr int kSide = 32;
 constexpr int kBands = 8;  // include/gi/rest.glsl
 
-// Until means of ten frames are full: 48 frames after the first blocks, and thrice ten.
-constexpr int kRestsFrom = 80;
+// Until means of ten frames are full: 48 frames after the first blocks, and ten.
+constexpr int kRestsFrom = 60;
 
 PackSession restingRoom(const std::string& events = "") {
   const std::string world = R"({
@@ -72,7 +72,7 @@ TEST(PictureAtRest, ends_as_the_eye_moves) {
   EXPECT_EQ(changedRows(pack, "colortex3").size(), kSide / kBands);
   pack.look({4.5, 3.5, 6}, {4, 2, 0});
   EXPECT_EQ(changedRows(pack, "colortex3").size(), kSide);
-  pack.renderFrames(28);
+  pack.renderFrames(8);
   EXPECT_EQ(changedRows(pack, "colortex3").size(), kSide);
   EXPECT_EQ(changedRows(pack, "colortex3").size(), kSide / kBands);
 }

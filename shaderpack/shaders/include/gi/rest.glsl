@@ -20,8 +20,8 @@ const int rest_bands = 8;
 
 uniform usampler2D face_list_texture;
 
-// Means forget what they held before in so many frames, all but a twentieth.
-const int still_frames = 3 * TEMPORAL_FRAMES;
+// Full means forget what they held before in so many frames, all but a twentieth: exp(-history_ramp).
+const int still_frames = TEMPORAL_FRAMES;
 
 bool picture_rests() {
     int edited = int(texelFetch(face_list_texture, last_edit, 0).r) + face_hurry_frames;
