@@ -20,16 +20,14 @@ GOAL = 0.03
 # of faces approach does not depend on how many are updated in a frame and by how many rays, as an update is linear in them.
 BIAS = ["--size", "16x9", "--warm-up", "160", "--trace-noise", "0.0001", "--no-costs", "--buffer", "colortex0", "--axis",
         "GI_METHOD=FACE_CACHE", "--set", "AMBIENT_MINIMUM=0.0", "DIRECT_LIGHT=NONE", "GI_FILTER=false",
-        "TEMPORAL_FRAMES=256", "GI_SAMPLES=128", "FACE_SHARE=1", "FACE_RAYS=8",
-        "WATER_WAVES=false"]
+        "GI_SAMPLES=128", "FACE_SHARE=1", "FACE_RAYS=8", "WATER_WAVES=false"]
 # Noise of the reference is that of bright pixels, and dark ones count by their own light: so tracing takes its whole time.
 # Five runs rather than four: Student's factor falls from 3.2 to 2.8.
 EFFORTS = [["--runs", "5", "--frames", "128", "--trace-seconds", "60"],
            ["--runs", "8", "--frames", "256", "--trace-seconds", "120"],
            ["--runs", "12", "--frames", "640", "--trace-seconds", "240"]]
 COST = ["--size", "160x90", "--axis", "GI_METHOD=BOUNCE_1,FACE_CACHE", "--clock", "cpu", "--reference",
-        "GI_METHOD=FACE_CACHE", "--reference-frames", "2", "--warm-up", "60", "--frames", "2", "--rounds", "12", "--visit", "3",
-        "--set", "TEMPORAL_FRAMES=1024"]
+        "GI_METHOD=FACE_CACHE", "--reference-frames", "2", "--warm-up", "60", "--frames", "2", "--rounds", "12", "--visit", "3"]
 
 
 def upper_end(row):

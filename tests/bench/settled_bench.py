@@ -35,7 +35,8 @@ def main():
     parser.add_argument("world", type=pathlib.Path)
     parser.add_argument("--at", type=int, nargs=3, default=[8, 5, 9])
     parser.add_argument("--size", default="160x90")
-    parser.add_argument("--set", nargs="+", default=["GI_METHOD=FACE_CACHE"])
+    # Means that are full before the settled frames.
+    parser.add_argument("--set", nargs="+", default=["GI_METHOD=FACE_CACHE", "TEMPORAL_FRAMES=64"])
     args = parser.parse_args()
     frames = collections.defaultdict(lambda: collections.defaultdict(float))
     with tempfile.TemporaryDirectory() as name:
