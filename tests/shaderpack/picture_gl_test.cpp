@@ -45,8 +45,8 @@ TEST(PackPicture, four_bounces_bleed_more) { EXPECT_GT(colourBleeding("BOUNCE_4"
 TEST(PackPicture, lightmap_alone_does_not_bleed) { EXPECT_NEAR(colourBleeding("NONE", 2), 1, 0.1); }
 
 /// Share of the picture's values that half floats hold.
-double shareOfHalfFloats(const char* temporalFrames) {
-  PackSession pack = PackSession::ofWorld("cornell", {{"GI_METHOD", "BOUNCE_1"}, {"TEMPORAL_FRAMES", temporalFrames}}, 32, 18);
+double shareOfHalfFloats(const char* temporalFrames, const char* method = "BOUNCE_1") {
+  PackSession pack = PackSession::ofWorld("cornell", {{"GI_METHOD", method}, {"TEMPORAL_FRAMES", temporalFrames}}, 32, 18);
   pack.renderFrames(3);
   const std::vector<float> values = pack.dump("colortex0").pixels;
   const auto isHalf = [](float value) { return glm::unpackHalf1x16(glm::packHalf1x16(value)) == value; };
@@ -57,6 +57,7 @@ double shareOfHalfFloats(const char* temporalFrames) {
 TEST(PackPicture, is_in_floats_where_many_frames_are_averaged) {
   EXPECT_EQ(shareOfHalfFloats("64"), 1);
   EXPECT_LT(shareOfHalfFloats("256"), .3);
+  EXPECT_EQ(shareOfHalfFloats("256", "NONE"), 1) << "nothing is averaged";
 }
 
 // Where a quad is a pixel or two wide, rasterisers move its corners by a thousandth of it, and the middle of a pixel may lie

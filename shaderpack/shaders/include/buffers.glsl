@@ -48,7 +48,7 @@
 #if !defined INCLUDED_BUFFERS
 #define INCLUDED_BUFFERS
 
-#if TEMPORAL_FRAMES > 128
+#if HAS_LONG_MEANS
 /*
 const int colortex0Format = RGBA32F;
 */
@@ -65,7 +65,7 @@ const int colortex2Format = RGBA8;
 */
 
 #if HAS_VOXELS
-#if TEMPORAL_FRAMES > 128
+#if HAS_LONG_MEANS
 /*
 const int colortex3Format = RGBA32F;
 */
@@ -85,7 +85,7 @@ const vec4 shadowcolor0ClearColor = vec4(0.0, 0.0, 0.0, 0.0);
 #endif
 
 #if HAS_TRANSLUCENT_MEANS
-#if TEMPORAL_FRAMES > 128
+#if HAS_LONG_MEANS
 /*
 const int colortex10Format = RGBA32F;
 const int colortex12Format = RGBA32F;
@@ -113,7 +113,7 @@ const bool colortex6Clear = false;
 #endif
 
 #if HAS_GLOSSY
-#if TEMPORAL_FRAMES > 128
+#if HAS_LONG_MEANS
 /*
 const int colortex8Format = RGBA32F;
 */

@@ -51,6 +51,13 @@
 #define HAS_REST 0
 #endif
 
+// Are means of so many frames kept that half floats would stop moving?
+#if defined TEMPORAL_ACCUMULATION && TEMPORAL_FRAMES > 128
+#define HAS_LONG_MEANS HAS_GI
+#else
+#define HAS_LONG_MEANS 0
+#endif
+
 // Rays that mirrors send look into the cache of faces.
 #ifdef GI_GLOSSY
 #define HAS_GLOSSY HAS_FACE_CACHE

@@ -12,7 +12,7 @@ vec3 round_to_half(vec3 x) {
 
 /// Light as targets keep it that many frames are averaged in, and the picture: floats from 256 frames on (include/buffers.glsl).
 vec3 as_stored(vec3 x) {
-#if TEMPORAL_FRAMES > 128
+#if HAS_LONG_MEANS
     return x;
 #else
     return round_to_half(x);
