@@ -55,7 +55,7 @@ MUTANTS = [
     ("updates look up the slow mean", "*ReferenceRoom.*wool", [(UPDATE, "recent_texel(face_texel(cell, face))", "face_texel(cell, face)")]),
     ("slow means rounded to the next step", "*ReferenceRoom.*", [("program/face_cache/commit.glsl", "dithered_half(mean, chance)", "dithered_half(mean, 0.0)")]),
     ("colours of voxels rounded alike", "*ReferenceRoom.*wool", [(SHADOW, "float(hash(place).y >> 8u) * (1.0 / 16777216.0)", "0.5")]),
-    ("lava in a cell is not met from inside", "*ReferenceRoom.*lava*", [(HIT, "BRANCH(own.code == voxel_lava) met =", "if (false) met =")]),
+    ("lava in a cell is not met from inside", "*ReferenceRoom.*lava*", [(HIT, "if (own.code == voxel_lava) met =", "if (false) met =")]),
     ("faces beside lava lit as if they were whole", "*ReferenceRoom.*lava*", [(UPDATE, "if (code_before == voxel_lava) return", "if (false) return")]),
     ("top of lava lit as if it were the cell's", "*ReferenceRoom.*lava*", [(UPDATE, "if (code == voxel_lava && face == face_up", "if (false && face == face_up")]),
     ("water fills what lies below its bottom", "ReferenceGlass.*water", [("program/voxels/lakes.glsl", "if (water.a > 0.0 && (kept_shape", "if (false && (kept_shape")]),

@@ -5,7 +5,6 @@
 
 #include "/include/face_cache/face_cache.glsl"
 #include "/include/gi/hit.glsl"
-#include "/include/math/branch.glsl"
 
 /// B of the face of a cell, as far as it is in the volume.
 vec4 known_light(ivec3 cell, int face) { return in_volume(cell) ? light_of(cell, face) : vec4(0.0); }
@@ -84,9 +83,9 @@ vec4 light_at(vec3 position, ivec3 cell, int face) {
     FaceRow v = face_row(own, cell, second_axis(face), face);
     vec3 off = place_on_face(position, cell);
     vec3 axis = vec3(0.0);
-    BRANCH(is_alone(u) || is_alone(v)) axis = vec3(halved_axis(cell, face, u, v));
+    if (is_alone(u) || is_alone(v)) axis = vec3(halved_axis(cell, face, u, v));
     vec3 light = u.own.rgb;
-    BRANCH(axis != vec3(0.0))
+    if (axis != vec3(0.0))
         light = light_of_halves(dot(off, axis), light, light_of(cell, face + face_inner));
     vec3 rise = rise_along(dot(off, vec3(first_axis(face))), u) * rise_along(dot(off, vec3(second_axis(face))), v);
     return vec4(light * rise, u.own.a);
@@ -100,7 +99,7 @@ vec3 light_on(Hit hit) {
     bool whole = is_full(hit.voxel.code) && !hit.inner && parted_axis(voxel_at(before).code, before) == vec3(0.0);
     if (!whole) return light_of(hit.cell, face).rgb;
     vec4 above = vec4(0.0);
-    BRANCH(hit.position.y - float(hit.cell.y) > water_height) {
+    if (hit.position.y - float(hit.cell.y) > water_height) {
         if (is_shore(hit.cell, face)) above = light_of(hit.cell, face + face_inner);
     }
     if (above.a > 0.0) return above.rgb;

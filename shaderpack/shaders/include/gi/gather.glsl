@@ -5,7 +5,6 @@
 #define INCLUDED_GI_GATHER
 
 #include "/include/gbuffer.glsl"
-#include "/include/math/branch.glsl"
 #include "/include/math/random.glsl"
 #include "/include/gi/hit.glsl"
 #if HAS_AIR_LIGHT
@@ -73,7 +72,7 @@ vec3 gather(Surface s, vec3 light, int number) {
         vec3 from = origin;
 #if HAS_LAMP_RAYS
         LampSample lamp;
-        BRANCH(aimed) {
+        if (aimed) {
             lamp = choose_lamp(Receiver(origin, normal), lamps, u);
             direction = lamp.direction;
         }

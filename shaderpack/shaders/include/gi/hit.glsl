@@ -5,7 +5,6 @@
 #include "/include/shadow/shadow.glsl"
 #include "/include/sky/sky.glsl"
 #include "/include/gi/thin.glsl"
-#include "/include/math/branch.glsl"
 #include "/include/sun/sun_tint.glsl"
 #include "/include/math/sampling.glsl"
 #include "/include/voxels/trace.glsl"
@@ -39,7 +38,7 @@ float portal_boost(ivec3 cell, int code) {
 /// Radiance of a lamp where a ray hits it: small ones are balls.
 vec3 lamp_light(Voxel v, ivec3 cell) {
     float boost = is_ball(v.code) ? small_lamp_boost : 1.0;
-    BRANCH(is_portal(v.code)) boost = portal_boost(cell, v.code);
+    if (is_portal(v.code)) boost = portal_boost(cell, v.code);
     return lamp_radiance(v) * boost;
 }
 
@@ -75,7 +74,7 @@ const float leaf_holes = 0.09;
 void find_ground(inout Hit hit, vec3 origin, vec3 direction) {
     ivec3 cell = clamp(hit.cell, ivec3(0), volume_size - 1);
     float height = ground_below(hit.position, cell.xz);
-    BRANCH(hit.position.y > height) {
+    if (hit.position.y > height) {
         cell.y = int(ceil(height)) - 1;
         Voxel ground = voxel_at(cell);
         vec3 position = origin + direction * ((height - origin.y) / direction.y);
@@ -116,15 +115,15 @@ Hit trace_from_face(vec3 origin, vec3 direction) {
     Meeting met = meet_octants(walk, octants, vec2(-1.0, distance_out(origin, direction)));
 #if HAS_VOXEL_CHANGES
     if (is_post(own.code)) met = post;
-    BRANCH(has_planes(own.code)) met = meet_planes(walk, own.code, true);
+    if (has_planes(own.code)) met = meet_planes(walk, own.code, true);
 #endif
     // From above it, off the blocks around it.
-    BRANCH(own.code == voxel_lava) met = meet_lava(walk, vec2(0.0, distance_out(origin, direction)));
+    if (own.code == voxel_lava) met = meet_lava(walk, vec2(0.0, distance_out(origin, direction)));
     if (met.found)
         return Hit(true, cell, origin + direction * met.t, -met.axis * walk.stride, own, vec3(1.0), has_middle(own.code));
     Hit hit = trace(origin, direction, own.code);
 #if HAS_FACE_CACHE && HAS_SHADOW_MAP
-    BRANCH(!hit.found && direction.y < 0.0) find_ground(hit, origin, direction);
+    if (!hit.found && direction.y < 0.0) find_ground(hit, origin, direction);
 #endif
 #if !HAS_VOXEL_CHANGES
     // Of full blocks leaves alone are looked out of: without a picture of their holes they pass light on as if it went
@@ -154,7 +153,7 @@ bool is_within_pane(Hit hit) {
 /// What of the light on its face comes to a hit.
 float share_of_face(Hit hit) {
     float share = 1.0;
-    BRANCH(is_within_pane(hit)) share = open_share(hit.voxel.code, face_of(hit.normal));
+    if (is_within_pane(hit)) share = open_share(hit.voxel.code, face_of(hit.normal));
     return share;
 }
 
@@ -225,7 +224,7 @@ vec3 sun_share(Hit hit, vec3 light, float sky) {
     lit = is_exact ? float(passes) : lit * float(passes);
 #endif
     vec3 share = vec3(lit);
-    BRANCH(lit > 0.0) {
+    if (lit > 0.0) {
         Voxel before = voxel_at(hit.cell + ivec3(hit.normal));
         bool beside_stained = is_tinted_pane(before.code);
         vec3 mapped = point_tint(ivec2(texel.xy), texel.z, before);

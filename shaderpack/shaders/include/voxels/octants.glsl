@@ -4,7 +4,6 @@
 #if !defined INCLUDED_VOXELS_OCTANTS
 #define INCLUDED_VOXELS_OCTANTS
 
-#include "/include/math/branch.glsl"
 #include "/include/voxels/posts.glsl"
 #include "/include/voxels/voxel.glsl"
 
@@ -96,7 +95,7 @@ uint kept_shape(ivec3 cell) {
 /// What a pane or a portal lies across, if it parts its cell: a stained pane, or a straight one of clear glass; else 0.
 vec3 parted_axis(int code, ivec3 cell) {
     uint arms = 0u;
-    BRANCH(is_pane(code)) arms = kept_shape(cell) & arms_of_pane;
+    if (is_pane(code)) arms = kept_shape(cell) & arms_of_pane;
     vec3 axis = vec3(arms == arms_along_z, 0.0, arms == arms_along_x);
     if (is_portal(code)) return portal_axis(code);
     return is_tinted_pane(code) ? pane_axis(code) : axis;

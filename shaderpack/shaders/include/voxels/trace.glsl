@@ -4,7 +4,6 @@
 #define INCLUDED_VOXELS_TRACE
 
 #include "/include/debug/count.glsl"
-#include "/include/math/branch.glsl"
 #include "/include/math/random.glsl"
 #include "/include/voxels/holes.glsl"
 #include "/include/voxels/octants.glsl"
@@ -246,9 +245,9 @@ Meeting meet_portal(Walk walk, int code) {
 /// What of leaves, a plant or a portal stops a ray? `begins`: it begins in the cell.
 Meeting meet_planes(Walk walk, int code, bool begins) {
     Meeting met = Meeting(false, 0.0, vec3(0.0));
-    BRANCH(is_portal(code)) met = meet_portal(walk, code);
-    BRANCH(code == voxel_leaves) met = meet_leaves(walk, begins);
-    BRANCH(is_plant(code)) met = meet_plant(walk, code);
+    if (is_portal(code)) met = meet_portal(walk, code);
+    if (code == voxel_leaves) met = meet_leaves(walk, begins);
+    if (is_plant(code)) met = meet_plant(walk, code);
     return met;
 }
 
@@ -263,9 +262,9 @@ bool meets_ball(ivec3 cell, vec3 origin, vec3 direction) {
 Meeting meet(Walk walk, int code) {
     vec2 span = span_in_cell(walk);
     Meeting met = meet_octants(walk, octants_of(code, cell_of(walk)), span);
-    BRANCH(code == voxel_lava) met = meet_lava(walk, span);
+    if (code == voxel_lava) met = meet_lava(walk, span);
 #if HAS_VOXEL_CHANGES
-    BRANCH(has_planes(code)) met = meet_planes(walk, code, false);
+    if (has_planes(code)) met = meet_planes(walk, code, false);
 #endif
     met.found = met.found || (is_ball(code) && meets_ball(cell_of(walk), walk.origin, walk.direction));
 #if HAS_VOXEL_CHANGES
@@ -288,7 +287,7 @@ bool is_stopped(vec3 origin, vec3 direction, bool opaque, bool boxes) {
         bool beyond = opaque && i > 0;
         found = beyond && meet_octants(walk, octants_of(code, cell), span_in_cell(walk)).found;
 #if HAS_VOXEL_CHANGES
-        BRANCH((boxes && i < 2) || (beyond && is_clear(code))) found = found || meet_post(walk, code).found;
+        if ((boxes && i < 2) || (beyond && is_clear(code))) found = found || meet_post(walk, code).found;
 #endif
         if (i == 0) leave_cube(walk, 1.0);
         else walk_on(walk);

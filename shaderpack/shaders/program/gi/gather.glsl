@@ -34,7 +34,6 @@ layout(rgba16f) uniform readonly image3D face_light;
 vec4 light_of(ivec3 cell, int face) { return trusted(imageLoad(face_light, face_texel(cell, face))); }
 #endif
 #include "/include/gi/gather.glsl"
-#include "/include/math/branch.glsl"
 #include "/include/gi/history.glsl"
 #if HAS_GLOSSY
 #include "/include/brdf/glossy.glsl"
@@ -97,7 +96,7 @@ void main() {
     vec3 light = light_direction();
 
     vec3 radiance = vec3(0.0);
-    // Of the sky no ray is sent: a loop without turns costs nothing, a branch may.
+    // No ray is sent from the sky.
     int samples = s.sky ? 0 : GI_SAMPLES;
 #if HAS_FACE_CACHE
     int first = drawing * GI_SAMPLES;
@@ -128,7 +127,7 @@ void main() {
 #endif
 #if HAS_GLOSSY
     out_mirrored = vec4(0.0);
-    BRANCH(s.gloss > 0) out_mirrored = vec4(mirrored(s, light), 1.0);
+    if (s.gloss > 0) out_mirrored = vec4(mirrored(s, light), 1.0);
 #ifdef TEMPORAL_ACCUMULATION
     // What is mirrored moves with the eye.
     out_mirrored =

@@ -4,7 +4,6 @@
 #include "/include/uniforms.glsl"
 #include "/include/blocks.glsl"
 #include "/include/shadow/shadow_space.glsl"
-#include "/include/math/branch.glsl"
 #include "/include/math/color.glsl"
 #include "/include/math/encoding.glsl"
 #include "/include/voxels/voxel.glsl"
@@ -263,7 +262,7 @@ void emit_voxel() {
     add_to_brick(cell, face, code, vertex_mid_uv[0]);
     if (code == voxel_water_surface) note_lake();
     bool side_of_pane = is_pane(code) && face != 2 && face != 3;
-    BRANCH(is_glass(code) || side_of_pane || is_thin(code)) {
+    if (is_glass(code) || side_of_pane || is_thin(code)) {
         vec3 across = face < 2 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
         vec3 up = face == 2 || face == 3 ? vec3(0.0, 0.0, 1.0) : vec3(0.0, 1.0, 0.0);
         if (is_plant(code)) {

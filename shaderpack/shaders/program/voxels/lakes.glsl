@@ -28,7 +28,7 @@ void fill_column(ivec2 column, int height) {
 }
 
 void main() {
-    // No cells where no water is: a loop of none costs nothing, a branch may.
+    // No cells where no water is.
     int height = imageLoad(voxel_sums, lake_now).r != 0u ? VOLUME_HEIGHT : 0;
     int stride = int(gl_NumWorkGroups.x * gl_WorkGroupSize.x);
     for (int i = int(gl_GlobalInvocationID.x); i < VOLUME * VOLUME; i += stride)
