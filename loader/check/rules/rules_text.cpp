@@ -36,7 +36,7 @@ std::span<const Rule> textRules() {
       {"struct-too-large", Severity::Error, "a struct has too many members"},
       {"text-too-large", Severity::Error, "a text file is larger than any pack needs"},
       {"text-utf16", Severity::Error, "a text file is UTF-16"},
-      {"version-malformed", Severity::Error, "#version has no number"},
+      {"version-malformed", Severity::Error, "#version is none of GLSL's"},
       {"version-missing", Severity::Error, "a stage has no active #version"},
       {"version-repeated", Severity::Error, "a stage has a second active #version"},
   };

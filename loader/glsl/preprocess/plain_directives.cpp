@@ -1,11 +1,20 @@
 // The directives of DirectiveRunner that only active branches run: macros, version, extensions.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
 #include <charconv>
+#include <string_view>
 
 #include <orris/glsl/preprocess/directive_runner.h>
 
 namespace orris {
+
+// Iris loads no pack with another one, as its parser (glsl-transformer) knows no more.
+constexpr std::array<std::string_view, 17> kVersions = {"110", "120", "130", "140", "150", "330", "400", "410", "420",
+                                                        "430", "440", "450", "460", "100", "300", "310", "320"};
+constexpr std::array<std::string_view, 3> kProfiles = {"core", "compatibility", "es"};
 
 void DirectiveRunner::onDefine(const std::vector<Token>& tokens) {
   const std::vector<Token> definition(tokens.begin() + 1, tokens.end());
@@ -25,24 +34,30 @@ void DirectiveRunner::onUndef(const std::vector<Token>& tokens) {
 }
 
 void DirectiveRunner::onVersion(const std::vector<Token>& tokens) {
-  int version = 0;
-  if (tokens.size() > 1 && tokens[1].kind == TokenKind::Number) {
-    const std::string& text = tokens[1].text;
-    std::from_chars(text.data(), text.data() + text.size(), version);
-  }
-  if (version <= 0 || version > 999) {
-    report(Severity::Error, "version-malformed", tokens.front().origin,
-           "expected a number after #version, such as '#version 330 compatibility'");
+  const Origin& at = tokens.front().origin;
+  const std::string number = tokens.size() > 1 ? tokens[1].text : "";
+  if (stream_.versionOrigin.line > 0) {
+    report(Severity::Error, "version-repeated", at, "a second active #version; exactly one is allowed");
     return;
   }
-  if (stream_.version > 0) {
-    report(Severity::Error, "version-repeated", tokens.front().origin,
-           "a second active #version; exactly one is allowed");
+  stream_.versionOrigin = at;
+  if (std::ranges::find(kVersions, number) == kVersions.end()) {
+    report(Severity::Error, "version-malformed", at,
+           number.empty() ? "expected a version of GLSL after #version" : fmt::format("GLSL has no version {}", number),
+           fmt::format("write '#version 330 compatibility', or one of {}", fmt::join(kVersions, ", ")));
     return;
   }
-  stream_.version = version;
-  stream_.profile = tokens.size() > 2 ? tokens[2].text : "";
-  stream_.versionOrigin = tokens.front().origin;
+  std::from_chars(number.data(), number.data() + number.size(), stream_.version);
+  if (tokens.size() == 2) return;
+  if (std::ranges::find(kProfiles, tokens[2].text) == kProfiles.end()) {
+    report(Severity::Error, "version-malformed", tokens[2].origin,
+           fmt::format("expected 'core' or 'compatibility' after #version {}, found '{}'", number, tokens[2].text));
+    return;
+  }
+  stream_.profile = tokens[2].text;
+  if (tokens.size() == 3) return;
+  report(Severity::Error, "version-malformed", tokens[3].origin,
+         fmt::format("expected the end of the line after '#version {} {}', found '{}'", number, stream_.profile, tokens[3].text));
 }
 
 void DirectiveRunner::onExtension(const std::vector<Token>& tokens) {

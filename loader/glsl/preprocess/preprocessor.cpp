@@ -22,7 +22,7 @@ TokenStream preprocess(const FlatSource& source, const MacroDefinitions& environ
 }
 
 void requireVersion(const TokenStream& stream, Diagnostics& diagnostics) {
-  if (stream.version > 0) return;
+  if (stream.versionOrigin.line > 0) return;
   SourceLocation at;
   if (!stream.sites.empty()) at = {stream.sites.front().file, 1, 0};
   addError(diagnostics, "version-missing", at, "no active #version; exactly one is required",
