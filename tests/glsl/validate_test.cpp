@@ -43,6 +43,17 @@ TEST(validate, legacy_program_is_clean_after_rewriting) {
             "");
 }
 
+TEST(validate, a_compute_shader_of_an_old_version_has_one_error_and_nothing_is_printed) {
+  const test::Files files = {{"/a.csh", "#version 120\nlayout(local_size_x = 1) in;\nvoid main() { }\n"}};
+  Diagnostics diagnostics;
+  const StageText stage = {Stage::Compute, print(preprocess(test::flatten(files, "/a.csh"), {}, diagnostics))};
+  testing::internal::CaptureStdout();
+  validateWithGlslang({&stage}, test::linesOf(files), diagnostics);
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+  EXPECT_EQ(test::format(diagnostics),
+            "/a.csh:1:1: error: compute shaders require version 420 or above\n  #version 120\n  ^\n");
+}
+
 TEST(validate, an_error_three_includes_deep_has_place_chain_and_caret) {
   EXPECT_EQ(
       validated(

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <memory>
+#include <optional>
 #include <string_view>
 
 #include <orris/glsl/compile/compiler_log.h>
@@ -140,10 +142,31 @@ bool reportMissingBrace(const std::vector<LogEntry>& entries, const StageText& s
   return true;
 }
 
+/// The text of a compute shader of a version without compute shaders, as one of a version that has them: glslang prints to standard
+/// output and reads its built-in functions anew for each. Nothing for other stages.
+std::optional<std::string> asComputeShader(const StageText& stage) {
+  constexpr std::string_view kDirective = "#version ";
+  constexpr int kFirstWithCompute = 420;
+  const std::string& text = stage.text.text;
+  if (stage.stage != Stage::Compute || !text.starts_with(kDirective)) return std::nullopt;
+  int version = 0;
+  std::from_chars(text.data() + kDirective.size(), text.data() + text.size(), version);
+  if (version >= kFirstWithCompute) return std::nullopt;
+  return "#version 430" + text.substr(std::min(text.find('\n'), text.size()));
+}
+
 bool compile(glslang::TShader& shader, const StageText& stage, const SourceLines& lines,
              CompileErrors wanted, Diagnostics& diagnostics) {
-  const char* text = stage.text.text.c_str();
-  const int length = static_cast<int>(stage.text.text.size());
+  const std::optional<std::string> raised = asComputeShader(stage);
+  if (raised) {
+    LogEntry entry;
+    entry.line = entry.column = 1;
+    entry.message = "compute shaders require version 420 or above";
+    diagnostics.push_back(locateLogEntry(entry, "glsl-compile", stage, lines));
+  }
+  const std::string& compiled = raised ? *raised : stage.text.text;
+  const char* text = compiled.c_str();
+  const int length = static_cast<int>(compiled.size());
   shader.setStringsWithLengths(&text, &length, 1);
   constexpr int kDefaultVersion = 110;
   const EShMessages messages =
@@ -159,7 +182,7 @@ bool compile(glslang::TShader& shader, const StageText& stage, const SourceLines
     entry.message = withPlainTypes(entry.message);
     diagnostics.push_back(locateLogEntry(entry, "glsl-compile", stage, lines));
   }
-  return ok;
+  return ok && !raised;
 }
 
 // Messages of the linker have no place: "Linking fragment stage: ...".
