@@ -157,17 +157,23 @@ float share_of_face(Hit hit) {
     return share;
 }
 
-/// Has a ray hit what lies between the sides of a pane, on a face whose halves lie beside it?
-bool is_between_sides(Hit hit) {
+// Glass that passes less of a colour parts what lies before it from what lies behind it.
+const float least_passed = 0.05;
+
+/// Has a ray hit a face within stained glass, or what lies between the sides of a pane, on a face whose halves lie beside it?
+bool is_within_glass(Hit hit) {
     ivec3 before = hit.cell + ivec3(hit.normal);
-    vec3 axis = parted_axis(voxel_at(before).code, before);
-    return axis != vec3(0.0) && abs(dot(hit.position - vec3(before) - 0.5, axis)) < pane_radius;
+    Voxel glass = voxel_at(before);
+    vec3 axis = parted_axis(glass.code, before);
+    bool between = axis != vec3(0.0) && abs(dot(hit.position - vec3(before) - 0.5, axis)) < pane_radius;
+    bool stained = glass.code == voxel_translucent && min(glass.color.r, min(glass.color.g, glass.color.b)) < least_passed;
+    return between || stained;
 }
 
 /// Does the light on a hit differ too much over its face for the mean to stand for it? Glass and panes have two layers: what
 /// comes through the holes of one is reflected to and fro between them, and the face has the light on the outside.
 bool is_ill_known(Hit hit) {
-    return is_glass(hit.voxel.code) || is_within_pane(hit) || is_between_sides(hit);
+    return is_glass(hit.voxel.code) || is_within_pane(hit) || is_within_glass(hit);
 }
 
 #if HAS_SHADOW_MAP
