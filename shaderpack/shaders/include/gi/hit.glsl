@@ -22,7 +22,7 @@ const float portal_aside = 0.1225;
 /// How much brighter the planes of a portal are than the cube that stands for it: as much light leaves its cell. That which falls
 /// on what is beside the portal, its frame, does not; nor does that of sides of the cube which lie there or on other lamps.
 float portal_boost(ivec3 cell, int code) {
-    ivec3 across = ivec3(portal_axis(code));
+    ivec3 across = ivec3(partition_axis(code));
     float shut = 0.0;
     float open = 2.0;
     for (int i = 0; i < 4; ++i) {

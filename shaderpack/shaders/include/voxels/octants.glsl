@@ -97,8 +97,7 @@ vec3 parted_axis(int code, ivec3 cell) {
     uint arms = 0u;
     if (is_pane(code)) arms = kept_shape(cell) & arms_of_pane;
     vec3 axis = vec3(arms == arms_along_z, 0.0, arms == arms_along_x);
-    if (is_portal(code)) return portal_axis(code);
-    return is_tinted_pane(code) ? pane_axis(code) : axis;
+    return is_partition(code) ? partition_axis(code) : axis;
 }
 
 /// Does light of the sky come to a place at the edge of the volume? Above all opaque blocks of its column, and above the

@@ -100,7 +100,7 @@ vec2 below_surface(vec2 span, float height, float slope) {
 /// counts as one where a ray comes into it, however aslant, by a side or by its end; what lies between its sides sees no side
 /// from outside. `goes_on`: the cell before has the same pane, or the ray begins here.
 float filter_depth(int code, bool goes_on, vec3 middle, vec3 inverse, vec2 span) {
-    vec3 axis = pane_axis(code);
+    vec3 axis = partition_axis(code);
     float center = dot(middle * inverse, axis);
     float half_way = pane_radius * dot(abs(inverse), axis);
     bool enters = center - half_way > span.x || (!goes_on && center + half_way > span.x);
@@ -235,7 +235,7 @@ Meeting meet_plant(Walk walk, int code) {
 
 /// The plane of a portal that looks to where a ray comes from.
 Meeting meet_portal(Walk walk, int code) {
-    vec3 axis = portal_axis(code);
+    vec3 axis = partition_axis(code);
     vec3 plane = walk.cell + 0.5 - portal_radius * walk.stride;
     float t = dot((plane - walk.origin) * walk.inverse, axis);
     vec3 off = abs(walk.origin + walk.direction * t - walk.cell - 0.5) * (1.0 - axis);

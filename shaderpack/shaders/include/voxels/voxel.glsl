@@ -23,7 +23,7 @@ const int voxel_cover = 48;       // a carpet on the floor of the cell
 const int voxel_tinted_pane = 49;  // a stained pane across x; + 1: across z
 const int voxel_leaves = 51;       // the sides of the cell, with holes: include/voxels/holes.glsl
 const int voxel_plant = 52;        // .. 59: two crossed planes, with holes by one of eight pictures
-const int voxel_portal = 60;       // a portal across x; + 1: across z
+const int voxel_portal = 61;       // a portal across x; + 1: across z
 const int voxel_lamp = 64;        // + 16 * digit of lamp_color + light level 1..15, fills the cell
 
 // Lava: the only lamp of its colour at that level. With something else above it it ends where water does.
@@ -47,9 +47,6 @@ struct Voxel {
 };
 
 bool is_tinted_pane(int code) { return code == voxel_tinted_pane || code == voxel_tinted_pane + 1; }
-
-/// What such a pane lies across.
-vec3 pane_axis(int code) { return code == voxel_tinted_pane ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 0.0, 1.0); }
 
 /// Does the block fill its cell?
 bool is_full(int code) { return code == voxel_solid || code == voxel_leaves || code >= voxel_lamp; }
@@ -76,8 +73,11 @@ bool is_ball(int code) { return code >= voxel_small_lamp && code < voxel_cover; 
 
 bool is_portal(int code) { return code == voxel_portal || code == voxel_portal + 1; }
 
-/// What a portal lies across.
-vec3 portal_axis(int code) { return code == voxel_portal ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 0.0, 1.0); }
+/// A stained pane or a portal: it parts its cell.
+bool is_partition(int code) { return is_tinted_pane(code) || is_portal(code); }
+
+/// What a partition lies across: x if its code is odd.
+vec3 partition_axis(int code) { return (code & 1) == 1 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 0.0, 1.0); }
 
 bool is_lamp_voxel(int code) { return code >= voxel_portal || is_ball(code); }
 

@@ -289,8 +289,7 @@ void emit_voxel() {
     int sky = int(clamp(vertex_sky[0], 0.0, 15.0) + 0.5);
     list_face(cell, is_plant(code) ? face_of_plant : inner ? face + face_inner : face, code, sky);
     if (code >= voxel_lamp && abs(outward) < 0.3) list_cube(cell, code, sky);
-    if (is_tinted_pane(code)) list_halves(cell, pane_axis(code), sky);
-    if (is_portal(code)) list_halves(cell, portal_axis(code), sky);
+    if (is_partition(code)) list_halves(cell, partition_axis(code), sky);
     if (side_of_pane) list_halves(cell, abs(face_normal(face)), sky);
 #endif
 
