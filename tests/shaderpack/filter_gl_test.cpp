@@ -57,8 +57,8 @@ TEST(GiFilter, leaves_edges_of_color) {
 // The longer a mean, the less of a difference beside it is noise.
 TEST(GiFilter, fades_as_means_grow) {
   const GatheredLight hall("h6_hall", 0);
-  const auto unfiltered = hall.drawn(100, {{"TEMPORAL_FRAMES", "1024"}, {"GI_FILTER", "false"}});
-  const auto filtered = hall.drawn(100, {{"TEMPORAL_FRAMES", "1024"}});
+  const auto unfiltered = hall.drawn(100, {{"GI_FILTER", "false"}});
+  const auto filtered = hall.drawn(100, {});
   EXPECT_LT(GatheredLight::difference(filtered, unfiltered), .29);
 }
 
