@@ -342,6 +342,10 @@ ONCE = [
          [r"^/composite\.[vf]sh:1: error: no active #version"],
          stderr=["note: 3 findings follow", r"note: /version\.glsl:1:1: the first file that all of these programs include"],
          stdout=["^pack: 0/2 programs$"]),
+    Case("a_version_that_glsl_does_not_have", ["validate pack", "validate pack --target optifine"], 1,
+         pack({"final.fsh": "#version 16\nvoid main() { gl_FragData[0] = vec4(missing); }\n"}),
+         [r"^/final\.fsh:1:1: error: GLSL has no version 16 \[version-malformed\]$"], stderr=[r"hint: write '#version 330 compatibility'"],
+         stdout=["^pack: 0/1 programs$", "^  1 error$"]),
     Case("a_call_of_a_macro_without_its_end", ["validate pack"], 1,
          two_programs("#define EXPOSURE 1.0\n#define half_of(x) ((x) * 0.5)\nfloat dim(float a) {\n  return half_of((a + 1.0);\n}\n"
                       + SHADE, MORE),

@@ -47,12 +47,13 @@ std::string unitName(const ProgramSource& program, const std::string& name) {
   return program.folder == "/" ? "/" + name : program.folder + "/" + name;
 }
 
-/// Reported as that: what an older GLSL lacks is no further mistake. OptiFine takes such a stage for
-/// GLSL 1.20, which is what is judged then.
+/// Has the program no #version that its host takes? Reported as that: what another GLSL lacks is no further mistake. OptiFine takes
+/// a stage without one for GLSL 1.20, which is what is judged then; no host takes one that GLSL does not have.
 bool lacksVersion(const ProgramUnit& unit) {
-  return unit.judged != unit.stages &&
-         std::ranges::any_of(unit.program->diagnostics,
-                             [](const Diagnostic& d) { return d.id == "version-missing"; });
+  const bool needed = unit.judged != unit.stages;
+  return std::ranges::any_of(unit.program->diagnostics, [needed](const Diagnostic& d) {
+    return d.id == "version-malformed" || (needed && d.id == "version-missing");
+  });
 }
 
 SourceLines sourceLinesOf(const ShaderPack& pack) {
