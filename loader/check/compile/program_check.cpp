@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
+#include <string_view>
 #include <tuple>
 
 #include <orris/check/compile/unused_functions.h>
@@ -56,6 +58,14 @@ bool lacksVersion(const ProgramUnit& unit) {
   });
 }
 
+/// Does Iris's parser refuse a directive of the program? Compilers do not see it: what they get is written anew.
+bool hasRefusedDirective(const ProgramSource& program) {
+  constexpr std::array<std::string_view, 3> kIds = {"version-malformed", "version-repeated", "directive-malformed"};
+  return std::ranges::any_of(program.diagnostics, [&](const Diagnostic& d) {
+    return d.severity == Severity::Error && std::ranges::count(kIds, d.id) > 0;
+  });
+}
+
 SourceLines sourceLinesOf(const ShaderPack& pack) {
   return [&pack](const std::string& file, int line) { return pack.sourceLine(file, line); };
 }
@@ -84,7 +94,7 @@ std::vector<ProgramUnit> programUnits(const ProgramSource& program) {
   std::vector<ProgramUnit> units;
   const ModFamily* family = modFamilyOf(program.group);
   const bool refused =
-      program.misnames ||
+      program.misnames || hasRefusedDirective(program) ||
       std::ranges::count(program.diagnostics, Effect::RefusesProgram, &Diagnostic::effect) > 0;
   using Stages = std::vector<const StageText*>;
   const auto add = [&](const std::string& name, Stages stages, Stages judged) {
@@ -161,7 +171,7 @@ void checkWithGlslang(const ShaderPack& pack, int jobs, Verdicts& verdicts, Diag
   DefinitionIndex index(pack);
   TrialMemo own;
   TrialMemo& trials = known ? *known : own;
-  warmUp(units);
+  if (jobs > 0) warmUp(units);
   const auto check = [&](size_t i) {
     // Names that a missing file would declare are no further mistakes.
     if (units[i].incomplete || lacksVersion(units[i])) return trials.encode({});

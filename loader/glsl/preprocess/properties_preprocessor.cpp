@@ -107,6 +107,7 @@ class PropertiesPreprocessor {
 std::string preprocessProperties(const std::string& file, const std::string& text,
                                  const MacroDefinitions& environment, Diagnostics& diagnostics,
                                  NameWatch* watch) {
+  if (text.empty()) return "";  // most files that may be there are not: they need no table of macros
   return PropertiesPreprocessor(file, environment, diagnostics, watch).run(text);
 }
 
