@@ -77,7 +77,9 @@ class StageCounts {
  private:
   void checkVersion() {
     const int version = report_.writtenVersion(stage_);
-    if (version <= target_.glslVersion) return;
+    const auto isMalformed = [](const Diagnostic& d) { return d.id == "version-malformed"; };
+    // A version that GLSL does not have is beyond every target.
+    if (version <= target_.glslVersion || std::ranges::any_of(program_.program->diagnostics, isMalformed)) return;
     report(stage_.stage->text.locate(1, 1),
            fmt::format("#version {} is more than {} offers: {}", version, target_.fullName,
                        target_.glslVersion));
