@@ -154,7 +154,7 @@ TEST(preprocessor, version_and_extensions_of_active_branches_are_collected) {
 TEST(preprocessor, a_second_version_is_an_error) {
   EXPECT_EQ(preprocessed("#version 120\n#version 330\n"),
             "#version 120\n---\n"
-            "/a.fsh:2:1: error: a second active #version; exactly one is allowed\n"
+            "/a.fsh:2:1: error: a second active #version; exactly one is allowed; Iris refuses the whole pack\n"
             "  #version 330\n  ^\n");
 }
 
@@ -165,20 +165,20 @@ TEST(preprocessor, a_version_is_one_of_glsl) {
       "100, 300, 310, 320\n";
   for (const std::string number : {"16", "4096", "2.5", "0x14a", "abc"}) {
     EXPECT_EQ(preprocessed("#version " + number + "\n"),
-              "---\n/a.fsh:1:1: error: GLSL has no version " + number + "\n  #version " + number + "\n  ^\n" + hint);
+              "---\n/a.fsh:1:1: error: GLSL has no version " + number + "; Iris refuses the whole pack\n  #version " + number + "\n  ^\n" + hint);
   }
   EXPECT_EQ(preprocessed("#version\n"),
-            "---\n/a.fsh:1:1: error: expected a version of GLSL after #version\n  #version\n  ^\n" + hint);
+            "---\n/a.fsh:1:1: error: expected a version of GLSL after #version; Iris refuses the whole pack\n  #version\n  ^\n" + hint);
   EXPECT_EQ(preprocessed("#version 310 es\n"), "#version 310 es\n");
 }
 
 TEST(preprocessor, a_version_has_a_profile_and_nothing_else) {
   EXPECT_EQ(preprocessed("#version 330 compatability\n"),
             "#version 330\n---\n/a.fsh:1:14: error: expected 'core' or 'compatibility' after #version 330, found "
-            "'compatability'\n  #version 330 compatability\n               ^\n");
+            "'compatability'; Iris refuses the whole pack\n  #version 330 compatability\n               ^\n");
   EXPECT_EQ(preprocessed("#version 450 core 1\n"),
             "#version 450 core\n---\n/a.fsh:1:19: error: expected the end of the line after '#version 450 core', found "
-            "'1'\n  #version 450 core 1\n                    ^\n");
+            "'1'; Iris refuses the whole pack\n  #version 450 core 1\n                    ^\n");
 }
 
 TEST(preprocessor, a_malformed_version_is_not_missing_as_well) {
@@ -222,7 +222,10 @@ TEST(preprocessor, malformed_directives_are_reported_and_the_rest_goes_on) {
             "  hint: Iris goes on after this, other hosts refuse the program\n");
   EXPECT_EQ(preprocessed("#extension GL_A\n"),
             "---\n/a.fsh:1:1: error: expected '#extension NAME : enable', 'require', 'warn' or "
-            "'disable'\n  #extension GL_A\n  ^\n");
+            "'disable'; Iris refuses the program\n  #extension GL_A\n  ^\n");
+  EXPECT_EQ(preprocessed("#extension GL_A enable\n"),
+            "---\n/a.fsh:1:1: error: expected '#extension NAME : enable', 'require', 'warn' or "
+            "'disable'; Iris refuses the whole pack\n  #extension GL_A enable\n  ^\n");
   EXPECT_EQ(preprocessed("#frob\n#if 0\n#frob\n#endif\n"),
             "---\n/a.fsh:1:1: warning: unknown preprocessor directive '#frob'\n  #frob\n  ^\n"
             "  hint: Iris goes on after this, other hosts refuse the program\n");

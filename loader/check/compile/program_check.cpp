@@ -58,12 +58,11 @@ bool lacksVersion(const ProgramUnit& unit) {
   });
 }
 
-/// Does Iris's parser refuse a directive of the program? Compilers do not see it: what they get is written anew.
-bool hasRefusedDirective(const ProgramSource& program) {
-  constexpr std::array<std::string_view, 3> kIds = {"version-malformed", "version-repeated", "directive-malformed"};
-  return std::ranges::any_of(program.diagnostics, [&](const Diagnostic& d) {
-    return d.severity == Severity::Error && std::ranges::count(kIds, d.id) > 0;
-  });
+/// Does Iris refuse the program or, for what stands in it, the pack? Compilers may not see it.
+bool irisRefuses(const ProgramSource& program) {
+  return program.misnames || std::ranges::any_of(program.diagnostics, [](const Diagnostic& d) {
+           return d.effect == Effect::RefusesProgram || d.effect == Effect::RefusesPack;
+         });
 }
 
 SourceLines sourceLinesOf(const ShaderPack& pack) {
@@ -93,9 +92,7 @@ void warmUp(const std::vector<ProgramUnit>& units) {
 std::vector<ProgramUnit> programUnits(const ProgramSource& program) {
   std::vector<ProgramUnit> units;
   const ModFamily* family = modFamilyOf(program.group);
-  const bool refused =
-      program.misnames || hasRefusedDirective(program) ||
-      std::ranges::count(program.diagnostics, Effect::RefusesProgram, &Diagnostic::effect) > 0;
+  const bool refused = irisRefuses(program);
   using Stages = std::vector<const StageText*>;
   const auto add = [&](const std::string& name, Stages stages, Stages judged) {
     std::uint64_t hash = hashOf(stages);

@@ -104,6 +104,12 @@ void DirectiveRunner::report(Severity severity, std::string id, const Origin& at
                           .hint = std::move(hint)});
 }
 
+void DirectiveRunner::refuse(Effect effect, std::string id, const Origin& at, std::string message, std::string hint) {
+  const std::size_t before = diagnostics_.size();
+  report(Severity::Error, std::move(id), at, std::move(message), std::move(hint));
+  if (diagnostics_.size() > before) diagnostics_.back() = withEffect(std::move(diagnostics_.back()), effect);
+}
+
 bool DirectiveRunner::next(Token& token) {
   while (position_ >= line_.size()) {
     if (!readLine()) return false;

@@ -41,6 +41,8 @@ class DirectiveRunner : public TokenSource {
   bool takeDirective();
   void report(Severity severity, std::string id, const Origin& at, std::string message,
               std::string hint = "");
+  /// An error by which Iris does not draw what it stands in: `effect` says how much.
+  void refuse(Effect effect, std::string id, const Origin& at, std::string message, std::string hint = "");
   void reportUnknown(const std::string& name, const std::string& meant, const Origin& hash);
   void reportUnbalanced(const Origin& at, std::string problem);
   void reportUnbalanced(const UnbalancedConditional& found);

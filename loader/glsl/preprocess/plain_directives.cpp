@@ -37,12 +37,12 @@ void DirectiveRunner::onVersion(const std::vector<Token>& tokens) {
   const Origin& at = tokens.front().origin;
   const std::string number = tokens.size() > 1 ? tokens[1].text : "";
   if (stream_.versionOrigin.line > 0) {
-    report(Severity::Error, "version-repeated", at, "a second active #version; exactly one is allowed");
+    refuse(Effect::RefusesPack, "version-repeated", at, "a second active #version; exactly one is allowed");
     return;
   }
   stream_.versionOrigin = at;
   if (std::ranges::find(kVersions, number) == kVersions.end()) {
-    report(Severity::Error, "version-malformed", at,
+    refuse(Effect::RefusesPack, "version-malformed", at,
            number.empty() ? "expected a version of GLSL after #version" : fmt::format("GLSL has no version {}", number),
            fmt::format("write '#version 330 compatibility', or one of {}", fmt::join(kVersions, ", ")));
     return;
@@ -50,13 +50,13 @@ void DirectiveRunner::onVersion(const std::vector<Token>& tokens) {
   std::from_chars(number.data(), number.data() + number.size(), stream_.version);
   if (tokens.size() == 2) return;
   if (std::ranges::find(kProfiles, tokens[2].text) == kProfiles.end()) {
-    report(Severity::Error, "version-malformed", tokens[2].origin,
+    refuse(Effect::RefusesPack, "version-malformed", tokens[2].origin,
            fmt::format("expected 'core' or 'compatibility' after #version {}, found '{}'", number, tokens[2].text));
     return;
   }
   stream_.profile = tokens[2].text;
   if (tokens.size() == 3) return;
-  report(Severity::Error, "version-malformed", tokens[3].origin,
+  refuse(Effect::RefusesPack, "version-malformed", tokens[3].origin,
          fmt::format("expected the end of the line after '#version {} {}', found '{}'", number, stream_.profile, tokens[3].text));
 }
 
@@ -64,7 +64,9 @@ void DirectiveRunner::onExtension(const std::vector<Token>& tokens) {
   const bool wellFormed = tokens.size() >= 4 && tokens[1].kind == TokenKind::Identifier &&
                           isPunctuator(tokens[2], ":") && tokens[3].kind == TokenKind::Identifier;
   if (!wellFormed) {
-    report(Severity::Error, "directive-malformed", tokens.front().origin,
+    // Iris's grammar has this form; the driver that gets it does not.
+    const bool parsed = tokens.size() == 2 && tokens[1].kind == TokenKind::Identifier;
+    refuse(parsed ? Effect::RefusesProgram : Effect::RefusesPack, "directive-malformed", tokens.front().origin,
            "expected '#extension NAME : enable', 'require', 'warn' or 'disable'");
     return;
   }
