@@ -768,6 +768,10 @@ program.composite.enabled = false
                                           ("pillars", "160x90", "VOLUME_AUTO", "NONE"),
                                           ("hills", "160x90", "VOLUME_AUTO", "NONE"),
                                           ("hills", "640x360", "MAP_PCF", "NONE"))],
+    *[Case(f"auto_rays_to_lamps_{world}",
+           [f"render {{source}}/shaderpack {{source}}/worlds/{world} -o out.png --size 32x18 --frames 1 --json"], 0, {},
+           creates=["out.png"], stdout=[rf'"option": "GI_LAMPS",\n\s+"value": "{lamps}"'])
+      for world, lamps in (("cornell", "SAMPLED"), ("h4_house", "HIT"))],
     Case("settings_file_then_set", ["options pack --settings mine.txt --set TONE=2"], 0,
          {**pack({"composite.fsh": COMPOSITE}), "mine.txt": "TONE=3\n"}, stdout=["^TONE = 2"]),
     Case("settings_file", ["options pack --settings mine.txt"], 0,
