@@ -172,8 +172,8 @@ TEST(FaceCache, floor_below_a_lantern_has_the_light_of_what_it_leaves_free) {
   PackSession pack(R"({"size": [7, 7, 7],
       "blocks": [{"hollow": "black_concrete", "min": [0, 0, 0], "max": [6, 6, 6]}, {"block": "lantern", "at": [3, 1, 3]}],
       "cameras": [{"name": "eye", "position": [1.5, 1.5, 1.5]}], "environment": {"time": 18000}})",
-                   cacheOptions({{"FACE_SHARE", "1"}, {"FACE_WINDOW", "128"}, {"FACE_RAYS", "8"}}), 8, 8);
-  pack.renderFrames(100);
+                   cacheOptions({{"FACE_SHARE", "1"}, {"FACE_WINDOW", "128"}, {"FACE_RAYS", "16"}}), 8, 8);
+  pack.renderFrames(200);
   const double expected = 5 * kGlowstone * floorBelowSphere(.25, 3. / 16);
   EXPECT_NEAR(faceField(pack, kFaceVolume).red({3, 0, 3}, kUp) / expected, 1, .02);
 }

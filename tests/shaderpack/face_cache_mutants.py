@@ -60,7 +60,7 @@ MUTANTS = [
      [(LAMPS, "return hit.found && hit.cell == lamp.cell ?",
        "return true ?")]),
     ("no albedo in the feedback", "FaceCache.one_cell*",
-     [(UPDATE, "passes ? vec3(1.0) : voxel_albedo(hit.voxel)",
+     [(UPDATE, "passes ? vec3(1.0) : albedo_of(hit)",
        "vec3(1.0)")]),
     ("no feedback", "FaceCache.one_cell*",
      [(UPDATE, "light_on(hit)",

@@ -110,7 +110,7 @@ vec3 gather(Surface s, vec3 light, int number) {
             continue;
         }
 #endif
-        throughput *= voxel_albedo(hit.voxel);
+        throughput *= albedo_of(hit);
         radiance += throughput * sun_at(hit, direction, light, s.light.y);
 #if HAS_FACE_CACHE
         // From so near the mean of a face is not what is seen of it: gathered anew, as final gathering with photon
@@ -123,7 +123,7 @@ vec3 gather(Surface s, vec3 light, int number) {
         normal = thin && dot(hit.normal, direction) > 0.0 ? -hit.normal : hit.normal;
         throughput *= choose_side(thin, hit.voxel.color, normal);
         origin = hit.position + normal * face_offset;
-        begins_on_lamp = false;
+        begins_on_lamp = is_on_body(hit);
 #if HAS_AIR_LIGHT
         // The cells before a lamp hold its own light: what it reflects is not known.
         if (is_lamp_voxel(hit.voxel.code)) break;

@@ -51,6 +51,12 @@ vec3 lamp_light(Hit hit, vec3 from, vec3 direction) {
 /// Does a ray go on behind the small lamp that it hits? What is drawn of that stops it, its ball does not.
 bool goes_on(Hit hit) { return hit.found && is_ball(hit.voxel.code) && !hit.inner; }
 
+/// Is a hit on what is drawn of a small lamp?
+bool is_on_body(Hit hit) { return is_ball(hit.voxel.code) && hit.inner; }
+
+/// What a hit sends back. Of bodies of lamps voxels know the light alone: iron and wood have some of its colour.
+vec3 albedo_of(Hit hit) { return is_on_body(hit) ? 0.3 * sqrt(brightest(hit.voxel.color)) : voxel_albedo(hit.voxel); }
+
 /// Of a ray that goes on, the place where it is nearest to the middle of the lamp.
 vec3 point_in_ball(Hit hit, vec3 from, vec3 direction) {
     return from + direction * dot(vec3(hit.cell) + 0.5 - from, direction);
@@ -107,7 +113,8 @@ Hit trace_from_face(vec3 origin, vec3 direction) {
 #endif
     bool outside = dot(to_center, to_center) > small_lamp_radius * small_lamp_radius;
     if (is_ball(own.code) && !begins_on_lamp && outside && (post.found || meets_ball(cell, origin, direction)))
-        return Hit(true, cell, origin, -direction, own, vec3(1.0), post.found);
+        return Hit(true, cell, origin + direction * (post.found ? post.t : 0.0),
+                   post.found ? -post.axis * walk.stride : -direction, own, vec3(1.0), post.found);
     vec3 within = floor((origin - vec3(cell)) * 2.0);
     uint octants = octants_of(own.code, cell);
     // What is thinner than half a block has its face inside of what stands for it.
@@ -171,9 +178,9 @@ bool is_within_glass(Hit hit) {
 }
 
 /// Does the light on a hit differ too much over its face for the mean to stand for it? Glass and panes have two layers: what
-/// comes through the holes of one is reflected to and fro between them, and the face has the light on the outside.
+/// comes through the holes of one is reflected to and fro between them, and the face has the light on the outside. A small lamp has no faces.
 bool is_ill_known(Hit hit) {
-    return is_glass(hit.voxel.code) || is_within_pane(hit) || is_within_glass(hit);
+    return is_on_body(hit) || is_glass(hit.voxel.code) || is_within_pane(hit) || is_within_glass(hit);
 }
 
 #if HAS_SHADOW_MAP

@@ -48,13 +48,15 @@ vec3 hemisphere_sample(Face f, vec2 u, vec3 light) {
         radiance += throughput * (hit.found ? vec3(0.0) : sky_beyond(hit, direction, f.sky));
         bool ends = ray == most_rays_on || !(goes_on(hit) || is_ill_known(hit));
         bool passes = goes_on(hit) && !ends;
-        throughput *= passes ? vec3(1.0) : voxel_albedo(hit.voxel);
+        throughput *= passes ? vec3(1.0) : albedo_of(hit);
         vec3 reflected = passes || !hit.found ? vec3(0.0) : throughput;
         radiance += reflected * sun_at(hit, direction, light, f.sky);
         if (ends) break;
+        begins_on_lamp = !passes && is_on_body(hit);
         from = passes ? point_in_ball(hit, from, direction) : hit.position + hit.normal * face_offset;
         direction = passes ? direction : cosine_direction(hit.normal, next_random().xy);
     }
+    begins_on_lamp = false;
     return radiance + (hit.found ? throughput * share_of_face(hit) * light_on(hit) : vec3(0.0));
 }
 

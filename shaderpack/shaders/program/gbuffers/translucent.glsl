@@ -200,7 +200,7 @@ vec3 mirrored_radiance(vec3 n, vec3 direction, vec3 l) {
         Hit hit = trace(from, direction, voxel_air);
         vec3 lamp = lamp_light(hit, from, direction);
         vec3 sun = DIRECT_LIGHT == NONE ? vec3(0.0) : sun_at(hit, direction, l, light.y);
-        if (hit.found) return hit.transmittance * (lamp + voxel_albedo(hit.voxel) * (sun + light_on(hit)));
+        if (hit.found) return hit.transmittance * (lamp + albedo_of(hit) * (sun + light_on(hit)));
     }
 #endif
     return sky_radiance(direction) * sky;

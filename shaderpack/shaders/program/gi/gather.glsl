@@ -85,7 +85,7 @@ vec3 mirrored(Surface s, vec3 light) {
     if (!hit.found) return weight * sky_beyond(hit, direction, s.light.y);
     vec3 lamp = lamp_light(hit, from, direction);
     vec3 cached = share_of_face(hit) * light_on(hit);
-    return weight * (lamp + voxel_albedo(hit.voxel) * (sun_at(hit, direction, light, s.light.y) + cached));
+    return weight * (lamp + albedo_of(hit) * (sun_at(hit, direction, light, s.light.y) + cached));
 }
 #endif
 
