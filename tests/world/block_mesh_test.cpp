@@ -47,9 +47,7 @@ TEST(BlockMesh, south_face_has_exactly_these_attributes) {
   ASSERT_EQ(quads.size(), 1u);
   const AtlasTile tile = buildAtlas(texturesOf(scene.facts())).tile("stone");
   const glm::vec3 positions[] = {{1, 3, 14}, {1, 2, 14}, {2, 2, 14}, {2, 3, 14}};
-  // As in the game, 4/1024 of the texture stays out of sight, so that no edge of a face shows the tile beside.
-  const glm::vec2 inset = (tile.max - tile.min) * (2.0f / 1024), low = tile.min + inset, high = tile.max - inset;
-  const glm::vec2 uvs[] = {low, {low.x, high.y}, high, {high.x, low.y}};
+  const glm::vec2 uvs[] = {tile.min, {tile.min.x, tile.max.y}, tile.max, {tile.max.x, tile.min.y}};
   const glm::i8vec4 middles[] = {
       {32, -32, -32, 0}, {32, 32, -32, 0}, {-32, 32, -32, 0}, {-32, -32, -32, 0}};
   for (int i = 0; i < 4; ++i) {
@@ -75,9 +73,8 @@ TEST(BlockMesh, partial_faces_crop_the_tile_by_position) {
   const Quad east = quadsFacing(mesh, {1, 0, 0}).at(0);
   const float middle = (tile.min.y + tile.max.y) / 2;
   EXPECT_EQ(east.v[0].position, glm::vec3(1, 0.5f, 1));
-  const float inset = (tile.max.y - middle) * 2 / 1024;
-  EXPECT_FLOAT_EQ(east.v[0].uv.y, middle + inset);
-  EXPECT_FLOAT_EQ(east.v[1].uv.y, tile.max.y - inset);
+  EXPECT_FLOAT_EQ(east.v[0].uv.y, middle);
+  EXPECT_FLOAT_EQ(east.v[1].uv.y, tile.max.y);
   EXPECT_FLOAT_EQ(east.v[0].midUv.y, (middle + tile.max.y) / 2);
 }
 

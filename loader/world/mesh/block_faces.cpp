@@ -29,17 +29,12 @@ float along(glm::vec3 axis, glm::vec3 point) {
   return axis.x + axis.y + axis.z > 0 ? value : 1 + value;
 }
 
-// As the game's, whose faces show so much less of a texture about its middle (4 over the side of its atlas, 1024 texels with
-// its own textures): what is drawn at the very edge of a face may not be the tile beside.
-constexpr float kInset = 4.0f / 1024;
-
 void setAtlas(BlockFace& face, const AtlasTile& tile) {
   face.midUv = glm::vec2(0);
   for (glm::vec2& uv : face.uv) {
     uv = tile.min + uv * (tile.max - tile.min);
     face.midUv += uv * 0.25f;
   }
-  for (glm::vec2& uv : face.uv) uv = glm::mix(uv, face.midUv, kInset);
 }
 
 /// A texture as wide as two blocks shows a quarter of itself on a side.
