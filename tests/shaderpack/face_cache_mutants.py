@@ -62,6 +62,8 @@ MUTANTS = [
     ("no albedo in the feedback", "FaceCache.one_cell*",
      [(UPDATE, "passes ? vec3(1.0) : albedo_of(hit)",
        "vec3(1.0)")]),
+    ("bodies of lamps have the light of what stood there", "GlossyReflection.a_lantern*",
+     [("include/face_cache/light_at.glsl", "is_on_body(hit) ? 0.0 : 1.0", "1.0")]),
     ("no feedback", "FaceCache.one_cell*",
      [(UPDATE, "light_on(hit)",
        "vec3(0.0)")]),

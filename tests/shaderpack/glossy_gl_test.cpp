@@ -127,6 +127,26 @@ TEST(GlossyReflection, what_was_mirrored_is_gone_when_the_eye_moves) {
   EXPECT_LT(sum / double(mirrored.pixels.size() / 4), .6);
 }
 
+// A soul lantern, whose own light has little red, where stairs stood beside a lamp: its body has no faces, and nothing updates what those of the stairs have got.
+TEST(GlossyReflection, a_lantern_shows_no_light_of_the_stairs_that_it_replaces) {
+  const auto mirroredLantern = [](const std::string& before) {
+    SessionSetup setup;
+    setup.world = R"({"size": [11, 9, 13],
+        "blocks": [{"hollow": "black_concrete", "min": [0, 0, 0], "max": [10, 8, 12]},
+                   {"box": "iron_block", "min": [1, 0, 1], "max": [9, 0, 11]}, {"block": "soul_lantern", "at": [5, 1, 2]})" +
+                  before + R"(],
+        "cameras": [{"name": "eye", "position": [5.5, 4, 10]}], "environment": {"time": 18000},
+        "events": [{"frame": 60, "set": {"at": [5, 1, 3], "block": "air"}}, {"frame": 60, "set": {"at": [5, 1, 2], "block": "soul_lantern"}}]})";
+    setup.options = glossyOptions("true");
+    PackSession pack(setup);
+    pack.look(kEye, {5.5, 1, 3.2});
+    pack.renderFrames(160);
+    return pack.meanRadiance().r;
+  };
+  const std::string stairs = R"(, {"block": "quartz_stairs[facing=north]", "at": [5, 1, 2]}, {"block": "glowstone", "at": [5, 1, 3]})";
+  EXPECT_NEAR(mirroredLantern(stairs) / mirroredLantern(""), 1, .02);
+}
+
 TEST(GlossyReflection, only_mirrors_need_a_target) {
   for (const auto& [glossy, method, there] : {std::tuple("false", "FACE_CACHE", false),
                                               {"true", "BOUNCE_1", false},

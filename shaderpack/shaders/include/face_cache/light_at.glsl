@@ -93,7 +93,7 @@ vec4 light_at(vec3 position, ivec3 cell, int face) {
 
 /// B where a ray hits. Beside a pane a face has two halves, and parts of blocks have faces of other sizes: these have their
 /// means alone.
-vec3 light_on(Hit hit) {
+vec3 light_of_face(Hit hit) {
     int face = face_of_hit(hit);
     ivec3 before = hit.cell + ivec3(hit.normal);
     bool whole = is_full(hit.voxel.code) && !hit.inner && parted_axis(voxel_at(before).code, before) == vec3(0.0);
@@ -104,6 +104,14 @@ vec3 light_on(Hit hit) {
     }
     if (above.a > 0.0) return above.rgb;
     return light_at(hit.position, hit.cell, face).rgb;
+}
+
+/// B where a ray hits, as far as it comes to the hit. What is drawn of a small lamp has no faces: in their places is what faces
+/// of a block that stood there got.
+vec3 light_on(Hit hit) {
+    float share = is_on_body(hit) ? 0.0 : 1.0;
+    if (is_within_pane(hit)) share = open_share(hit.voxel.code, face_of(hit.normal));
+    return share * light_of_face(hit);
 }
 
 #endif

@@ -137,7 +137,7 @@ vec3 gather(Surface s, vec3 light, int number) {
         if (gi_bounces == 1) break;
     }
 #if HAS_FACE_CACHE
-    if (reads_cache) radiance += throughput * share_of_face(hit) * light_on(hit);
+    if (reads_cache) radiance += throughput * light_on(hit);
 #endif
     return radiance;
 }

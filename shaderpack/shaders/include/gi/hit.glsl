@@ -157,14 +157,7 @@ bool is_within_pane(Hit hit) {
     return is_pane(hit.voxel.code) && dot(hit.position - vec3(hit.cell) - 0.5, hit.normal) < 0.0;
 }
 
-/// What of the light on its face comes to a hit.
-float share_of_face(Hit hit) {
-    float share = 1.0;
-    if (is_within_pane(hit)) share = open_share(hit.voxel.code, face_of(hit.normal));
-    return share;
-}
-
-// Glass that passes less of a colour parts what lies before it from what lies behind it.
+/// Glass that passes less of a colour parts what lies before it from what lies behind it.
 const float least_passed = 0.05;
 
 /// Has a ray hit a face within stained glass, or what lies between the sides of a pane, on a face whose halves lie beside it?

@@ -57,7 +57,7 @@ vec3 hemisphere_sample(Face f, vec2 u, vec3 light) {
         direction = passes ? direction : cosine_direction(hit.normal, next_random().xy);
     }
     begins_on_lamp = false;
-    return radiance + (hit.found ? throughput * share_of_face(hit) * light_on(hit) : vec3(0.0));
+    return radiance + (hit.found ? throughput * light_on(hit) : vec3(0.0));
 }
 
 /// Updates that count, after an edit in the frame before: none, or a few if edits follow each other.

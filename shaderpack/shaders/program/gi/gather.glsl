@@ -84,7 +84,7 @@ vec3 mirrored(Surface s, vec3 light) {
     weight *= hit.transmittance;
     if (!hit.found) return weight * sky_beyond(hit, direction, s.light.y);
     vec3 lamp = lamp_light(hit, from, direction);
-    vec3 cached = share_of_face(hit) * light_on(hit);
+    vec3 cached = light_on(hit);
     return weight * (lamp + albedo_of(hit) * (sun_at(hit, direction, light, s.light.y) + cached));
 }
 #endif
