@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """How much of the sun the pack lets through glass, panes, leaves and water, beside the path tracer: a row a block and time.
 
-A floor of white concrete with the block above it, seen from below the block. A share is the mean of the picture over that of
-the bare floor, direct sunlight alone. What stands in PAGE between the comments `shares` and `end of shares` is written anew."""
+A floor of white concrete with the block above it, seen from below the block. A share is the mean of the pictures over that of
+the bare floor, direct sunlight alone: of several pictures, as one shows a few holes and a part of the next. What stands in PAGE between the comments `shares` and `end of shares` is written anew."""
 
 import argparse
 import datetime
@@ -21,7 +21,9 @@ from exr_file import read_exr  # noqa: E402
 BOUND = 0.02
 TIMES = (1500, 2500, 4000, 6000, 9500)
 METHODS = ("MAP_PCF", "VOLUME_AUTO")
-SIZE = "128x72"
+SIZE = "256x144"
+# Of the eye, in x: over one period of the longest pattern, that of panes when the sun is lowest.
+PLACES = (16, 16.6, 17.2, 17.8)
 ROOF = '{{"box": "{0}", "min": [0, 4, 0], "max": [31, 4, 31]}}'
 WALLS = ('{{"box": "{0}", "min": [12, 1, 0], "max": [12, 14, 31]}}, '
          '{{"box": "{0}", "min": [20, 1, 0], "max": [20, 14, 31]}}')
@@ -38,15 +40,15 @@ SCENES = {
 }
 
 
-def world(things, time):
+def world(things, time, x):
     """
-    >>> json.loads(world(SCENES["panes"], 4000))["blocks"][1]["box"]
+    >>> json.loads(world(SCENES["panes"], 4000, 17))["blocks"][1]["box"]
     'glass_pane[north=true,south=true]'
-    >>> len(json.loads(world(BARE, 4000))["blocks"])
+    >>> len(json.loads(world(BARE, 4000, 17))["blocks"])
     1
     """
     blocks = ", ".join(filter(None, ['{"box": "white_concrete", "min": [0, 0, 0], "max": [31, 0, 31]}', things]))
-    camera = '{"name": "eye", "position": [16, 3.2, 16], "target": [16.01, 0, 16], "fov": 100}'
+    camera = f'{{"name": "eye", "position": [{x}, 3.2, 16], "target": [{x + .01}, 0, 16], "fov": 100}}'
     return (f'{{"size": [32, 16, 32], "blocks": [{blocks}], "cameras": [{camera}], '
             f'"environment": {{"time": {time}}}}}')
 
@@ -86,11 +88,14 @@ def drawn(args, folder, method):
 
 
 def measured(args, things, time):
-    """Means of the picture, of the path tracer and of each method."""
-    with tempfile.TemporaryDirectory() as name:
-        folder = pathlib.Path(name)
-        (folder / "world.json").write_text(world(things, time))
-        return [traced(args, folder)] + [drawn(args, folder, method) for method in METHODS]
+    """Means of the pictures, of the path tracer and of each method."""
+    sums = []
+    for x in PLACES:
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            (folder / "world.json").write_text(world(things, time, x))
+            sums.append([traced(args, folder)] + [drawn(args, folder, method) for method in METHODS])
+    return [[sum(values) / len(PLACES) for values in zip(*means)] for means in zip(*sums)]
 
 
 def shares(lit, bare):

@@ -114,6 +114,7 @@ MUTANTS = [
     ("panes part no light", "ReferenceSky.*/low_panes", [(OCTANTS, "arms = kept_shape(cell) & arms_of_pane;", "arms = 0u;")]),
     ("both halves beside a pane lit alike", "ReferenceSky.*/low_panes", [(UPDATE, "bool parts = dot(face_normal(face), axis) == 0.0;", "bool parts = false;")]),
     ("light within glass by its outer side", "ReferenceGlazedRoom.*", [(HIT, "return is_on_body(hit) || is_glass(hit.voxel.code) ||", "return is_on_body(hit) ||")]),
+    ("parts of a pane have edges of their own", "ReferencePanes.*", [(SHADOW, "== block_pane) {", "== -2) {")]),
     ("balls of small lamps stop light", "ReferenceSmallLamp.balls*", [(HIT, "return hit.found && is_ball(hit.voxel.code) && !hit.inner;", "return false;")]),
     ("bodies of small lamps are black", "ReferenceSmallLamp.balls*", [(HIT, "0.3 * sqrt(brightest(hit.voxel.color))", "vec3(0.0)")]),
     ("after a body faces see no lamp beside them", "ReferenceSmallLamp.body*", [(UPDATE, "    begins_on_lamp = false;\n", "")]),

@@ -28,9 +28,7 @@ out float vertex_id;
 out float vertex_emission;
 out vec3 vertex_normal;
 out float vertex_sky;  // level 0..15
-#if HAS_VOXELS || HAS_LAMPS
 out vec3 vertex_player;
-#endif
 
 void main() {
     vec4 view = gl_ModelViewMatrix * gl_Vertex;
@@ -44,9 +42,7 @@ void main() {
     vertex_emission = block_emission(int(floor(mc_Entity.x + 0.5)), at_midBlock.w);
     vertex_normal = mat3(shadowModelViewInverse) * (gl_NormalMatrix * gl_Normal);
     vertex_sky = (gl_TextureMatrix[1] * gl_MultiTexCoord1).y * 16.0 - 0.5;
-#if HAS_VOXELS || HAS_LAMPS
     vertex_player = player;
-#endif
 }
 
 #elif defined GEOMETRY_STAGE
@@ -62,15 +58,13 @@ in float vertex_id[];
 in float vertex_emission[];
 in vec3 vertex_normal[];
 in float vertex_sky[];
-#if HAS_VOXELS || HAS_LAMPS
 in vec3 vertex_player[];
-#endif
 
 out vec2 uv;
 flat out vec4 voxel;  // a 0: part of the shadow map
 flat out vec4 sheet;  // as include/shadow/sheets.glsl stores it; 0: nothing
 flat out vec2 lattice;
-flat out vec4 tile;  // the quad's part of the atlas: low, high
+flat out vec4 tile;  // part of the atlas: low, high
 
 #if HAS_VOXELS || HAS_LAMPS
 
@@ -317,15 +311,31 @@ void emit_voxel() {
 
 #endif
 
+/// The part of the atlas that a quad shows; of a pane, whose sides are made in parts, what the whole side would.
+vec4 tile_of_triangle() {
+    vec2 low = min(vertex_uv[0], min(vertex_uv[1], vertex_uv[2]));
+    vec2 high = max(vertex_uv[0], max(vertex_uv[1], vertex_uv[2]));
+    if (int(floor(vertex_id[0] + 0.5)) == block_pane) {
+        // Two edges of the quad, and how the texture goes on along them.
+        vec3 a = vertex_player[1] - vertex_player[0];
+        vec3 b = vertex_player[2] - vertex_player[1];
+        mat2 per_block = mat2((vertex_uv[1] - vertex_uv[0]) / length(a), (vertex_uv[2] - vertex_uv[1]) / length(b));
+        vec3 to_middle = vertex_center[0] - vertex_player[0];
+        vec2 middle = vertex_uv[0] + per_block * vec2(dot(to_middle, normalize(a)), dot(to_middle, normalize(b)));
+        vec2 half_size = 0.5 * (abs(per_block[0]) + abs(per_block[1]));
+        low = middle - half_size;
+        high = middle + half_size;
+    }
+    return vec4(mix(low, high, 0.001), mix(low, high, 0.999));
+}
+
 void emit_triangle() {
     sheet = vec4(0.0);
 #if HAS_VOXELS
     sheet = sheet_of_triangle();
 #endif
     lattice = shadow_lattice();
-    vec2 low = min(vertex_uv[0], min(vertex_uv[1], vertex_uv[2]));
-    vec2 high = max(vertex_uv[0], max(vertex_uv[1], vertex_uv[2]));
-    tile = vec4(mix(low, high, 0.001), mix(low, high, 0.999));
+    tile = tile_of_triangle();
     for (int i = 0; i < 3; ++i) {
         gl_Position = gl_in[i].gl_Position;
         uv = vertex_uv[i];
@@ -357,7 +367,7 @@ flat in vec4 tile;
 
 uniform sampler2D gtexture;
 
-/// What reaches over an edge goes on at the opposite one, as in a neighbour with the same texture: the edge itself, a
+/// What reaches over an edge of that part goes on at the opposite one, as in a neighbour with the same texture: the edge itself, a
 /// frame of glass, would count too often.
 vec2 in_tile(vec2 place) {
     vec2 size = max(tile.zw - tile.xy, vec2(1e-7));
