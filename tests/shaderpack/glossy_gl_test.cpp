@@ -127,7 +127,8 @@ TEST(GlossyReflection, what_was_mirrored_is_gone_when_the_eye_moves) {
   EXPECT_LT(sum / double(mirrored.pixels.size() / 4), .6);
 }
 
-// A soul lantern, whose own light has little red, where stairs stood beside a lamp: its body has no faces, and nothing updates what those of the stairs have got.
+// A soul lantern, whose own light has little red, where stairs stood beside a lamp: its body has no faces, and nothing updates what
+// those of the stairs have got.
 TEST(GlossyReflection, a_lantern_shows_no_light_of_the_stairs_that_it_replaces) {
   const auto mirroredLantern = [](const std::string& before) {
     SessionSetup setup;

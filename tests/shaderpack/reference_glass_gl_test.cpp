@@ -19,6 +19,10 @@ struct Pane {
 };
 void PrintTo(const Pane& pane, std::ostream* out) { *out << pane.name; }
 
+constexpr const char* kPaneWalls =
+    R"(, {"box": "glass_pane[north=true,south=true]", "min": [12, 1, 0], "max": [12, 14, 31]},
+    {"box": "glass_pane[north=true,south=true]", "min": [20, 1, 0], "max": [20, 14, 31]})";
+
 /// Light of the sun on the floor alone, seen from above this x.
 glm::dvec3 sunOnFloor(const char* blocks, int time, const char* shadows, double x = 16) {
   glm::dvec3 light(0);
@@ -54,22 +58,16 @@ INSTANTIATE_TEST_SUITE_P(
         Pane{"stained", R"(, {"box": "red_stained_glass", "min": [0, 4, 0], "max": [31, 4, 31]})",
              4000, .298},
         Pane{"water", R"(, {"box": "water", "min": [0, 4, 0], "max": [31, 4, 31]})", 6000, .348, 2},
-        Pane{
-            "panes",
-            R"(, {"box": "glass_pane[north=true,south=true]", "min": [12, 1, 0], "max": [12, 14, 31]},
-             {"box": "glass_pane[north=true,south=true]", "min": [20, 1, 0], "max": [20, 14, 31]})",
-            2500, .514}),
+        Pane{"panes", kPaneWalls, 2500, .514}),
     [](const auto& tested) { return std::string(tested.param.name); });
 
 // A side of a pane has three quads: what a point beyond the edge of one finds is the next, no hole or frame of its own. A picture
 // shows three blocks of the pattern, so that the shares of single ones differ by .03. orris trace --bounces 0, 512x288: .587.
 TEST(ReferencePanes, parts_of_a_side_go_on_as_the_whole) {
-  const char* walls = R"(, {"box": "glass_pane[north=true,south=true]", "min": [12, 1, 0], "max": [12, 14, 31]},
-      {"box": "glass_pane[north=true,south=true]", "min": [20, 1, 0], "max": [20, 14, 31]})";
   double open = 0, passed = 0;
   for (const double x : {16., 16.4, 16.8, 17.2, 17.6, 18.}) {
     open += sunOnFloor("", 1500, "MAP_PCF", x).r;
-    passed += sunOnFloor(walls, 1500, "MAP_PCF", x).r;
+    passed += sunOnFloor(kPaneWalls, 1500, "MAP_PCF", x).r;
   }
   EXPECT_NEAR(passed / open, .587, .013);
 }

@@ -157,7 +157,7 @@ bool is_within_pane(Hit hit) {
     return is_pane(hit.voxel.code) && dot(hit.position - vec3(hit.cell) - 0.5, hit.normal) < 0.0;
 }
 
-/// Glass that passes less of a colour parts what lies before it from what lies behind it.
+// Glass that passes less of a colour parts what lies before it from what lies behind it.
 const float least_passed = 0.05;
 
 /// Has a ray hit a face within stained glass, or what lies between the sides of a pane, on a face whose halves lie beside it?
@@ -171,7 +171,8 @@ bool is_within_glass(Hit hit) {
 }
 
 /// Does the light on a hit differ too much over its face for the mean to stand for it? Glass and panes have two layers: what
-/// comes through the holes of one is reflected to and fro between them, and the face has the light on the outside. A small lamp has no faces.
+/// comes through the holes of one is reflected to and fro between them, and the face has the light on the outside. A small lamp
+/// has no faces.
 bool is_ill_known(Hit hit) {
     return is_on_body(hit) || is_glass(hit.voxel.code) || is_within_pane(hit) || is_within_glass(hit);
 }
