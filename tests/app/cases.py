@@ -916,10 +916,13 @@ TRACES = [
                               f"trace {CORNELL} -o out.exr --size 8x8 --noise 0.9 --json"], 0,
          stdout=['"stoppedBy": "noise"'], creates=["out.exr", "out.exr.trace"]),
     Case("trace_wrong_limits", [f"{TRACE} {flags}" for flags in (
-        "--samples 1", "--samples x", "--seconds 0", "--noise -1", "--bounces -1", "--jobs 0",
+        "--samples 1", "--samples x", "--bounces -1", "--jobs 0",
         "--shard 3/2", "--shard 0/2", "--shard 2", "--merge a.trace --resume",
         "--merge a.trace --shard 1/2", "--size 0x4", "--frames 2")], 2,
          errors=["orris trace: error: "]),
+    Case("trace_limits_that_are_not_positive", [f"{TRACE} {flag} {value}" for flag in ("--seconds", "--noise")
+                                                for value in ("0", "-1", "x", "1x", "inf", "nan")], 2,
+         errors=[r"^orris trace: error: --(seconds|noise): expected a number above 0: (0|-1|x|1x|inf|nan)$"]),
     Case("trace_wants_exr", [TRACE.replace("out.exr", "out.png")], 2,
          errors=[r"^out\.png: error: only \.exr holds linear light and both halves \["]),
     Case("trace_unwritable", [TRACE.replace("out.exr", "none/out.exr")], 2,

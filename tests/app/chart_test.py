@@ -267,6 +267,11 @@ def test_scenes_are_read_one_after_another(program, folder):
         assert len(list(csv.DictReader(file))) == 2
 
 
+def test_tracing_a_scene_may_take_longer_than_a_frame(program, folder):
+    orris(program, folder, "chart pack --scenes world -o slow --size 16x9 --runs 3 --warm-up 1 --frames 2 --no-costs "
+                           "--trace-seconds 5 --trace-noise 1e-9 --frame-limit 4s --quiet")
+
+
 def test_runs_of_scenes_share_no_random_numbers(program, folder):
     noisy = folder / "noisy/shaders"
     shutil.copytree(folder / "pack/shaders", noisy)

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/commands.h"
+#include "app/input/common.h"
 #include "app/study/open_study.h"
 #include "app/study/plot_process.h"
 #include "app/study/scene_list.h"
@@ -92,10 +93,10 @@ void addSceneListFlags(CLI::App& command, SceneListOptions& options) {
       ->check(CLI::Range(3, 1000));
   command.add_option("--trace-seconds", options.traceSeconds, "of --scenes: trace a scene for at most so long")
       ->capture_default_str()
-      ->check(CLI::PositiveNumber);
+      ->check(checkPositive);
   command.add_option("--trace-noise", options.traceNoise, "of --scenes: stop tracing at this noise")
       ->capture_default_str()
-      ->check(CLI::PositiveNumber);
+      ->check(checkPositive);
   command.add_flag("!--no-costs", options.costs, "of --scenes: measure neither costs nor lag");
 }
 

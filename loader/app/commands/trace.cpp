@@ -12,6 +12,7 @@
 #include "app/commands/commands.h"
 #include "app/commands/trace_loop.h"
 #include "app/commands/trace_scene_input.h"
+#include "app/input/common.h"
 #include "app/input/inputs.h"
 #include <orris/image/image.h>
 #include <orris/trace/edge_pixels.h>
@@ -171,10 +172,10 @@ void addTraceFlags(CLI::App& command, TraceOptions& options) {
   command.add_option("--samples", options.limits.samples, "stop at this many samples a pixel")
       ->check(CLI::Range(2u, 1u << 30));
   command.add_option("--seconds", options.limits.seconds, "stop after this time")
-      ->check(CLI::PositiveNumber);
+      ->check(checkPositive);
   command
       .add_option("--noise", options.limits.noise, "stop at this noise: rms over the mean, 0.01")
-      ->check(CLI::PositiveNumber);
+      ->check(checkPositive);
   command
       .add_option("--bounces", options.bounces,
                   "cut light off after this many rays in a row; 0: direct sun only")

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/commands.h"
+#include "app/input/common.h"
 #include "app/input/inputs.h"
 #include "app/study/open_study.h"
 #include "app/study/plot_process.h"
@@ -144,9 +145,9 @@ void addTuneCommand(CLI::App& app, int& status) {
       ->required();
   CLI::Option_group* goal = command->add_option_group("goal");
   goal->add_option("--error", options->error, "the cheapest with at most this error")
-      ->check(CLI::PositiveNumber);
+      ->check(checkPositive);
   goal->add_option("--ms", options->milliseconds, "the most accurate in at most this time a frame")
-      ->check(CLI::PositiveNumber);
+      ->check(checkPositive);
   goal->require_option(1);
   command
       ->add_option("--folder", options->study.folder,

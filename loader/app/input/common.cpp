@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
+#include <cmath>
 #include <cstdlib>
 #include <memory>
 
@@ -217,6 +218,13 @@ std::optional<std::chrono::seconds> parseBudget(const std::string& text) {
       number < 1 || number > kDay)
     return std::nullopt;
   return std::chrono::seconds(number * (minutes ? 60 : 1));
+}
+
+std::string checkPositive(const std::string& text) {
+  double number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool whole = error == std::errc() && end == text.data() + text.size();
+  return whole && number > 0 && std::isfinite(number) ? std::string() : "expected a number above 0: " + text;
 }
 
 void addTimeFlag(CLI::App& command, const std::string& flag, std::string& time,

@@ -63,6 +63,8 @@ CLI::Option* addWorldArgument(CLI::App& command, std::string& path);
 using Shard = std::pair<int, int>;
 std::optional<Shard> parseShard(const std::string& text);
 void addShardFlag(CLI::App& command, std::string& shard, const std::string& help);
+/// A check of a flag's value: "", or what is wrong with it.
+std::string checkPositive(const std::string& text);
 /// "60s", "5m"; nullopt for other texts and for "".
 std::optional<std::chrono::seconds> parseBudget(const std::string& text);
 /// A flag with a default that parseBudget() takes.

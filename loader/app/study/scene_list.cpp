@@ -10,6 +10,7 @@
 #include "app/study/open_study.h"
 #include <orris/chart/scenes/scene_study.h>
 #include <orris/core/files/read_places.h>
+#include <orris/core/work_record.h>
 #include <orris/trace/film/traced_picture.h>
 #include <orris/world/resources/resource_stack.h>
 
@@ -21,10 +22,13 @@ bool traceReference(const StudyOptions& options, const std::string& picture, Rep
   if (!view) return false;
   Diagnostics diagnostics;
   bool good = false;
+  // No driver works, and tracing has a limit of its own, which may be longer than that of loading a scene.
+  noteIdle();
   withTraceHooks(report, [&](const TraceHooks& hooks) {
     const TraceLimits limits{.seconds = options.scenes.traceSeconds, .noise = options.scenes.traceNoise};
     good = provideTraced(picture, *view, {options.scene.seed, -1}, limits, hooks, diagnostics);
   });
+  noteWork("loading", "", options.pack.path);
   report.add(diagnostics);
   return good;
 }
