@@ -40,15 +40,12 @@ float noise_left(float count) {
     return min(1.0, sqrt(of_ramp) * pow(max(count, 1.0), -0.5 * sequence_power));
 }
 
-// Of so many samples the deviation is known well enough.
-const float deviation_samples = 64.0;
-
 /// Noise of a mean (its standard deviation), with one more sample. `noise`: without it. `before`, `mean`: rgb the mean without and
 /// with it, a how many samples are in it.
 float noise_with(float noise, vec3 radiance, vec4 before, vec4 mean) {
     float deviation = noise / noise_left(before.a);
-    float variance = mix(deviation * deviation, squared_distance(radiance, before.rgb, mean.rgb),
-                         weight_of_sample(min(mean.a, deviation_samples)));
+    // Over all of the mean's samples: of those that seldom find light, few say nothing of how far they lie apart.
+    float variance = mix(deviation * deviation, squared_distance(radiance, before.rgb, mean.rgb), weight_of_sample(mean.a));
     return round_to_half(vec3(sqrt(variance) * noise_left(mean.a))).x;
 }
 
