@@ -276,6 +276,4 @@ MUTANTS = [
     ("rest outlasts motion", "PictureAtRest.ends_as*", [(REST, "max(edited, moved)", "edited")]),
     ("smoothed light is cleared at rest", "PictureAtRest.a_frame*",
      [("include/buffers.glsl", "const bool colortex6Clear = false;", "const bool colortex6Clear = true;")]),
-    ("planes of fire list their own faces only", "FaceEnergyOfLamps.rays_to_lamps_find*",
-     [("program/shadow/shadow.glsl", "if (code >= voxel_lamp && abs(outward) < 0.3)", "if (false)")]),
 ]

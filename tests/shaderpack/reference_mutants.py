@@ -29,6 +29,7 @@ GLASS = "ReferenceGlass.*"
 LEAVES = "ReferenceLeaves.*"
 PLANTS = "ReferencePlants.*"
 PORTAL = "ReferenceSpot.*portal"
+FIRE = "ReferenceSpot.*fire"
 ONE = "Views/Reference.*/one_bounce"
 
 MUTANTS = [
@@ -80,22 +81,30 @@ MUTANTS = [
     ("panes beside a point do not shade it", "ReferenceSunlitPanes.shade*", [(HIT, "boxes = near_pane || beside_glass;", "boxes = near_pane;")]),
     ("panes alone shade what is beside them", "ReferenceSunlitPanes.stand*", [(HIT, "is_stopped(from, light, is_exact, boxes)", "is_stopped(from, light, false, boxes)")]),
     ("tint beside a stained pane by the map's texels", "ReferenceSunlitPanes.tint*", [(HIT, "beside_stained || tint != vec3(1.0) ? tint : mapped", "mapped")]),
-    ("holes of leaves unknown", "ReferenceSpot.*by_a_hole", [(SHADOW, " || is_thin(code)) {", ") {")]),
+    ("holes of leaves unknown", "ReferenceSpot.*by_a_hole", [(SHADOW, " || is_thin(code) || is_fire(code)) {", " || is_fire(code)) {")]),
     ("no ground beyond the volume", "ReferenceGround.*", [(HIT, "if (ground.code == voxel_solid && near && is_there)", "if (false)")]),
     ("ground beyond the volume wherever there is none", "ReferenceGround.*", [(HIT, "near && is_there)", "near)")]),
     ("ground at the roof", "ReferenceGround.*", [(OCTANTS, "return position.y > highest ? highest : lit_floor;", "return highest;")]),
-    ("rays stop at leaves", LEAVES, [(TRACE, "met = meet_planes(walk, code, false);", "met = code == voxel_leaves ? Meeting(true, span.x, vec3(0.0)) : meet_plant(walk, code);")]),
-    ("leaves have no inside", LEAVES, [(TRACE, "bool drawn = code == voxel_leaves || !is_full(code);", "const bool drawn = false;")]),
+    ("rays stop at leaves", LEAVES, [(TRACE, "met = meet_planes(walk, code, false);", "met = code == voxel_leaves ? Meeting(true, span.x, vec3(0.0)) : meet_crossed(walk, code);")]),
+    ("leaves have no inside", LEAVES, [(TRACE, "bool drawn = is_fire(code) || beyond == voxel_leaves || !is_full(beyond);", "const bool drawn = false;")]),
     ("leaves are lit from outside", LEAVES, [(UPDATE, "choose_side(is_thin(own.code),", "choose_side(false,")]),
     ("sun on the outside of leaves alone", LEAVES, [(HIT, "hit.normal *= slope < 0.0 ? -1.0 : 1.0;\n        slope = abs(slope);", "")]),
-    ("rays pass plants", PLANTS, [(TRACE, "met = meet_planes(walk, code, false);", "met = code == voxel_leaves ? meet_leaves(walk, false) : Meeting(false, 0.0, vec3(0.0));")]),
-    ("rays from beside plants pass them", PLANTS, [(HIT, "met = meet_planes(walk, own.code, true);", "met = own.code == voxel_leaves ? meet_leaves(walk, true) : Meeting(false, 0.0, vec3(0.0));")]),
-    ("plants have no holes", PLANTS, [(TRACE, " && !is_hole(holes_of_plant(code), at)", "")]),
+    ("rays pass plants", PLANTS, [(TRACE, "met = meet_planes(walk, code, false);", "met = code == voxel_leaves ? meet_sides(walk, code, false) : Meeting(false, 0.0, vec3(0.0));")]),
+    ("rays from beside plants pass them", PLANTS, [(HIT, "met = meet_planes(walk, own.code, true);", "met = own.code == voxel_leaves ? meet_sides(walk, code, true) : Meeting(false, 0.0, vec3(0.0));")]),
+    ("plants have no holes", PLANTS, [(TRACE, " && !is_hole(holes_of_plane(code), at)", "")]),
     ("plants upside down", PLANTS, [(POSTS, "0.5, 0.5 - off.y)", "0.5, 0.5 + off.y)")]),
     ("plants reflect nothing", PLANTS, [(SHADOW, "is_plant(code) ? face_of_plant : inner", "inner")]),
     ("plants are lit from one side", PLANTS, [(UPDATE, "choose_side(is_thin(own.code),", "choose_side(own.code == voxel_leaves,")]),
+    ("fire is a cube", FIRE, [(SHADOW, "if (id == block_soul_fire) return", "if (false) return")]),
+    ("planes of fire as bright as its cube", FIRE, [(HIT, "return open / max(shown, 1e-3);", "return is_fire(code) ? 1.0 : open / max(shown, 1e-3);")]),
+    ("sides of fire have no holes", FIRE, [(TRACE, "return outward.y != 0.0 || in_hole_of_plane(code, within - 0.5, toward);", "return outward.y != 0.0;")]),
+    ("fire has a roof", FIRE, [(TRACE, "return outward.y != 0.0 || in_hole", "return in_hole")]),
+    ("fire has no planes through its middle", FIRE, [(TRACE, "if (is_plant(code) || is_fire(code)) {", "if (is_plant(code)) {")]),
+    ("rays that begin within fire pass it", FIRE, [(HIT, "&& !(is_fire(own.code) && begins_on_lamp)", "&& !is_fire(own.code)")]),
+    ("rays to lamps find the drawn sides of fire alone", FIRE, [(SHADOW, "if (is_fire(code) || (code", "if ((code")]),
+    ("rays to lamps look for fire from within", FIRE, [(LAMP_SAMPLE, "hit.cell == ivec3(floor(r.origin))) density = 0.0;", "false) density = 0.0;")]),
     ("portals are cubes", PORTAL, [(SHADOW, "if (id == block_portal) return", "if (false) return")]),
-    ("planes of a portal as bright as its cube", PORTAL, [(HIT, "return open / (2.0 - 2.0 * portal_aside * shut);", "return 1.0;")]),
+    ("planes of a portal as bright as its cube", PORTAL, [(HIT, "return open / max(shown, 1e-3);", "return is_portal(code) ? 1.0 : open / max(shown, 1e-3);")]),
     ("rays to lamps look for portals on the sides of their cell", PORTAL, [(LAMP_SAMPLE, "is_portal(code) ? normal * (0.5 - portal_radius) : vec3(0.0)", "vec3(0.0)")]),
     ("one value for both sides of a portal", PORTAL, [(OCTANTS, "return is_partition(code) ?", "return is_tinted_pane(code) ?")]),
     ("stained panes tint in their middle", "ReferenceSpot.*between_the_sides*", [(TRACE, "pane_radius * dot(abs(inverse), axis)", "0.0")]),

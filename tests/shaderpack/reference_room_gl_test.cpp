@@ -263,6 +263,9 @@ constexpr const char* kPillarBeforeGlass =
 constexpr const char* kPortal =
     R"({"box": "white_concrete", "min": [4, 2, 4], "max": [7, 6, 4]}, {"box": "nether_portal[axis=x]", "min": [5, 3, 4], "max": [6, 5, 4]})";
 
+constexpr const char* kFire = R"({"block": "fire", "at": [5, 2, 4]})";
+constexpr const char* kSoulFire = R"({"block": "soul_fire", "at": [5, 2, 4]})";
+
 INSTANTIATE_TEST_SUITE_P(
     , ReferenceSpot,
     testing::Values(
@@ -294,6 +297,10 @@ INSTANTIATE_TEST_SUITE_P(
              R"({"box": "glass_pane[east=true,west=true]", "min": [2, 2, 4], "max": [8, 6, 4]},
                             {"block": "glowstone", "at": [5, 4, 1]})",
              R"("position": [5.5, 4, 5.5], "target": [5.5, 3.5, 8], "fov": 60)", .008315, .04},
+        Spot{"ceiling_above_fire", kFire, R"("position": [5.5, 3, 7.5], "target": [5.5, 7, 4.5], "fov": 30)", .03307, .045},
+        Spot{"floor_beside_soul_fire", kSoulFire, R"("position": [8, 5, 7], "target": [7, 2, 5.5], "fov": 20)", .04563, .03},
+        Spot{"floor_within_soul_fire", kSoulFire,
+             R"("position": [5.25, 5.5, 4.5], "target": [5.25, 2, 4.26], "fov": 4)", 1.657, .12},
         Spot{"floor_before_a_portal", kPortal, R"("position": [6, 5, 8.5], "target": [6, 2, 5.6], "fov": 20)", .03532, .02},
         Spot{"frame_of_a_portal", kPortal, R"("position": [6.5, 4.5, 6.5], "target": [5, 4.5, 4.74], "fov": 1.5)", .9871, .015},
         Spot{"glass_beside_the_shadow_of_a_pillar", kPillarBeforeGlass,

@@ -45,8 +45,8 @@ void list_face(ivec3 cell, int face, int code, int sky) {
     if (due) enter_face(pack_face(cell, face, sky));
 }
 
-/// Of a lamp that planes inside its cell draw, as fire does: rays meet a cube, and what a ray into the hemisphere leaves
-/// to rays to lamps must be found by these on every side.
+/// Of a lamp that planes inside its cell draw, as fire does: rays meet a cube, that of fire with holes, and what a ray into the
+/// hemisphere leaves to rays to lamps must be found by these on every side.
 void list_cube(ivec3 cell, int code, int sky) {
     for (int face = 0; face < 6; ++face) list_face(cell, face, code, sky);
 }

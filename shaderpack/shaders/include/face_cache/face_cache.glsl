@@ -65,11 +65,6 @@ ivec3 face_texel(ivec3 cell, int face) {
 
 ivec3 recent_texel(ivec3 texel) { return texel + ivec3(0, 0, VOLUME); }
 
-vec3 face_normal(int face) {
-    int axis = (face & 7) >> 1;
-    return vec3(axis == 0, axis == 1, axis == 2) * ((face & 1) == 1 ? 1.0 : -1.0);
-}
-
 /// An entry of the lists; `level`, 0..15: of the sky's light at the face, or of a lamp's own.
 uint pack_face(ivec3 cell, int face, int level) {
     uvec3 c = uvec3(cell);

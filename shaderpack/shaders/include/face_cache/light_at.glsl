@@ -110,7 +110,7 @@ vec3 light_of_face(Hit hit) {
 /// of a block that stood there got.
 vec3 light_on(Hit hit) {
     float share = is_on_body(hit) ? 0.0 : 1.0;
-    if (is_within_pane(hit)) share = open_share(hit.voxel.code, face_of(hit.normal));
+    if (is_within_pane(hit)) share = open_share(holes_of_side(hit.voxel.code, face_of(hit.normal)));
     return share * light_of_face(hit);
 }
 

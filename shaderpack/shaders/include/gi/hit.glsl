@@ -19,26 +19,34 @@ float pixel_offset(vec3 player) { return min(0.02, face_offset + 2e-5 * dot(play
 // Of what a plane of a portal gives this leaves its cell by each of the four sides beside it.
 const float portal_aside = 0.1225;
 
-/// How much brighter the planes of a portal are than the cube that stands for it: as much light leaves its cell. That which falls
-/// on what is beside the portal, its frame, does not; nor does that of sides of the cube which lie there or on other lamps.
-float portal_boost(ivec3 cell, int code) {
-    ivec3 across = ivec3(partition_axis(code));
-    float shut = 0.0;
-    float open = 2.0;
-    for (int i = 0; i < 4; ++i) {
-        ivec3 beside = i < 2 ? across.zyx : ivec3(0, 1, 0);
-        int code_beside = voxel_at(cell + ((i & 1) == 0 ? beside : -beside)).code;
-        bool full = is_full(code_beside);
-        shut += float(full);
-        open += float(!full && !is_portal(code_beside));
+// Of lines that come into a cell of fire as many meet a plane of it as if so many lay behind each other, with holes of their own: of
+// lines from beside it, from above and from below.
+const vec3 planes_of_fire = vec3(1.56, 0.55, 2.0);
+
+/// How much brighter the planes of a portal or of fire are than the cube that stands for it: as much light leaves its cell. That
+/// which falls on what is beside it, as the frame of a portal, does not; nor does that of sides of the cube which lie there or on
+/// other lamps.
+float boost_of_planes(ivec3 cell, int code) {
+    vec3 across = is_portal(code) ? partition_axis(code) : vec3(0.0);
+    vec3 of_fire = 1.0 - pow(vec3(open_share(holes_of_plane(code))), planes_of_fire);
+    float open = 0.0;
+    float shown = 0.0;
+    for (int face = 0; face < 6; ++face) {
+        vec3 normal = face_normal(face);
+        int beside = voxel_at(cell + ivec3(normal)).code;
+        bool own_side = dot(normal, across) != 0.0;
+        float of_side = normal.y > 0.0 ? of_fire.y : normal.y < 0.0 ? of_fire.z : of_fire.x;
+        bool full = is_full(beside) && !own_side;
+        open += float(own_side || (!full && !has_planes_of_lamp(beside)));
+        shown += own_side ? 1.0 : is_fire(code) ? float(!full) * of_side : -2.0 * portal_aside * float(full);
     }
-    return open / (2.0 - 2.0 * portal_aside * shut);
+    return open / max(shown, 1e-3);
 }
 
 /// Radiance of a lamp where a ray hits it: small ones are balls.
 vec3 lamp_light(Voxel v, ivec3 cell) {
     float boost = is_ball(v.code) ? small_lamp_boost : 1.0;
-    if (is_portal(v.code)) boost = portal_boost(cell, v.code);
+    if (has_planes_of_lamp(v.code)) boost = boost_of_planes(cell, v.code);
     return lamp_radiance(v) * boost;
 }
 
@@ -122,7 +130,7 @@ Hit trace_from_face(vec3 origin, vec3 direction) {
     Meeting met = meet_octants(walk, octants, vec2(-1.0, distance_out(origin, direction)));
 #if HAS_VOXEL_CHANGES
     if (is_post(own.code)) met = post;
-    if (has_planes(own.code)) met = meet_planes(walk, own.code, true);
+    if (has_planes(own.code) && !(is_fire(own.code) && begins_on_lamp)) met = meet_planes(walk, own.code, true);
 #endif
     // From above it, off the blocks around it.
     if (own.code == voxel_lava) met = meet_lava(walk, vec2(0.0, distance_out(origin, direction)));

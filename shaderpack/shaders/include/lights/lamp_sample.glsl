@@ -98,6 +98,8 @@ vec3 met_lamp(Hit hit, Receiver r, vec3 direction) {
     bool ball = is_ball(hit.voxel.code);
     float density = ball ? density_of_ball(distance(vec3(hit.cell) + 0.5, r.origin))
                          : density_of_face(distance(hit.position, r.origin), -dot(hit.normal, direction));
+    // Rays to lamps look for fire on the outside of its cell.
+    if (is_fire(hit.voxel.code) && hit.cell == ivec3(floor(r.origin))) density = 0.0;
     return lamp_light(hit, r.origin, direction) * (1.0 - sampled_share(density, listed_lamps(), dot(direction, r.normal)));
 }
 

@@ -1,5 +1,5 @@
 // Which texels of clear glass light passes: for each of its sides, and of those of panes and leaves, 16 x 16 bits, as the texture
-// of the first such block that the shadow pass meets has them; and of eight kinds of plants. In voxel_sums, behind lake_now: two
+// of the first such block that the shadow pass meets has them; of eight kinds of plants; and of two of fire. In voxel_sums, behind lake_now: two
 // rows of texels a word, and a word that is one more than all that are open, where a picture is known.
 #if !defined INCLUDED_VOXELS_HOLES
 #define INCLUDED_VOXELS_HOLES
@@ -14,8 +14,8 @@ ivec2 holes_of_picture(int index) { return lake_now + ivec2(1 + (hole_words + 1)
 /// That of a side: `face` looks out of the block.
 ivec2 holes_of_side(int code, int face) { return holes_of_picture(face + (is_pane(code) ? 6 : is_glass(code) ? 0 : 12)); }
 
-/// That of a plant: its texture, from its upper left corner on.
-ivec2 holes_of_plant(int code) { return holes_of_picture(18 + code - voxel_plant); }
+/// That of a plant or of fire: its texture, from its upper left corner on.
+ivec2 holes_of_plane(int code) { return holes_of_picture(18 + (code == voxel_soul_fire ? 9 : code - voxel_plant)); }
 
 #if defined HAS_OCTANT_WRITES
 /// The texture of the quad along two axes of a picture, if it is not known, whatever part of that the quad shows: panes are made
@@ -53,15 +53,19 @@ bool is_hole(ivec2 words, vec2 at) {
 #endif
 }
 
+/// Is this point of a plane of a plant or of fire in one of its holes? `off`: from the middle of the cell; `normal`: to the side
+/// that is seen.
+bool in_hole_of_plane(int code, vec3 off, vec3 normal) { return is_hole(holes_of_plane(code), place_on_plane(code, off, normal)); }
+
 /// Is this point of a side in one of its holes? `within`: from the lower end of the cell.
 bool in_texture_hole(int code, int face, vec3 within) {
     return is_hole(holes_of_side(code, face), face < 2 ? within.zy : face < 4 ? within.xz : within.xy);
 }
 
-/// What the holes take of a side.
-float open_share(int code, int face) {
+/// What the holes take of a picture.
+float open_share(ivec2 words) {
 #if HAS_VOXEL_CHANGES
-    return float(max(imageLoad(voxel_sums, holes_of_side(code, face) + ivec2(hole_words, 0)).r, 1u) - 1u) / 256.0;
+    return float(max(imageLoad(voxel_sums, words + ivec2(hole_words, 0)).r, 1u) - 1u) / 256.0;
 #else
     return 0.0;
 #endif

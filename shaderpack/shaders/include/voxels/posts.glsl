@@ -78,21 +78,27 @@ uint part_of_quad(int code, vec3 low, vec3 high, vec3 normal) {
 // Of the game's model, from corner to corner.
 const float plant_width = 1.2728;
 
-/// The normal of one of the planes of a plant.
-vec3 plane_of_plant(int index) { return vec3(index == 0 ? 0.70711 : -0.70711, 0.0, 0.70711); }
+/// From one end of a plane of a plant or of fire to the other.
+float width_of_plane(int code) { return is_plant(code) ? plant_width : 1.0; }
+
+/// The normal of one of the two planes through the middle of a plant or of fire.
+vec3 plane_through_middle(int code, int index) {
+    vec3 diagonal = vec3(index == 0 ? 0.70711 : -0.70711, 0.0, 0.70711);
+    return is_plant(code) ? diagonal : vec3(1 - index, 0, index);
+}
 
 /// Along such a plane, to the right as seen from the side of `normal`.
-vec3 side_of_plant(vec3 normal) { return vec3(normal.z, 0.0, -normal.x); }
+vec3 side_of_plane(vec3 normal) { return vec3(normal.z, 0.0, -normal.x); }
 
 /// Where a point of such a plane lies on its texture, from the upper left, as seen from the side of `normal`. `off`: from the
 /// middle of the cell.
-vec2 place_on_plant(vec3 off, vec3 normal) {
-    return vec2(dot(off, side_of_plant(normal)) / plant_width + 0.5, 0.5 - off.y);
+vec2 place_on_plane(int code, vec3 off, vec3 normal) {
+    return vec2(dot(off, side_of_plane(normal)) / width_of_plane(code) + 0.5, 0.5 - off.y);
 }
 
 /// Its inverse.
 vec3 point_of_plant(vec2 at, vec3 normal) {
-    return (at.x - 0.5) * plant_width * side_of_plant(normal) + vec3(0.0, 0.5 - at.y, 0.0);
+    return (at.x - 0.5) * plant_width * side_of_plane(normal) + vec3(0.0, 0.5 - at.y, 0.0);
 }
 
 /// A box, as seen from the middle of the cell.

@@ -200,35 +200,41 @@ Meeting meet_lava(Walk walk, vec2 span) {
     return Meeting(below.x <= below.y, below.x, vec3(0.0, 1.0, 0.0));
 }
 
-/// The side of a block of leaves that stops a ray: that by which it comes in, or from inside that by which it goes out; towards
-/// a full block none is drawn. `begins`: as in meet_planes.
-Meeting meet_leaves(Walk walk, bool begins) {
+/// Does a side of leaves or of fire let a ray pass? `outward`: its normal, out of the block; `toward`: to where the ray comes from.
+bool is_side_open(int code, vec3 outward, vec3 toward, vec3 within) {
+    if (is_fire(code)) return outward.y != 0.0 || in_hole_of_plane(code, within - 0.5, toward);
+    return in_texture_hole(code, face_of(outward), within);
+}
+
+/// The side of a block of leaves, or of fire, that stops a ray: that by which it comes in, or from inside that by which it goes
+/// out; towards a full block leaves have none. `begins`: as in meet_planes.
+Meeting meet_sides(Walk walk, int code, bool begins) {
     vec3 came = plane_distances(walk, 0.0);
     vec3 leave = plane_distances(walk, 1.0);
     vec3 from = walk.origin - walk.cell;
     float t = max(came.x, max(came.y, came.z));
-    int face = face_of(-axis_of(t, came) * walk.stride);
-    if (!begins && !in_texture_hole(voxel_leaves, face, from + walk.direction * t)) return Meeting(true, t, vec3(0.0));
+    vec3 toward = -axis_of(t, came) * walk.stride;
+    if (!begins && !is_side_open(code, toward, toward, from + walk.direction * t)) return Meeting(true, t, vec3(0.0));
     t = min(leave.x, min(leave.y, leave.z));
     vec3 outward = axis_of(t, leave) * walk.stride;
-    int code = voxel_at(cell_of(walk) + ivec3(outward)).code;
-    bool drawn = code == voxel_leaves || !is_full(code);
-    bool found = drawn && !in_texture_hole(voxel_leaves, face_of(outward), from + walk.direction * t);
+    int beyond = voxel_at(cell_of(walk) + ivec3(outward)).code;
+    bool drawn = is_fire(code) || beyond == voxel_leaves || !is_full(beyond);
+    bool found = drawn && !is_side_open(code, outward, -outward, from + walk.direction * t);
     return Meeting(found, t, -outward * walk.stride);
 }
 
-/// The plane of a plant that a ray meets first, from the side that has this texel.
-Meeting meet_plant(Walk walk, int code) {
+/// The plane through the middle of a plant or of fire that a ray meets first, from the side that has this texel.
+Meeting meet_crossed(Walk walk, int code) {
     vec3 middle = walk.cell + 0.5 - walk.origin;
     Meeting met = Meeting(false, 1e9, vec3(0.0));
     for (int i = 0; i < 2; ++i) {
-        vec3 normal = plane_of_plant(i);
+        vec3 normal = plane_through_middle(code, i);
         float slope = dot(normal, walk.direction);
         float t = dot(normal, middle) / slope;
         normal *= -sign(slope);
-        vec2 at = place_on_plant(walk.direction * t - middle, normal);
+        vec2 at = place_on_plane(code, walk.direction * t - middle, normal);
         bool inside = all(greaterThanEqual(at, vec2(0.0))) && all(lessThanEqual(at, vec2(1.0)));
-        if (t > 0.0 && t < met.t && inside && !is_hole(holes_of_plant(code), at)) met = Meeting(true, t, -normal * walk.stride);
+        if (t > 0.0 && t < met.t && inside && !is_hole(holes_of_plane(code), at)) met = Meeting(true, t, -normal * walk.stride);
     }
     return met;
 }
@@ -242,12 +248,17 @@ Meeting meet_portal(Walk walk, int code) {
     return Meeting(t > 0.0 && max(off.x, max(off.y, off.z)) <= 0.5, t, axis);
 }
 
-/// What of leaves, a plant or a portal stops a ray? `begins`: it begins in the cell.
+/// What of leaves, a plant, a portal or fire stops a ray? `begins`: it begins in the cell. From outside fire is a cube with holes,
+/// which stops the ray where it comes in: its faces are those of a cube.
 Meeting meet_planes(Walk walk, int code, bool begins) {
     Meeting met = Meeting(false, 0.0, vec3(0.0));
     if (is_portal(code)) met = meet_portal(walk, code);
-    if (code == voxel_leaves) met = meet_leaves(walk, begins);
-    if (is_plant(code)) met = meet_plant(walk, code);
+    if (code == voxel_leaves || is_fire(code)) met = meet_sides(walk, code, begins);
+    if (is_plant(code) || is_fire(code)) {
+        Meeting crossed = meet_crossed(walk, code);
+        if (crossed.found && (!met.found || crossed.t < met.t)) met = crossed;
+    }
+    if (is_fire(code) && !begins) met.axis = vec3(0.0);
     return met;
 }
 

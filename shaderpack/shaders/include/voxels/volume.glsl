@@ -88,4 +88,10 @@ int face_of(vec3 normal) {
     return normal.z > 0.0 ? 5 : 4;
 }
 
+/// Its inverse, and that of an inner face.
+vec3 face_normal(int face) {
+    int axis = (face & 7) >> 1;
+    return vec3(axis == 0, axis == 1, axis == 2) * ((face & 1) == 1 ? 1.0 : -1.0);
+}
+
 #endif

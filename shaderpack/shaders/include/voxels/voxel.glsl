@@ -23,7 +23,9 @@ const int voxel_cover = 48;       // a carpet on the floor of the cell
 const int voxel_tinted_pane = 49;  // a stained pane across x; + 1: across z
 const int voxel_leaves = 51;       // the sides of the cell, with holes: include/voxels/holes.glsl
 const int voxel_plant = 52;        // .. 59: two crossed planes, with holes by one of eight pictures
+const int voxel_fire = 60;         // four planes at the sides and two in the middle, with holes
 const int voxel_portal = 61;       // a portal across x; + 1: across z
+const int voxel_soul_fire = 63;
 const int voxel_lamp = 64;        // + 16 * digit of lamp_color + light level 1..15, fills the cell
 
 // Lava: the only lamp of its colour at that level. With something else above it it ends where water does.
@@ -32,8 +34,7 @@ const int voxel_lava = voxel_lamp + 16 * 9 + 15;
 // Of still water with air above it, as the game draws it.
 const float water_height = 8.0 / 9.0;
 
-// The light level of a portal, and how far its planes lie off the middle of the cell.
-const int portal_level = 11;
+// How far the planes of a portal lie off the middle of the cell.
 const float portal_radius = 0.125;
 
 // The ball of a small lamp, and how much brighter it is than a full block of that level: about
@@ -73,15 +74,20 @@ bool is_ball(int code) { return code >= voxel_small_lamp && code < voxel_cover; 
 
 bool is_portal(int code) { return code == voxel_portal || code == voxel_portal + 1; }
 
+bool is_fire(int code) { return code == voxel_fire || code == voxel_soul_fire; }
+
 /// A stained pane or a portal: it parts its cell.
 bool is_partition(int code) { return is_tinted_pane(code) || is_portal(code); }
 
 /// What a partition lies across: x if its code is odd.
 vec3 partition_axis(int code) { return (code & 1) == 1 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 0.0, 1.0); }
 
-bool is_lamp_voxel(int code) { return code >= voxel_portal || is_ball(code); }
+bool is_lamp_voxel(int code) { return code >= voxel_fire || is_ball(code); }
 
-int level_of_lamp(int code) { return is_portal(code) ? portal_level : code & 15; }
+/// The light level of a lamp.
+int level_of_lamp(int code) {
+    return code >= voxel_lamp || is_ball(code) ? code & 15 : code == voxel_fire ? 15 : code == voxel_soul_fire ? 10 : 11;
+}
 
 bool is_plate(int code) { return code >= voxel_plate && code < voxel_glass; }
 
@@ -91,6 +97,9 @@ bool is_pane(int code) { return code == voxel_pane; }
 
 /// Do rays meet it by planes inside of its cell or about it, which have holes or lie off the middle?
 bool has_planes(int code) { return code >= voxel_leaves && code < voxel_lamp; }
+
+/// A portal or fire.
+bool has_planes_of_lamp(int code) { return code >= voxel_fire && code < voxel_lamp; }
 
 bool is_plant(int code) { return code >= voxel_plant && code < voxel_plant + 8; }
 
@@ -118,7 +127,8 @@ vec3 lamp_radiance(vec3 color, int level) {
 }
 
 vec3 lamp_radiance(Voxel v) {
-    int digit = is_ball(v.code) ? 0 : is_portal(v.code) ? block_portal : (v.code - voxel_lamp) >> 4;
+    int of_planes = v.code == voxel_fire ? block_fire : v.code == voxel_soul_fire ? block_soul_fire : block_portal;
+    int digit = is_ball(v.code) ? 0 : v.code < voxel_lamp ? of_planes : (v.code - voxel_lamp) >> 4;
     return lamp_radiance(digit == 0 ? brightest(v.color) : lamp_color(digit), level_of_lamp(v.code));
 }
 

@@ -83,7 +83,7 @@ vec2 half_beside_pane(vec2 at, ivec3 pane, int face) {
 /// A point of a plant that is no hole, if one is found soon. `normal`: of its plane, to the side that shows it.
 vec3 point_on_plant(ivec3 cell, int code, vec3 normal) {
     vec2 at = next_random().xy;
-    for (int i = 0; i < 4 && is_hole(holes_of_plant(code), at); ++i) at = next_random().xy;
+    for (int i = 0; i < 4 && is_hole(holes_of_plane(code), at); ++i) at = next_random().xy;
     return vec3(cell) + 0.5 + point_of_plant(at, normal) + face_offset * normal;
 }
 
@@ -132,7 +132,7 @@ vec4 fresh_sample(uint entry, vec3 light) {
     vec2 shore_span = upper > 0.0 ? vec2(water_height, 1.0) : vec2(0.0, water_height);
     vec3 sum = vec3(0.0);
     for (int i = 0; i < FACE_RAYS; ++i) {
-        if (is_plant(own.code)) f.from.normal = plane_of_plant(int(2.0 * next_random().x));
+        if (is_plant(own.code)) f.from.normal = plane_through_middle(own.code, int(2.0 * next_random().x));
         f.from.origin = point_of(f.cell, own.code, f.face, f.from.normal, next_random().xy);
         f.from.origin += 0.5 * halves * (upper - dot(f.from.origin - vec3(f.cell), halves));
         if (shore) f.from.origin.y = float(f.cell.y) + mix(shore_span.x, shore_span.y, f.from.origin.y - float(f.cell.y));

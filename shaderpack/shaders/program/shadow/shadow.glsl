@@ -204,6 +204,8 @@ vec4 block_voxel(int id, float emission, vec3 normal, ivec3 cell) {
     if (level > 0) {
         int digit = is_lamp(id) ? id % 10 : 0;
 #if HAS_VOXEL_CHANGES
+        if (id == block_fire) return encode_voxel(color, voxel_fire);
+        if (id == block_soul_fire) return encode_voxel(color, voxel_soul_fire);
         if (id == block_portal) return encode_voxel(color, voxel_portal + int(abs(normal.z) > 0.5));
 #endif
         if (!is_small_lamp(id)) return encode_voxel(color, voxel_lamp + 16 * digit + level);
@@ -256,14 +258,15 @@ void emit_voxel() {
     add_to_brick(cell, face, code, vertex_mid_uv[0]);
     if (code == voxel_water_surface) note_lake();
     bool side_of_pane = is_pane(code) && face != 2 && face != 3;
-    if (is_glass(code) || side_of_pane || is_thin(code)) {
+    if (is_glass(code) || side_of_pane || is_thin(code) || is_fire(code)) {
         vec3 across = face < 2 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
         vec3 up = face == 2 || face == 3 ? vec3(0.0, 0.0, 1.0) : vec3(0.0, 1.0, 0.0);
-        if (is_plant(code)) {
-            across = plant_width * side_of_plant(vertex_normal[0]);
+        bool upright = is_plant(code) || is_fire(code);
+        if (upright) {
+            across = width_of_plane(code) * side_of_plane(vertex_normal[0]);
             up = vec3(0.0, -1.0, 0.0);
         }
-        note_holes(is_plant(code) ? holes_of_plant(code) : holes_of_side(code, face), across, up, block.middle);
+        note_holes(upright ? holes_of_plane(code) : holes_of_side(code, face), across, up, block.middle);
     }
     // Not the underside of its surface.
     bool bottom = vertex_normal[0].y < -0.5 && vertex_player[0].y - block.middle.y < -0.4;
@@ -282,7 +285,7 @@ void emit_voxel() {
     bool inner = has_octants(code) && outward < 0.25;
     int sky = int(clamp(vertex_sky[0], 0.0, 15.0) + 0.5);
     list_face(cell, is_plant(code) ? face_of_plant : inner ? face + face_inner : face, code, sky);
-    if (code >= voxel_lamp && abs(outward) < 0.3) list_cube(cell, code, sky);
+    if (is_fire(code) || (code >= voxel_lamp && abs(outward) < 0.3)) list_cube(cell, code, sky);
     if (is_partition(code)) list_halves(cell, partition_axis(code), sky);
     if (side_of_pane) list_halves(cell, abs(face_normal(face)), sky);
 #endif
