@@ -1,6 +1,6 @@
 // Which texels of clear glass light passes: for each of its sides, and of those of panes and leaves, 16 x 16 bits, as the texture
-// of the first such block that the shadow pass meets has them; of eight kinds of plants; and of two of fire. In voxel_sums, behind lake_now: two
-// rows of texels a word, and a word that is one more than all that are open, where a picture is known.
+// of the first such block that the shadow pass meets has them; of eight kinds of plants; and of two of fire. In voxel_sums, behind
+// lake_now: two rows of texels a word, and a word that is one more than all that are open, where a picture is known.
 #if !defined INCLUDED_VOXELS_HOLES
 #define INCLUDED_VOXELS_HOLES
 
