@@ -90,7 +90,7 @@ MUTANTS = [
     ("leaves are lit from outside", LEAVES, [(UPDATE, "choose_side(is_thin(own.code),", "choose_side(false,")]),
     ("sun on the outside of leaves alone", LEAVES, [(HIT, "hit.normal *= slope < 0.0 ? -1.0 : 1.0;\n        slope = abs(slope);", "")]),
     ("rays pass plants", PLANTS, [(TRACE, "met = meet_planes(walk, code, false);", "met = code == voxel_leaves ? meet_sides(walk, code, false) : Meeting(false, 0.0, vec3(0.0));")]),
-    ("rays from beside plants pass them", PLANTS, [(HIT, "met = meet_planes(walk, own.code, true);", "met = own.code == voxel_leaves ? meet_sides(walk, code, true) : Meeting(false, 0.0, vec3(0.0));")]),
+    ("rays from beside plants pass them", PLANTS, [(HIT, "met = meet_planes(walk, own.code, true);", "met = own.code == voxel_leaves ? meet_sides(walk, own.code, true) : Meeting(false, 0.0, vec3(0.0));")]),
     ("plants have no holes", PLANTS, [(TRACE, " && !is_hole(holes_of_plane(code), at)", "")]),
     ("plants upside down", PLANTS, [(POSTS, "0.5, 0.5 - off.y)", "0.5, 0.5 + off.y)")]),
     ("plants reflect nothing", PLANTS, [(SHADOW, "is_plant(code) ? face_of_plant : inner", "inner")]),
