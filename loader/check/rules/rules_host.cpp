@@ -74,6 +74,7 @@ std::span<const Rule> hostRules() {
       {"shard-missing", Severity::Error, "--merge lacks a shard of the picture", kUsage},
       {"show-unknown", Severity::Error, "--show names nothing that the frame holds", kUsage},
       {"symlink-outside", Severity::Warning, "a symbolic link leads nowhere, out of the pack or to what is hidden"},
+      {"trace-stopped", Severity::Error, "tracing of a reference was stopped before its limit", kHostFailed},
       {"unknown-block", Severity::Warning, "the world has a block that this host does not know"},
       {"world-json-syntax", Severity::Error, "world.json is no JSON", kUsage},
       {"world-json-value", Severity::Error,

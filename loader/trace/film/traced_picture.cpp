@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include <orris/core/add_diagnostic.h>
 #include <orris/image/image.h>
 #include <orris/trace/edge_pixels.h>
 #include <orris/trace/film/checkpoint.h>
@@ -34,10 +35,17 @@ bool provideTraced(const std::string& path, const ReferenceScene& view, const Tr
   Diagnostics another;  // of another scene: traced anew
   if (std::filesystem::exists(checkpoint)) film = readCheckpoint(checkpoint, key, another);
   if (film && std::filesystem::exists(path)) return true;
+  // One of another scene would pass for this one's beside the checkpoint of work that is stopped.
+  std::error_code absent;
+  std::filesystem::remove(path, absent);
   if (!film) film = TraceFilm(view.camera.width, view.camera.height, {0, 1});
   const std::size_t before = diagnostics.size();
-  traceUntil(*film, {view.scene, view.camera, settings, 0, checkpoint, key}, limits, hooks, diagnostics);
+  const TraceProgress done =
+      traceUntil(*film, {view.scene, view.camera, settings, 0, checkpoint, key}, limits, hooks, diagnostics);
   if (diagnostics.size() > before) return false;
+  if (done.stoppedBy == "interrupt")
+    return addError(diagnostics, "trace-stopped", {path}, "tracing was stopped before its limit",
+                    "run the command again: it goes on");
   return writeTraced(path, *film, edgePixels(view.scene, view.camera), diagnostics);
 }
 

@@ -18,7 +18,7 @@ bool writeTraced(const std::string& path, const TraceFilm& film, const std::vect
                  Diagnostics& diagnostics);
 
 /// What errors on a scene are measured against: the file where it is of the same scene, camera and settings;
-/// else traced now and written there. false: see diagnostics.
+/// else traced now and written there. false: see diagnostics; work that was stopped goes on with the next call.
 bool provideTraced(const std::string& path, const ReferenceScene& view, const TraceSettings& settings,
                    const TraceLimits& limits, const TraceHooks& hooks, Diagnostics& diagnostics);
 
