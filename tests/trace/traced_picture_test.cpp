@@ -11,7 +11,7 @@ namespace orris {
 namespace {
 
 /// Its picture is as bright as `radiance`, noise and all.
-ReferenceScene roomWith(float radiance) {
+ReferenceScene glowingRoom(float radiance) {
   const test::Cubes cubes = test::roomOf({4, 4, 4}, {glm::vec3(0.5f), glm::vec3(radiance)});
   ReferenceScene view{test::sceneOf(cubes), {}, {}, {}};
   view.camera.width = 8;
@@ -27,20 +27,22 @@ ReferenceScene roomWith(float radiance) {
 class TracedPictures : public testing::Test {
  protected:
   TracedPictures() {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = testing::TempDir() + "/" + test->name();
+    path_ = folder_ + "/scene.exr";
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directory(folder_);
   }
 
   bool provide(float radiance, const TraceHooks& hooks = {}) {
-    return provideTraced(path_, roomWith(radiance), {1, -1}, {.samples = 4}, hooks, diagnostics_);
+    return provideTraced(path_, glowingRoom(radiance), {1, -1}, {.samples = 4}, hooks, diagnostics_);
   }
   float shown() {
     const auto image = readImage(path_, diagnostics_);
     return image ? image->at(3, 2)[0] : -1;
   }
 
-  std::string folder_ = testing::TempDir() + "/traced_picture";
-  std::string path_ = folder_ + "/scene.exr";
+  std::string folder_, path_;
   Diagnostics diagnostics_;
 };
 
