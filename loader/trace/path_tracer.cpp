@@ -63,15 +63,16 @@ struct PathTracer::Query {
   float reach = 0;                 ///< the distance to it
   RayHit hit;
 
-  void send(const TraceSurface& from, const glm::vec3& direction, std::uint64_t& count,
-            RayCounts& counts) {
+  /// Looks no farther than `until`.
+  void send(const TraceSurface& from, const glm::vec3& direction, std::uint64_t& count, RayCounts& counts,
+            float until = std::numeric_limits<float>::infinity()) {
     wanted = true;
     ray.origin = from.position;
     ray.direction = withoutZeros(direction);
     ray.cell = from.cell;
     ray.ignore = from.quad;
     hit.quad = kNoQuad;
-    hit.distance = std::numeric_limits<float>::infinity();
+    hit.distance = until;
     hit.back = hit.cube = false;
     hit.filter = glm::vec3(1);
     ++count;
@@ -139,7 +140,7 @@ void PathTracer::askBall(const TraceSurface& surface, const LampDraw& drawn, glm
   query.value = ball.radiance * (2 * (1 - edge) * cosine / drawn.probability);
   query.ball = &ball;
   query.reach = far - ball.radius;
-  query.send(surface, direction, counts.lamp, counts);
+  query.send(surface, direction, counts.lamp, counts, query.reach);
 }
 
 /// Asks for the light of one lamp, drawn at random, as mean radiance.
@@ -193,18 +194,17 @@ glm::vec3 PathTracer::metLamp(const RayHit& hit, const TraceSurface& from,
   return density > 0 ? lamp.radiance * (density / (density + other)) : glm::vec3(0);
 }
 
-/// The nearest ball of a lamp in a direction, as rays of the pack meet it; null if a block is nearer.
-const LampFace* PathTracer::ballAlong(const Ray& ray, float until) const {
-  const LampFace* nearest = nullptr;
+/// The nearest ball of a lamp in a direction, as rays of the pack meet it, and its distance.
+PathTracer::MetBall PathTracer::ballAlong(const glm::vec3& origin, const glm::vec3& direction) const {
+  MetBall met;
   for (const LampFace& lamp : scene_.lamps.faces()) {
-    const glm::vec3 to = lamp.corner - ray.origin;
-    const float along = glm::dot(to, ray.direction);
+    const glm::vec3 to = lamp.corner - origin;
+    const float along = glm::dot(to, direction);
     const float inside = lamp.radius * lamp.radius - (glm::dot(to, to) - along * along);
-    if (along <= 0 || inside <= 0 || along - std::sqrt(inside) >= until) continue;
-    until = along - std::sqrt(inside);
-    nearest = &lamp;
+    if (along <= 0 || inside <= 0 || along - std::sqrt(inside) >= met.distance) continue;
+    met = {&lamp, along - std::sqrt(inside)};
   }
-  return nearest;
+  return met;
 }
 
 glm::vec3 PathTracer::incoming(TraceSurface surface, SampleRandom& random, RayCounts& counts,
@@ -221,7 +221,8 @@ glm::vec3 PathTracer::incoming(TraceSurface surface, SampleRandom& random, RayCo
     lamp.wanted = false;
     if (!chosen) askLamp(surface, random, lamp, counts);
     const glm::vec3 direction = chosen ? *from : cosineDirection(surface.normal, random.pair());
-    path.send(surface, direction, counts.path, counts);
+    const MetBall ball = chosen ? ballAlong(surface.position, direction) : MetBall{};
+    path.send(surface, direction, counts.path, counts, ball.distance);
     Query& beside = lamp.wanted ? lamp : sun;
     if (beside.wanted)
       grid.intersect(path.ray, path.hit, beside.ray, beside.hit);
@@ -230,8 +231,7 @@ glm::vec3 PathTracer::incoming(TraceSurface surface, SampleRandom& random, RayCo
     if (lamp.wanted && sun.wanted) grid.intersect(sun.ray, sun.hit);
     radiance += sunThroughput * sun.arrived() + throughput * lamp.arrived();
     throughput *= path.hit.filter;
-    const LampFace* ball = chosen ? ballAlong(path.ray, path.hit.distance) : nullptr;
-    if (ball != nullptr) return radiance + throughput * ball->radiance;
+    if (ball.lamp != nullptr && path.hit.distance >= ball.distance) return radiance + throughput * ball.lamp->radiance;
     if (path.hit.quad == kNoQuad)
       return radiance + throughput * scene_.lighting->skyRadiance(direction);
     radiance +=

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include <orris/trace/light/random.h>
@@ -75,6 +76,10 @@ class PathTracer {
  private:
   struct Look;
   struct Query;
+  struct MetBall {
+    const LampFace* lamp = nullptr;
+    float distance = std::numeric_limits<float>::infinity();
+  };
   void look(const Look& from, PixelView& view, RayCounts& counts) const;
   void seeOpaque(const Look& from, const RayHit& hit, const glm::vec3& weight, PixelView& view,
                  RayCounts& counts) const;
@@ -89,7 +94,7 @@ class PathTracer {
   static void askBall(const TraceSurface& surface, const LampDraw& drawn, glm::vec2 u, Query& query,
                       RayCounts& counts);
   bool isOwn(const TraceSurface& surface, glm::ivec3 cell) const;
-  const LampFace* ballAlong(const Ray& ray, float until) const;
+  MetBall ballAlong(const glm::vec3& origin, const glm::vec3& direction) const;
   glm::vec3 lampRadiance(const RayHit& hit) const;
   glm::vec3 metLamp(const RayHit& hit, const TraceSurface& from, const glm::vec3& direction) const;
   glm::vec3 mirrored(const PixelView::Layer& layer, SampleRandom& random, RayCounts& counts) const;

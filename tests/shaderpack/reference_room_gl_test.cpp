@@ -96,6 +96,13 @@ TEST(ReferenceSmallLamp, balls_of_many_torches_stop_none_and_their_rods_reflect)
   EXPECT_NEAR(redOfWhiteRoom(R"("box": "torch", "min": [3, 2, 3], "max": [7, 2, 7])") / 13.894, 1, .03);
 }
 
+// A torch before panes of red glass, which tint what passes them outward. If they tint what the room gets of its ball, it is
+// 10 % darker. orris trace --seconds 20.
+TEST(ReferenceSmallLamp, glass_behind_a_torch_takes_none_of_its_light) {
+  const char* lamp = R"("box": "red_stained_glass", "min": [9, 2, 5], "max": [10, 2, 7]}, {"block": "torch", "at": [8, 2, 6])";
+  EXPECT_NEAR(redOfWhiteRoom(lamp) / .47884, 1, .02);
+}
+
 // The edge of a pool, below a lamp that it does not see, and its mirror image. With one value for what lies above the water and
 // what lies below it, or half of what the top of the block gets, the picture is up to eleven times as bright. orris trace --seconds 8.
 TEST(ReferenceShore, edge_above_the_water_has_its_own_light) {

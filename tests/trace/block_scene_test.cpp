@@ -226,6 +226,39 @@ TEST(Lamps, small_ones_light_as_balls) {
   EXPECT_LT(lit("stone", {4, 0, 4}).mean, 1e-3);
 }
 
+// Both of what a floor gets and of what a mirror shows.
+TEST(Lamps, small_ones_are_tinted_by_glass_before_them_alone) {
+  const auto light = [](const std::string& below, const std::string& above, bool mirrored) {
+    const BlockScene scene = test::blockScene(
+        R"({"size": [9, 6, 9], "blocks": [{"box": "black_concrete", "min": [0,0,0], "max": [8,0,8]},
+        {"block": "torch", "at": [4,3,4]}, {"block": ")" +
+            below + R"(", "at": [4,2,4]}, {"block": ")" + above + R"(", "at": [4,4,4]}],
+        "cameras": [{"name": "a", "position": [2, 2, 8], "yaw": 180, "pitch": 0, "fov": 60}]})",
+        {{"minecraft:torch", 206}, {"minecraft:red_stained_glass", 21}}, lampsOf("16"));
+    TraceSettings settings;
+    settings.bounces = 1;
+    const PathTracer tracer(scene.scene, {}, settings);
+    RayCounts counts;
+    const glm::vec3 up = withoutZeros(glm::vec3(0, 1, 0));
+    glm::vec3 sum(0);
+    for (std::uint32_t i = 0; i < 200; ++i) {
+      SampleRandom random(9, 1, i);
+      // Below the ball, beside its rod.
+      const TraceSurface at =
+          test::surfaceOn(glm::ivec3(4, 0, 4) - scene.scene.origin, FaceDirection::Up, {0.7f, 0.5f});
+      sum += tracer.incoming(at, random, counts, mirrored ? &up : nullptr);
+    }
+    return sum;
+  };
+  for (const bool mirrored : {false, true}) {
+    const glm::vec3 plain = light("air", "air", mirrored);
+    const glm::vec3 before = light("red_stained_glass", "air", mirrored);
+    EXPECT_EQ(light("air", "red_stained_glass", mirrored), plain) << mirrored;
+    EXPECT_GT(plain.b, 0);
+    EXPECT_LT(before.b / before.r, 0.5f * plain.b / plain.r);
+  }
+}
+
 TEST(Lamps, are_drawn_with_the_probability_they_tell) {
   test::Cubes cubes = test::roomOf({20, 6, 20}, {});
   for (int i = 0; i < 90; ++i)

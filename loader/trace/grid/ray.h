@@ -22,7 +22,7 @@ struct Ray {
 
 struct RayHit {
   std::uint32_t quad = kNoQuad;  ///< kNoQuad: the ray left the world
-  float distance = std::numeric_limits<float>::infinity();
+  float distance = std::numeric_limits<float>::infinity();  ///< before: how far to look
   bool back = false;    ///< the quad was met from behind
   bool cube = false;    ///< it is the side of a full cube
   glm::ivec3 cell{0};   ///< of the quad

@@ -113,7 +113,7 @@ class VoxelGrid {
 
   /// The first quad that stops light; translucent ones do not.
   RayHit intersect(const Ray& ray) const;
-  /// The same into a fresh hit.
+  /// The same into a fresh hit, looking no farther than its distance: filters behind that take nothing.
   void intersect(const Ray& ray, RayHit& hit) const;
   /// Two rays in about the time of one and a half.
   void intersect(const Ray& first, RayHit& firstHit, const Ray& second, RayHit& secondHit) const;

@@ -43,7 +43,7 @@ class VoxelGrid::Walk {
            (unsigned(z_) < unsigned(grid_.size_.z));
   }
 
-  /// One leap; false: the ray has met something or left the grid. Two walks in one function would call it.
+  /// One leap; false: the ray has met something, left the grid or gone far enough. Two walks in one function would call it.
   [[gnu::always_inline]] inline bool advance() {
     unsigned box = boxes_[grid_.offset({x_, y_, z_})];
     if (box == 0) {
@@ -72,7 +72,7 @@ class VoxelGrid::Walk {
     z_ = byZ ? outZ : nextZ;
     axis_ = byX ? 0 : byY ? 1 : 2;
     enter_ = t;
-    return isInside();
+    return isInside() & (t < hit_.distance);
   }
 
   /// After the last leap.
