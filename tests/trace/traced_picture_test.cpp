@@ -6,6 +6,7 @@
 #include "cube_scene.h"
 #include <orris/image/image.h>
 #include <orris/trace/film/traced_picture.h>
+#include "support/folder_test.h"
 
 namespace orris {
 namespace {
@@ -24,16 +25,8 @@ ReferenceScene glowingRoom(float radiance) {
   return view;
 }
 
-class TracedPictures : public testing::Test {
+class TracedPictures : public test::FolderTest {
  protected:
-  TracedPictures() {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = testing::TempDir() + "/" + test->name();
-    path_ = folder_ + "/scene.exr";
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directory(folder_);
-  }
-
   bool provide(float radiance, const TraceHooks& hooks = {}) {
     return provideTraced(path_, glowingRoom(radiance), {1, -1}, {.samples = 4}, hooks, diagnostics_);
   }
@@ -42,7 +35,7 @@ class TracedPictures : public testing::Test {
     return image ? image->at(3, 2)[0] : -1;
   }
 
-  std::string folder_, path_;
+  const std::string path_ = path("scene.exr");
   Diagnostics diagnostics_;
 };
 
