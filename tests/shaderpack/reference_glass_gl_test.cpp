@@ -332,5 +332,44 @@ TEST(ReferenceGlassSide, light_changes_over_the_side_of_a_block) {
   EXPECT_NEAR(far / pack.meanRadiance().g, .919, .08);
 }
 
+/// What a pool of water mirrors: a window, and the point of it whose mirror image the eye sees.
+struct Mirrored {
+  const char* name;
+  const char* window;
+  double x, y, z;
+  double traced;  ///< mean green of orris trace --seconds 8
+};
+void PrintTo(const Mirrored& mirrored, std::ostream* out) { *out << mirrored.name; }
+
+class ReferenceMirrorOfWater : public testing::TestWithParam<Mirrored> {};
+
+// Mirrors show translucent blocks as the eye sees them, blended by the alpha of their texels over what is behind. By light that takes
+// their colour an open window is a fifth as bright as it is, glass a third; with one alpha its frame is as bright as its middle.
+TEST_P(ReferenceMirrorOfWater, shows_windows_as_they_are_drawn) {
+  const Mirrored& mirrored = GetParam();
+  const double surface = 2 + 8. / 9;
+  PackSession pack(fmt::format(R"({{"size": [12, 10, 14],
+      "blocks": [{{"box": "stone", "min": [0, 0, 0], "max": [11, 7, 13]}}, {{"box": "air", "min": [2, 2, 2], "max": [9, 5, 11]}},
+                 {{"box": "water", "min": [2, 2, 2], "max": [9, 2, 11]}}, {{"block": "glowstone", "at": [5, 6, 6]}},
+                 {{"box": "{}", "min": [4, 3, 1], "max": [7, 5, 1]}}, {{"box": "air", "min": [4, 3, 0], "max": [7, 5, 0]}}],
+      "cameras": [{{"name": "eye", "position": [7.4, 3.5, 10.8], "target": [{}, {}, {}], "fov": 1}}],
+      "environment": {{"time": 6000}}}})",
+                               mirrored.window, mirrored.x, 2 * surface - mirrored.y, mirrored.z),
+                   manyRays({{"WATER_WAVES", "false"}}), 16, 9);
+  pack.renderFrames(60);
+  expectTraced(pack.meanRadiance().g, mirrored.traced, .03);
+}
+
+constexpr const char* kStainedPane = "light_blue_stained_glass_pane[east=true,west=true]";
+
+INSTANTIATE_TEST_SUITE_P(
+    , ReferenceMirrorOfWater,
+    testing::Values(Mirrored{"opening", "air", 5.53, 4.47, 2, .14320},
+                    Mirrored{"glass", "light_blue_stained_glass", 5.53, 4.47, 2, .07773},
+                    Mirrored{"frame_of_glass", "light_blue_stained_glass", 5.03, 4.47, 2, .05778},
+                    Mirrored{"pane", kStainedPane, 5.53, 4.47, 1.56, .08291},
+                    Mirrored{"frame_of_a_pane", kStainedPane, 5.03, 4.47, 1.56, .06112}),
+    [](const auto& tested) { return std::string(tested.param.name); });
+
 }  // namespace
 }  // namespace orris::test

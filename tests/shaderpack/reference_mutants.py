@@ -30,6 +30,7 @@ LEAVES = "ReferenceLeaves.*"
 PLANTS = "ReferencePlants.*"
 PORTAL = "ReferenceSpot.*portal"
 FIRE = "ReferenceSpot.*fire"
+MIRROR = "ReferenceMirrorOfWater.*"
 ONE = "Views/Reference.*/one_bounce"
 
 MUTANTS = [
@@ -107,6 +108,13 @@ MUTANTS = [
     ("planes of a portal as bright as its cube", PORTAL, [(HIT, "return open / max(shown, 1e-3);", "return is_portal(code) ? 1.0 : open / max(shown, 1e-3);")]),
     ("rays to lamps look for portals on the sides of their cell", PORTAL, [(LAMP_SAMPLE, "is_portal(code) ? normal * (0.5 - portal_radius) : vec3(0.0)", "vec3(0.0)")]),
     ("one value for both sides of a portal", PORTAL, [(OCTANTS, "return is_partition(code) ?", "return is_tinted_pane(code) ?")]),
+    ("water mirrors no sky through openings", "ReferenceMirrorOfWater.*opening", [(TRANSLUCENT, "sky_beyond(hit, direction, light.y)", "sky_radiance(direction) * light.y * light.y")]),
+    ("mirrored glass hides what is behind it", MIRROR, [(TRANSLUCENT, "share *= 1.0 - alpha;", "share = 0.0;")]),
+    ("mirrored glass tints what is behind it", MIRROR, [(TRACE, "if (as_drawn && depth > 0.0", "if (false && depth > 0.0"), (TRACE, "if (!as_drawn) hit", "hit")]),
+    ("one alpha for mirrored glass", MIRROR, [(TRANSLUCENT, "textureLod(gtexture, place, 0.0).a", "textureLod(gtexture, place, 4.0).a")]),
+    ("mirrored panes in a row are one", MIRROR, [(TRACE, "(last_code != code || is_tinted_pane(code))", "last_code != code")]),
+    ("mirrored panes lie on the side of their cell", MIRROR, [(TRACE, "return Meeting(is_tinted_pane(code), max(t, span.x), axis);", "return Meeting(false, 0.0, axis);")]),
+    ("textures of panes by their parts", MIRROR, [(SHADOW, "if (id == block_pane || id == block_tinted_pane) {", "if (id == block_pane) {")]),
     ("stained panes tint in their middle", "ReferenceSpot.*between_the_sides*", [(TRACE, "pane_radius * dot(abs(inverse), axis)", "0.0")]),
     ("stained panes of the next cell tint nothing", "ReferenceSunlitPanes.tint*", [(HIT, ": beside_stained ? 2.0 : 0.0;", ": beside_stained ? 1e-4 : 0.0;")]),
     ("one value a face", "ReferenceCorner.*", [(LIGHT_AT, "return vec4(light * rise, u.own.a);", "return vec4(light, u.own.a);")]),
@@ -123,7 +131,7 @@ MUTANTS = [
     ("panes part no light", "ReferenceSky.*/low_panes", [(OCTANTS, "arms = kept_shape(cell) & arms_of_pane;", "arms = 0u;")]),
     ("both halves beside a pane lit alike", "ReferenceSky.*/low_panes", [(UPDATE, "bool parts = dot(face_normal(face), axis) == 0.0;", "bool parts = false;")]),
     ("light within glass by its outer side", "ReferenceGlazedRoom.*", [(HIT, "return is_on_body(hit) || is_glass(hit.voxel.code) ||", "return is_on_body(hit) ||")]),
-    ("parts of a pane have edges of their own", "ReferencePanes.*", [(SHADOW, "== block_pane) {", "== -2) {")]),
+    ("parts of a pane have edges of their own", "ReferencePanes.*", [(SHADOW, "if (id == block_pane || ", "if (")]),
     ("balls of small lamps stop light", "ReferenceSmallLamp.balls*", [(HIT, "return hit.found && is_ball(hit.voxel.code) && !hit.inner;", "return false;")]),
     ("bodies of small lamps are black", "ReferenceSmallLamp.balls*", [(HIT, "0.3 * sqrt(brightest(hit.voxel.color))", "vec3(0.0)")]),
     ("after a body faces see no lamp beside them", "ReferenceSmallLamp.body*", [(UPDATE, "    begins_on_lamp = false;\n", "")]),

@@ -22,7 +22,8 @@ struct Ray {
 
 struct RayHit {
   std::uint32_t quad = kNoQuad;  ///< kNoQuad: the ray left the world
-  float distance = std::numeric_limits<float>::infinity();  ///< before: how far to look
+  /// In blocks; infinity: the ray left the world. As an argument of a walk: nothing is looked for beyond it.
+  float distance = std::numeric_limits<float>::infinity();
   bool back = false;    ///< the quad was met from behind
   bool cube = false;    ///< it is the side of a full cube
   glm::ivec3 cell{0};   ///< of the quad

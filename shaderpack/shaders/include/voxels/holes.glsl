@@ -7,6 +7,7 @@
 #include "/include/voxels/octants.glsl"
 
 const int hole_words = 8;
+const int hole_pictures = 28;
 
 /// The first word of a picture.
 ivec2 holes_of_picture(int index) { return lake_now + ivec2(1 + (hole_words + 1) * index, 0); }

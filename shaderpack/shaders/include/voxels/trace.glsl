@@ -108,6 +108,20 @@ float filter_depth(int code, bool goes_on, vec3 middle, vec3 inverse, vec2 span)
     return is_tinted_pane(code) ? crossed : max(0.0, span.y - span.x);
 }
 
+/// Where a ray meets a block in its cell.
+struct Meeting {
+    bool found;
+    float t;    // distance along the ray
+    vec3 axis;  // 0 where it enters the cell; else the normal, times -stride: of a plane through the middle, 1 along an axis
+};
+
+/// Where a ray meets what is drawn of a translucent block: a stained pane within its cell. `span`: as for filter_depth.
+Meeting side_of_filter(Walk walk, int code, vec2 span) {
+    vec3 axis = partition_axis(code);
+    float t = dot((walk.cell + 0.5 - walk.origin - pane_radius * walk.stride) * walk.inverse, axis);
+    return Meeting(is_tinted_pane(code), max(t, span.x), axis);
+}
+
 /// Panes part what light falls on the two halves of the faces beside them. Is a hit on the upper one?
 bool is_beyond_pane(Hit hit, vec3 cell, int code) {
     vec3 axis = parted_axis(code, ivec3(cell));
@@ -115,13 +129,6 @@ bool is_beyond_pane(Hit hit, vec3 cell, int code) {
     bool beside = vec3(hit.cell) + hit.normal == cell && dot(hit.normal, axis) == 0.0 && is_full(hit.voxel.code);
     return beside && dot(hit.position - cell, axis) > 0.5;
 }
-
-/// Where a ray meets a block in its cell.
-struct Meeting {
-    bool found;
-    float t;    // distance along the ray
-    vec3 axis;  // 0 where it enters the cell; else the normal, times -stride: of a plane through the middle, 1 along an axis
-};
 
 /// The first of these octants that the ray comes into: where it enters the cell, or by one of the planes
 /// through its middle. `span` of meet: distances to where it enters, negative if it begins here, and leaves.
@@ -307,7 +314,7 @@ bool is_stopped(vec3 origin, vec3 direction, bool opaque, bool boxes) {
 }
 
 /// Are planes through the middle of a cell what a ray meets inside of it?
-bool has_middle(int code) { return !is_post(code) && code != voxel_lava && !has_planes(code); }
+bool has_middle(int code) { return !is_post(code) && code != voxel_lava && !has_planes(code) && !is_tinted_pane(code); }
 
 /// Where the ray came into its cell, or met a block in it, and what it finds there.
 void describe(inout Hit hit, Walk walk, Meeting met, vec4 texel) {
@@ -325,7 +332,8 @@ void describe(inout Hit hit, Walk walk, Meeting met, vec4 texel) {
 
 /// First block from `origin` (volume space) on. The first cell is not tested: rays start on a face,
 /// and there the cell holds either nothing or the partial block that the face belongs to: `first_code`.
-Hit trace(vec3 origin, vec3 direction, int first_code) {
+/// `as_drawn`: the first side of a translucent block stops a ray, too, and colours nothing.
+Hit trace(vec3 origin, vec3 direction, int first_code, bool as_drawn) {
     count_ray();
     Walk walk = begin_walk(origin, direction);
     Hit hit;
@@ -345,7 +353,11 @@ Hit trace(vec3 origin, vec3 direction, int first_code) {
             if (code == voxel_water_surface)
                 span = below_surface(span, walk.cell.y + water_height - origin.y, walk.direction.y);
             float depth = filter_depth(code, last_code == code, walk.cell + 0.5 - origin, walk.inverse, span);
-            hit.transmittance *= filtered(decode_voxel(texel).color, depth);
+            if (as_drawn && depth > 0.0 && (last_code != code || is_tinted_pane(code))) {
+                met = side_of_filter(walk, code, span);
+                break;
+            }
+            if (!as_drawn) hit.transmittance *= filtered(decode_voxel(texel).color, depth);
         }
         last_cell = walk.cell;
         last_code = code;
@@ -357,5 +369,7 @@ Hit trace(vec3 origin, vec3 direction, int first_code) {
     hit.inner = hit.inner || is_beyond_pane(hit, last_cell, last_code);
     return hit;
 }
+
+Hit trace(vec3 origin, vec3 direction, int first_code) { return trace(origin, direction, first_code, false); }
 
 #endif

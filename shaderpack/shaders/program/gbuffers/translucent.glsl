@@ -61,6 +61,7 @@ void main() {
 #if HAS_FACE_CACHE
 #include "/include/face_cache/face_lookup.glsl"
 #include "/include/gi/hit.glsl"
+#include "/include/voxels/tiles.glsl"
 
 vec4 light_of(ivec3 cell, int face) { return cached_light(cell, face); }
 #include "/include/face_cache/light_at.glsl"
@@ -190,20 +191,44 @@ vec3 indirect_radiance(vec3 n) {
 #endif
 }
 
-/// What water mirrors: the scene, as the voxels know it, or the sky where that reaches it.
-vec3 mirrored_radiance(vec3 n, vec3 direction, vec3 l) {
-    float sky = light.y * light.y;
 #if HAS_FACE_CACHE
-    vec3 position = to_volume(player);
-    if (inside_volume(position) > 0.0) {
-        vec3 from = position + n * pixel_offset(player);
-        Hit hit = trace(from, direction, voxel_air);
+const int mirrored_layers = 3;
+
+/// How much a hit hides of what is behind it, as it is drawn. `water`: what water does.
+float drawn_alpha(Hit hit, float water) {
+    if (!hit.found || !is_filter_voxel(hit.voxel.code)) return 1.0;
+    vec2 place = place_in_atlas(hit.cell, hit.position - vec3(hit.cell), hit.normal);
+    return place == vec2(0.0) ? water : textureLod(gtexture, place, 0.0).a;
+}
+
+/// What a mirror shows of the voxels from a point on: translucent blocks blended over what is behind them, as the eye sees them.
+vec3 mirrored_scene(vec3 from, vec3 direction, vec3 l, float water) {
+    vec3 radiance = vec3(0.0);
+    float share = 1.0;
+    int code = voxel_air;
+    for (int i = 0; i < mirrored_layers; ++i) {
+        Hit hit = trace(from, direction, code, true);
+        float alpha = i == mirrored_layers - 1 ? 1.0 : drawn_alpha(hit, water);
         vec3 lamp = lamp_light(hit, from, direction);
         vec3 sun = DIRECT_LIGHT == NONE ? vec3(0.0) : sun_at(hit, direction, l, light.y);
-        if (hit.found) return hit.transmittance * (lamp + albedo_of(hit) * (sun + light_on(hit)));
+        vec3 seen = hit.found ? lamp + albedo_of(hit) * (sun + light_on(hit)) : sky_beyond(hit, direction, light.y);
+        radiance += share * alpha * seen;
+        share *= 1.0 - alpha;
+        if (share == 0.0) break;
+        from = hit.position - hit.normal * face_offset;
+        code = hit.voxel.code;
     }
+    return radiance;
+}
 #endif
-    return sky_radiance(direction) * sky;
+
+/// What water mirrors: the scene, as the voxels know it, or the sky where that reaches it. `alpha`: of the water.
+vec3 mirrored_radiance(vec3 n, vec3 direction, vec3 l, float alpha) {
+#if HAS_FACE_CACHE
+    vec3 position = to_volume(player);
+    if (inside_volume(position) > 0.0) return mirrored_scene(position + n * pixel_offset(player), direction, l, alpha);
+#endif
+    return sky_radiance(direction) * light.y * light.y;
 }
 
 void main() {
@@ -250,7 +275,7 @@ void main() {
         vec3 direction = reflect(-v, mirror);
         // Waves that turn away from the eye would mirror what is below.
         direction -= 2.0 * min(dot(direction, n), 0.0) * n;
-        radiance = mix(radiance, mirrored_radiance(n, direction, l), fresnel);
+        radiance = mix(radiance, mirrored_radiance(n, direction, l, color.a), fresnel);
     }
 #if HAS_WATER_WAVES && DIRECT_LIGHT != NONE
     if (has_waves) radiance += sun * wave_highlight(mirror, waves.variance, v, l);

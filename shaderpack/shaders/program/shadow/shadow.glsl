@@ -66,6 +66,25 @@ flat out vec4 sheet;  // as include/shadow/sheets.glsl stores it; 0: nothing
 flat out vec2 lattice;
 flat out vec4 tile;  // part of the atlas: low, high
 
+/// The part of the atlas that a quad shows; of a pane, whose sides are made in parts, what the whole side would.
+vec4 tile_of_triangle() {
+    vec2 low = min(vertex_uv[0], min(vertex_uv[1], vertex_uv[2]));
+    vec2 high = max(vertex_uv[0], max(vertex_uv[1], vertex_uv[2]));
+    int id = int(floor(vertex_id[0] + 0.5));
+    if (id == block_pane || id == block_tinted_pane) {
+        // Two edges of the quad, and how the texture goes on along them.
+        vec3 a = vertex_player[1] - vertex_player[0];
+        vec3 b = vertex_player[2] - vertex_player[1];
+        mat2 per_block = mat2((vertex_uv[1] - vertex_uv[0]) / length(a), (vertex_uv[2] - vertex_uv[1]) / length(b));
+        vec3 to_middle = vertex_center[0] - vertex_player[0];
+        vec2 middle = vertex_uv[0] + per_block * vec2(dot(to_middle, normalize(a)), dot(to_middle, normalize(b)));
+        vec2 half_size = 0.5 * (abs(per_block[0]) + abs(per_block[1]));
+        low = middle - half_size;
+        high = middle + half_size;
+    }
+    return vec4(mix(low, high, 0.001), mix(low, high, 0.999));
+}
+
 #if HAS_VOXELS || HAS_LAMPS
 
 uniform sampler2D gtexture;
@@ -143,7 +162,7 @@ void emit_lamp() {
 #include "/include/voxels/checksum.glsl"
 #include "/include/debug/count.glsl"
 #define HAS_OCTANT_WRITES
-#include "/include/voxels/holes.glsl"
+#include "/include/voxels/tiles.glsl"
 #endif
 #if HAS_FACE_CACHE
 #include "/include/face_cache/due_faces.glsl"
@@ -271,6 +290,7 @@ void emit_voxel() {
     // Not the underside of its surface.
     bool bottom = vertex_normal[0].y < -0.5 && vertex_player[0].y - block.middle.y < -0.4;
     if (block.id == block_water && bottom) add_octants(cell, part_bottom);
+    if (block.id == block_translucent || block.id == block_tinted_pane) note_tile(cell, tile_of_triangle());
     if (code == voxel_stairs || is_post(code) || is_ball(code)) {
         vec3 low = quad_low() - block.middle;
         vec3 high = quad_high() - block.middle;
@@ -313,24 +333,6 @@ void emit_voxel() {
 }
 
 #endif
-
-/// The part of the atlas that a quad shows; of a pane, whose sides are made in parts, what the whole side would.
-vec4 tile_of_triangle() {
-    vec2 low = min(vertex_uv[0], min(vertex_uv[1], vertex_uv[2]));
-    vec2 high = max(vertex_uv[0], max(vertex_uv[1], vertex_uv[2]));
-    if (int(floor(vertex_id[0] + 0.5)) == block_pane) {
-        // Two edges of the quad, and how the texture goes on along them.
-        vec3 a = vertex_player[1] - vertex_player[0];
-        vec3 b = vertex_player[2] - vertex_player[1];
-        mat2 per_block = mat2((vertex_uv[1] - vertex_uv[0]) / length(a), (vertex_uv[2] - vertex_uv[1]) / length(b));
-        vec3 to_middle = vertex_center[0] - vertex_player[0];
-        vec2 middle = vertex_uv[0] + per_block * vec2(dot(to_middle, normalize(a)), dot(to_middle, normalize(b)));
-        vec2 half_size = 0.5 * (abs(per_block[0]) + abs(per_block[1]));
-        low = middle - half_size;
-        high = middle + half_size;
-    }
-    return vec4(mix(low, high, 0.001), mix(low, high, 0.999));
-}
 
 void emit_triangle() {
     sheet = vec4(0.0);
