@@ -62,6 +62,32 @@ TraceCamera looking(glm::dvec3 position, glm::vec3 direction, int size) {
   return camera;
 }
 
+// Leaves show a carpet beside them their sides, so rays begin within it, over a floor whose top it hides.
+TEST(HiddenSides, give_rays_that_begin_within_a_carpet_no_light_but_a_number) {
+  const BlockScene scene = test::blockScene(
+      R"({"size": [9, 6, 9], "blocks": [{"box": "stone", "min": [0,0,0], "max": [8,0,8]},
+        {"box": "white_carpet", "min": [3,1,3], "max": [5,1,5]}, {"block": "sea_lantern", "at": [4,4,4]}],
+        "cameras": [{"name": "a", "position": [2, 2, 8], "yaw": 180, "pitch": 0, "fov": 60}]})",
+      {}, lampsOf("16"));
+  const PathTracer tracer(scene.scene, {}, {});
+  const glm::ivec3 cell = glm::ivec3(4, 1, 4) - scene.scene.origin;
+  TraceSurface within;
+  within.position = glm::vec3(cell) + glm::vec3(0, 0.03f, 0.5f);
+  within.normal = glm::vec3(1, 0, 0);
+  within.cell = cell;
+  int hidden = 0;
+  for (std::uint32_t i = 0; i < 200; ++i) {
+    SampleRandom random(9, 1, i);
+    RayCounts counts;
+    std::vector<Ray> rays;
+    counts.record = &rays;
+    EXPECT_EQ(tracer.incoming(within, random, counts), glm::vec3(0));
+    ASSERT_FALSE(rays.empty());
+    for (const Ray& ray : rays) hidden += scene.scene.grid.intersect(ray).quad == kHiddenQuad;
+  }
+  EXPECT_GT(hidden, 0);
+}
+
 // Whatever the shape, a white thing in a room that glows evenly looks like the glow; leaves and
 // plants, which let light through, too.
 TEST(BlockFurnace, hides_every_shape) {

@@ -18,12 +18,18 @@ bool isHollow(const TraceCell& cell, const std::vector<TraceQuad>& quads) {
                      [](const TraceQuad& quad) { return quad.alphaTested && !quad.filters; });
 }
 
+/// 0 along an edge that has no length: places on kHiddenQuad are numbers, too.
+glm::vec3 perLength(const glm::vec3& edge) {
+  const float squared = glm::dot(edge, edge);
+  return squared > 0 ? edge / squared : glm::vec3(0);
+}
+
 QuadPlane planeOf(const TraceQuad& quad) {
   QuadPlane plane;
   plane.normal = quad.normal;
   plane.offset = glm::dot(quad.normal, quad.corner);
-  plane.alongU = quad.edgeU / glm::dot(quad.edgeU, quad.edgeU);
-  plane.alongV = quad.edgeV / glm::dot(quad.edgeV, quad.edgeV);
+  plane.alongU = perLength(quad.edgeU);
+  plane.alongV = perLength(quad.edgeV);
   plane.startU = glm::dot(plane.alongU, quad.corner);
   plane.startV = glm::dot(plane.alongV, quad.corner);
   return plane;
