@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "cube_scene.h"
 
 namespace orris {
@@ -63,7 +65,7 @@ TraceCamera looking(glm::dvec3 position, glm::vec3 direction, int size) {
 }
 
 // Leaves show a carpet beside them their sides, so rays begin within it, over a floor whose top it hides.
-TEST(HiddenSides, give_rays_that_begin_within_a_carpet_no_light_but_a_number) {
+TEST(HiddenSides, give_rays_that_begin_within_a_carpet_no_light_and_a_place) {
   const BlockScene scene = test::blockScene(
       R"({"size": [9, 6, 9], "blocks": [{"box": "stone", "min": [0,0,0], "max": [8,0,8]},
         {"box": "white_carpet", "min": [3,1,3], "max": [5,1,5]}, {"block": "sea_lantern", "at": [4,4,4]}],
@@ -83,7 +85,11 @@ TEST(HiddenSides, give_rays_that_begin_within_a_carpet_no_light_but_a_number) {
     counts.record = &rays;
     EXPECT_EQ(tracer.incoming(within, random, counts), glm::vec3(0));
     ASSERT_FALSE(rays.empty());
-    for (const Ray& ray : rays) hidden += scene.scene.grid.intersect(ray).quad == kHiddenQuad;
+    for (const Ray& ray : rays) {
+      const RayHit hit = scene.scene.grid.intersect(ray);
+      hidden += hit.quad == kHiddenQuad;
+      EXPECT_TRUE(std::isfinite(hit.at.x) && std::isfinite(hit.at.y));
+    }
   }
   EXPECT_GT(hidden, 0);
 }
