@@ -343,8 +343,8 @@ void PrintTo(const Mirrored& mirrored, std::ostream* out) { *out << mirrored.nam
 
 class ReferenceMirrorOfWater : public testing::TestWithParam<Mirrored> {};
 
-// Mirrors show translucent blocks as the eye sees them, blended by the alpha of their texels over what is behind. By light that takes
-// their colour an open window is a fifth as bright as it is, glass a third; with one alpha its frame is as bright as its middle.
+// Mirrors show translucent blocks as the eye sees them, blended by the alpha of their texels over what is behind. With the sky
+// by its level at the water an opening is a fifth as bright as it is, glass that tints .4 times; with one alpha its frame is as bright as its middle.
 TEST_P(ReferenceMirrorOfWater, shows_windows_as_they_are_drawn) {
   const Mirrored& mirrored = GetParam();
   const double surface = 2 + 8. / 9;
