@@ -12,6 +12,7 @@ POSTS = "include/voxels/posts.glsl"
 VOXEL = "include/voxels/voxel.glsl"
 TRACE = "include/voxels/trace.glsl"
 HOLES = "include/voxels/holes.glsl"
+TILES = "include/voxels/tiles.glsl"
 SHADOW = "program/shadow/shadow.glsl"
 COMMIT = "program/face_cache/commit.glsl"
 LIGHT_AT = "include/face_cache/light_at.glsl"
@@ -71,7 +72,7 @@ MUTANTS = [
     ("stained panes tint across the other axis", "ReferenceSpot.*behind_stained_panes", [(VOXEL, "(code & 1) == 1 ? vec3(1.0, 0.0, 0.0)", "(code & 1) == 0 ? vec3(1.0, 0.0, 0.0)")]),
     ("panes of one side", "ReferenceSpot.*behind_panes", [(TRACE, "if (passes && is_pane(code)) {", "if (false) {")]),
     ("one hole in the middle of a pane", "ReferenceSpot.*before_a_lamp", [(TRACE, "if (is_glass(code) || is_pane(code)) return", "if (is_glass(code)) return")]),
-    ("holes of panes by mean alpha", "ReferenceSpot.*behind_panes", [(HOLES, "textureLod(gtexture, uv, 0.0)", "textureLod(gtexture, uv, 4.0)")]),
+    ("holes of panes by mean alpha", "ReferenceSpot.*behind_panes", [(HOLES, "per_block * at, 0.0)", "per_block * at, 4.0)")]),
     ("glass sends no rays", "ReferenceSpot.*glass_*_the_shadow*",
      [(TRANSLUCENT, "float share = inside_volume(to_volume(player));", "float share = 0.0;")]),
     ("what gathered for glass is blended", "ReferenceSpot.*glass_*_the_shadow*",
@@ -112,6 +113,7 @@ MUTANTS = [
     ("mirrored glass hides what is behind it", MIRROR, [(TRANSLUCENT, "share *= 1.0 - alpha;", "share = 0.0;")]),
     ("mirrored glass tints what is behind it", MIRROR, [(TRACE, "if (as_drawn && depth > 0.0", "if (false && depth > 0.0"), (TRACE, "if (!as_drawn) hit", "hit")]),
     ("one alpha for mirrored glass", MIRROR, [(TRANSLUCENT, "textureLod(gtexture, place, 0.0).a", "textureLod(gtexture, place, 4.0).a")]),
+    ("mirrored glass has the texture beside it", MIRROR, [(TILES, "part.x << 8", "part.x + 1u << 8")]),
     ("mirrored panes in a row are one", MIRROR, [(TRACE, "(last_code != code || is_tinted_pane(code))", "last_code != code")]),
     ("mirrored panes lie on the side of their cell", MIRROR, [(TRACE, "return Meeting(is_tinted_pane(code), max(t, span.x), axis);", "return Meeting(false, 0.0, axis);")]),
     ("textures of panes by their parts", MIRROR, [(SHADOW, "if (id == block_pane || id == block_tinted_pane) {", "if (id == block_pane) {")]),

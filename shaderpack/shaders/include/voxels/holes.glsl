@@ -20,27 +20,24 @@ ivec2 holes_of_plane(int code) { return holes_of_picture(18 + (code == voxel_sou
 
 #if defined HAS_OCTANT_WRITES
 /// The texture of the quad along two axes of a picture, if it is not known, whatever part of that the quad shows: panes are made
-/// in parts. The first triangle of a quad has its corners in order. `middle`: of the block.
+/// in parts. `middle`: of the block. Of quads that are drawn side by side one writes.
 void note_holes(ivec2 words, vec3 across, vec3 up, vec3 middle) {
-    if (imageLoad(voxel_sums, words + ivec2(hole_words, 0)).r != 0u) return;
-    vec3 a = vertex_player[1] - vertex_player[0];
-    vec3 b = vertex_player[2] - vertex_player[1];
-    vec2 uv_a = (vertex_uv[1] - vertex_uv[0]) / dot(a, a);
-    vec2 uv_b = (vertex_uv[2] - vertex_uv[1]) / dot(b, b);
+    ivec2 last = words + ivec2(hole_words, 0);
+    if (imageLoad(voxel_sums, last).r != 0u || imageAtomicCompSwap(voxel_sums, last, 0u, 1u) != 0u) return;
+    mat3x2 per_block = uv_per_block();
     vec3 first = middle - vertex_player[0] - 0.46875 * (across + up);  // the middle of the first texel
     uint known = 1u;
     for (int word = 0; word < hole_words; ++word) {
         uint open = 0u;
         for (int i = 0; i < 32; ++i) {
             vec3 at = first + float(i & 15) / 16.0 * across + float(2 * word + (i >> 4)) / 16.0 * up;
-            vec2 uv = vertex_uv[0] + uv_a * dot(at, a) + uv_b * dot(at, b);
-            uint is_open = uint(textureLod(gtexture, uv, 0.0).a < cutout_alpha);
+            uint is_open = uint(textureLod(gtexture, vertex_uv[0] + per_block * at, 0.0).a < cutout_alpha);
             open |= is_open << uint(i);
             known += is_open;
         }
         imageStore(voxel_sums, words + ivec2(word, 0), uvec4(open));
     }
-    imageStore(voxel_sums, words + ivec2(hole_words, 0), uvec4(known));
+    imageStore(voxel_sums, last, uvec4(known));
 }
 #else
 /// Is this place of a picture, 0..1, a hole?

@@ -1,6 +1,7 @@
 // Where in the atlas the textures of stained glass, ice and slime lie, for mirrors, which show them as they are drawn: voxels
 // have their mean colour alone. In voxel_sums: a bit of the byte that stairs keep their octants in, one of five by chance, and for
-// each of these, behind the pictures of holes, two words: the lower and the upper end of a texture, 0: there is none.
+// each of these, behind the pictures of holes, a word: a texture. Of two that meet in one word the larger stays, so that neither
+// the order of writers nor the frame decides.
 #if !defined INCLUDED_VOXELS_TILES
 #define INCLUDED_VOXELS_TILES
 
@@ -9,30 +10,48 @@
 const int tile_count = 5;
 const uint tile_bits = 31u;
 
-ivec2 words_of_tile(int tile) { return holes_of_picture(hole_pictures) + ivec2(2 * tile, 0); }
+ivec2 word_of_tile(int tile) { return holes_of_picture(hole_pictures) + ivec2(tile, 0); }
 
 #if defined HAS_OCTANT_WRITES
+/// A texture of an atlas, which halves of halves of the atlas make up: how often each axis is halved, and the row and the column of
+/// such parts. `place`: lower and upper end. 0: the whole atlas.
+uint pack_tile(vec4 place) {
+    vec2 halvings = clamp(round(-log2(place.zw - place.xy)), 0.0, 12.0);
+    uvec2 part = uvec2(floor(0.5 * (place.xy + place.zw) * exp2(halvings)));
+    return uint(halvings.x) | uint(halvings.y) << 4 | part.x << 8 | part.y << 20;
+}
+
 /// `place`: lower and upper end of the texture of a block in the atlas.
 void note_tile(ivec3 cell, vec4 place) {
-    int tile = int(hash(floatBitsToUint(place.xyy)).x % uint(tile_count));
+    uint word = pack_tile(place);
+    int tile = int(hash(uvec3(word)).x % uint(tile_count));
     add_octants(cell, 1u << uint(tile));
-    imageStore(voxel_sums, words_of_tile(tile), uvec4(packUnorm2x16(place.xy)));
-    imageStore(voxel_sums, words_of_tile(tile) + ivec2(1, 0), uvec4(packUnorm2x16(place.zw)));
+    imageAtomicMax(voxel_sums, word_of_tile(tile), word);
 }
 #elif HAS_VOXEL_CHANGES
-/// Where in the atlas a point of a side lies; 0: the texture is not known. `within`: from the lower end of the cell; `normal`: of
-/// the side. Textures are drawn as the game does, upright, and unmirrored from outside.
-vec2 place_in_atlas(ivec3 cell, vec3 within, vec3 normal) {
+// Off the edges of a texture, as a share of it.
+const float tile_inset = 0.001;
+
+/// A place of a texture in the atlas. `word`: as packed; `at`: 0..1.
+vec2 place_in_tile(uint word, vec2 at) {
+    vec2 part = vec2(word >> 8 & 4095u, word >> 20);
+    return (part + clamp(at, tile_inset, 1.0 - tile_inset)) * exp2(-vec2(word & 15u, word >> 4 & 15u));
+}
+
+/// The texture of a translucent block, as packed; 0: it is not known.
+uint tile_of(ivec3 cell) {
     uint bits = kept_shape(cell) & tile_bits;
-    if (bits == 0u) return vec2(0.0);
-    ivec2 words = words_of_tile(int(log2(float(bits & (~bits + 1u))) + 0.5));
-    vec2 low = unpackUnorm2x16(imageLoad(voxel_sums, words).r);
-    vec2 high = unpackUnorm2x16(imageLoad(voxel_sums, words + ivec2(1, 0)).r);
+    return bits == 0u ? 0u : imageLoad(voxel_sums, word_of_tile(int(log2(float(bits & (~bits + 1u))) + 0.5))).r;
+}
+
+/// Which place of its texture, 0..1, a point of a side shows. `within`: from the lower end of the cell; `normal`: of the side.
+/// Textures are drawn as the game does, upright, and unmirrored from outside.
+vec2 place_on_side(vec3 within, vec3 normal) {
     vec3 back = 1.0 - within;
     vec2 at = vec2(normal.z > 0.0 ? within.x : back.x, back.y);
     if (normal.x != 0.0) at.x = normal.x > 0.0 ? back.z : within.z;
     if (normal.y != 0.0) at = vec2(within.x, normal.y > 0.0 ? within.z : back.z);
-    return mix(low, high, at);
+    return at;
 }
 #endif
 

@@ -197,8 +197,9 @@ const int mirrored_layers = 3;
 /// How much a hit hides of what is behind it, as it is drawn. `water`: what water does.
 float drawn_alpha(Hit hit, float water) {
     if (!hit.found || !is_filter_voxel(hit.voxel.code)) return 1.0;
-    vec2 place = place_in_atlas(hit.cell, hit.position - vec3(hit.cell), hit.normal);
-    return place == vec2(0.0) ? water : textureLod(gtexture, place, 0.0).a;
+    uint tile = tile_of(hit.cell);
+    vec2 place = place_in_tile(tile, place_on_side(hit.position - vec3(hit.cell), hit.normal));
+    return tile == 0u ? water : textureLod(gtexture, place, 0.0).a;
 }
 
 /// What a mirror shows of the voxels from a point on: translucent blocks blended over what is behind them, as the eye sees them.

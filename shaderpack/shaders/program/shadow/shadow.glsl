@@ -66,19 +66,22 @@ flat out vec4 sheet;  // as include/shadow/sheets.glsl stores it; 0: nothing
 flat out vec2 lattice;
 flat out vec4 tile;  // part of the atlas: low, high
 
-/// The part of the atlas that a quad shows; of a pane, whose sides are made in parts, what the whole side would.
+/// How far texture coordinates of a quad go in a block along each axis. Its first triangle has its corners in order.
+mat3x2 uv_per_block() {
+    vec3 a = vertex_player[1] - vertex_player[0];
+    vec3 b = vertex_player[2] - vertex_player[1];
+    return outerProduct((vertex_uv[1] - vertex_uv[0]) / dot(a, a), a) + outerProduct((vertex_uv[2] - vertex_uv[1]) / dot(b, b), b);
+}
+
+/// The part of the atlas that a quad shows, lower and upper end; of a pane, whose sides are made in parts, what the whole side would.
 vec4 tile_of_triangle() {
     vec2 low = min(vertex_uv[0], min(vertex_uv[1], vertex_uv[2]));
     vec2 high = max(vertex_uv[0], max(vertex_uv[1], vertex_uv[2]));
     int id = int(floor(vertex_id[0] + 0.5));
     if (id == block_pane || id == block_tinted_pane) {
-        // Two edges of the quad, and how the texture goes on along them.
-        vec3 a = vertex_player[1] - vertex_player[0];
-        vec3 b = vertex_player[2] - vertex_player[1];
-        mat2 per_block = mat2((vertex_uv[1] - vertex_uv[0]) / length(a), (vertex_uv[2] - vertex_uv[1]) / length(b));
-        vec3 to_middle = vertex_center[0] - vertex_player[0];
-        vec2 middle = vertex_uv[0] + per_block * vec2(dot(to_middle, normalize(a)), dot(to_middle, normalize(b)));
-        vec2 half_size = 0.5 * (abs(per_block[0]) + abs(per_block[1]));
+        mat3x2 per_block = uv_per_block();
+        vec2 middle = vertex_uv[0] + per_block * (vertex_center[0] - vertex_player[0]);
+        vec2 half_size = 0.5 * (abs(per_block[0]) + abs(per_block[1]) + abs(per_block[2]));
         low = middle - half_size;
         high = middle + half_size;
     }
