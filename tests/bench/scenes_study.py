@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 """What each method of global illumination costs and how wrong it is in the scenes of worlds/: a row a scene and method.
 
-One run of `orris chart --scenes`, so that bias, noise, costs, lag and memory of a row are of one setting, and one of the face
-cache with many rays and no filter, as in random rooms (rooms_study.py). What stands in PAGE between the comments `scenes` and
-`end of scenes`, `bias` and `end of bias` is written anew."""
+One run of `orris chart --scenes`, so that bias, noise, costs, lag and memory of a row are of one setting; one a scene of the
+bias of the face cache alone, with references and runs as many as a scene needs, after 200 frames and where means are full; and one
+of the face cache with many rays and no filter, as in random rooms (rooms_study.py). What stands in PAGE between the comments
+`scenes` and `end of scenes`, `default` and `end of default`, `bias` and `end of bias` is written anew."""
 
+import concurrent.futures
 import csv
 import datetime
 import pathlib
@@ -18,9 +20,18 @@ SCENES = ("glazed_house@ground", "deep_hall@back", "bend_grey@bend", "bend_white
           "h4_house@inside", "h4_house@outside")
 OUTDOORS = ("street@street", "forest_floor@floor", "bay@shore", "h4_house@outside")
 # Fewer frames than the default of TEMPORAL_FRAMES: a picture that rests costs less.
+NO_SUN = ["--set", "AMBIENT_MINIMUM=0.0", "DIRECT_LIGHT=NONE", "WATER_WAVES=false"]
 COSTS = ["--size", "160x90", "--axis", "GI_METHOD=BOUNCE_1,FLOODFILL,FACE_CACHE", "--buffer", "colortex0", "--clock", "cpu",
          "--runs", "4", "--warm-up", "200", "--frames", "64", "--rounds", "8", "--visit", "4", "--trace-seconds", "40",
-         "--trace-noise", "0.0001", "--set", "AMBIENT_MINIMUM=0.0", "DIRECT_LIGHT=NONE", "WATER_WAVES=false"]
+         "--trace-noise", "0.0001", *NO_SUN]
+DEFAULT = ["--size", "160x90", "--axis", "GI_METHOD=FACE_CACHE", "--buffer", "colortex0", "--no-costs", "--trace-noise", "0.0001"]
+# After 200 frames, and where means of TEMPORAL_FRAMES frames are full.
+WARM_UPS = (200, 1100)
+# Of a reference: more where few paths find the light, less where all do.
+TRACE_SECONDS = {"chapel@nave": 400, "bend_white@bend": 400, "snow_hut@inside": 300, "bay@shore": 100,
+                 **dict.fromkeys(("street@street", "forest_floor@floor", "h4_house@inside", "h4_house@outside", "glow_floor@room"), 60)}
+# More where the brightness of the whole picture wanders from run to run.
+RUNS = {"deep_hall@back": 24, "bend_white@bend": 24}
 BIAS = [*rooms_study.EFFORTS[0], *rooms_study.BIAS]
 
 
@@ -53,7 +64,7 @@ def within_goals(rows):
     rows = [row for row in rows if method_of(row) == "FACE_CACHE"]
 
     def limit(row):
-        return 0.05 if f"{row['scene']}@{row['camera']}" in OUTDOORS else 0.03
+        return 0.05 if scene_of(row) in OUTDOORS else 0.03
 
     beyond = [row for row in rows if max(rms_of(row, channel)[2] for channel in CHANNELS) > limit(row)]
     names = "; ".join(f"`{row['scene']}`, `{row['camera']}`" for row in beyond) or "none"
@@ -89,23 +100,72 @@ def measured(args, part, flags):
         return summary, list(csv.DictReader(file)), [typed, date]
 
 
+def default_flags(scene, warm_up, runs, frames):
+    """
+    >>> default_flags("bay@shore", 200, 4, 64)[-12:-4]
+    ['--runs', '4', '--warm-up', '200', '--frames', '64', '--trace-seconds', '100']
+    """
+    seconds = TRACE_SECONDS.get(scene, 200)
+    return [*DEFAULT, "--runs", str(runs), "--warm-up", str(warm_up), "--frames", str(frames), "--trace-seconds", str(seconds), *NO_SUN]
+
+
+def default_row(args, scene, warm_up, runs, frames=64):
+    """The row of the face cache; its reference stays in the folder of the scene."""
+    folder = args.folder / "default" / scene.replace("@", "_")
+    folder.mkdir(parents=True, exist_ok=True)
+    subprocess.run([args.orris, "chart", args.pack, "--scenes", f"worlds/{scene}", "-o", str(folder),
+                    *default_flags(scene, warm_up, runs, frames)], check=True, stdout=subprocess.DEVNULL)
+    with (folder / "scenes.csv").open() as file:
+        return next(csv.DictReader(file))
+
+
+def table_of_default(rows):
+    heads = ["scene", "runs", *(f"rms bias, {channel}" for channel in CHANNELS), "signed mean, luminance", "traced, s", "noise of the reference"]
+    cells = [[f"`{row['scene']}`, `{row['camera']}`", row["runs"], *(interval(rms_of(row, channel)) for channel in CHANNELS),
+              interval([float(row[f"signed{end}_luminance"]) for end in ENDS]), TRACE_SECONDS.get(scene_of(row), 200),
+              f"{float(row['reference_noise']):.4f}"] for row in rows]
+    return markdown_table(heads, cells)
+
+
+def scene_of(row):
+    return f"{row['scene']}@{row['camera']}"
+
+
+def measure_default(args):
+    """References one after the other, since two at once are noisier; then runs, two scenes at a time."""
+    scenes = args.only.split(",")
+    for scene in scenes:
+        default_row(args, scene, 2, 3, 2)
+    blocks = []
+    with concurrent.futures.ThreadPoolExecutor(2) as pool:
+        for warm_up in WARM_UPS:
+            rows = list(pool.map(lambda scene: default_row(args, scene, warm_up, RUNS.get(scene, 4)), scenes))
+            blocks += [f"After {warm_up} frames: {within_goals(rows)}", table_of_default(rows)]
+    typed = as_typed([args.orris, "chart", pathlib.Path(args.pack).name, "--scenes", "worlds/SCENE@CAMERA", "-o", "scenes", *DEFAULT, "--runs",
+                      "RUNS", "--warm-up", "FRAMES", "--frames", "64", "--trace-seconds", "SECONDS", *NO_SUN])
+    date = f"Commit {commit_of(args.pack)}, {datetime.date.today().isoformat()}."
+    write_part(args.page, "default", [typed, date, *blocks])
+
+
+def write_part(page, part, blocks):
+    page.write_text(with_part(page.read_text(), part, "\n\n".join(blocks)))
+
+
 def main():
     parser = parser_of(__doc__, "build/scenes")
     parser.add_argument("--only", default=",".join(SCENES), help="scenes, separated by commas")
-    parser.add_argument("--parts", default="scenes,bias")
+    parser.add_argument("--parts", default="scenes,default,bias")
     parser.add_argument("--budget", help="begin no scene of a part after this time, 60m")
     args = parser.parse_args()
     if "scenes" in args.parts:
         summary, rows, lines = measured(args, "scenes", COSTS)
         block = "\n".join("    " + line for line in summary.splitlines() if not line.startswith("wrote"))
         write_part(args.page, "scenes", [*lines, goals(rows), block, table(rows)])
+    if "default" in args.parts:
+        measure_default(args)
     if "bias" in args.parts:
         _, rows, lines = measured(args, "bias", BIAS)
         write_part(args.page, "bias", [*lines, within_goals(rows), table_of_bias(rows)])
-
-
-def write_part(page, part, blocks):
-    page.write_text(with_part(page.read_text(), part, "\n\n".join(blocks)))
 
 
 if __name__ == "__main__":

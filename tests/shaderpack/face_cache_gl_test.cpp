@@ -173,9 +173,13 @@ TEST(FaceCache, floor_below_a_lantern_has_the_light_of_what_it_leaves_free) {
       "blocks": [{"hollow": "black_concrete", "min": [0, 0, 0], "max": [6, 6, 6]}, {"block": "lantern", "at": [3, 1, 3]}],
       "cameras": [{"name": "eye", "position": [1.5, 1.5, 1.5]}], "environment": {"time": 18000}})",
                    cacheOptions({{"FACE_SHARE", "1"}, {"FACE_WINDOW", "128"}, {"FACE_RAYS", "16"}}), 8, 8);
-  pack.renderFrames(200);
   const double expected = 5 * kGlowstone * floorBelowSphere(.25, 3. / 16);
-  EXPECT_NEAR(faceField(pack, kFaceVolume).red({3, 0, 3}, kUp) / expected, 1, .02);
+  double sum = 0;  // of means whose windows hardly overlap: one has a standard deviation of 1.5 %
+  for (int i = 0; i < 4; ++i) {
+    pack.renderFrames(200);
+    sum += faceField(pack, kFaceVolume).red({3, 0, 3}, kUp) / expected;
+  }
+  EXPECT_NEAR(sum / 4, 1, .02);
 }
 
 TEST(FaceCache, removed_lamp_fades_and_a_placed_one_fills_the_room) {

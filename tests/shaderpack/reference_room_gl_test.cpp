@@ -49,7 +49,7 @@ TEST_P(ReferenceRoom, is_as_bright_as_in_the_path_tracer) {
         "cameras": [{{"name": "eye", "position": [3, 3.5, 3], "target": [8, 4, 8], "fov": 70}}],
         "environment": {{"time": 18000}}}})",
                                room.wall, room.lamp),
-                   kSettling, 16, 9);
+                   manyRays(), 16, 9);
   pack.renderFrames(160);
   const glm::dvec3 ratio = glm::dvec3(pack.meanRadiance()) / room.mean;
   RecordProperty("ratio", fmt::format("{:.4f} {:.4f} {:.4f}", ratio.r, ratio.g, ratio.b));

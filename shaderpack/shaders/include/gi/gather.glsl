@@ -11,7 +11,7 @@
 #include "/include/floodfill/light_field.glsl"
 #endif
 #if HAS_FACE_CACHE
-#include "/include/face_cache/light_at.glsl"
+#include "/include/face_cache/path_end.glsl"
 #endif
 #include "/include/gi/thin.glsl"
 #if HAS_LAMP_RAYS
@@ -61,7 +61,7 @@ vec3 gather(Surface s, vec3 light, int number) {
     bool goes_straight = false;
     Hit hit;
 #if HAS_FACE_CACHE
-    bool reads_cache = false;
+    Sunlit sunlit = no_sunlit();
 #endif
     for (int bounce = 0; bounce < gi_bounces; ++bounce) {
         vec2 u = next_random().xy;
@@ -86,15 +86,16 @@ vec3 gather(Surface s, vec3 light, int number) {
         hit = trace_from_face(from, direction);
 #endif
         throughput *= hit.transmittance;
+#if !HAS_FACE_CACHE
         if (!hit.found) radiance += throughput * sky_beyond(hit, direction, s.light.y);
+#endif
         if (is_lamp_voxel(hit.voxel.code)) {
 #if HAS_LAMP_RAYS
-            radiance += throughput * (goes_straight ? lamp_light(hit, from, direction)
-                                                    : met_lamp(hit, Receiver(origin, normal), direction));
+            float share = goes_straight ? 1.0 : met_share(hit, Receiver(origin, normal), direction);
 #else
-            radiance += throughput * lamp_light(hit, from, direction) *
-                        float(!lit_directly(goes_straight ? 0 : bounce, hit.position));
+            float share = float(!lit_directly(goes_straight ? 0 : bounce, hit.position));
 #endif
+            radiance += throughput * lamp_light(hit, from, direction) * share;
         }
 #if HAS_FACE_CACHE
         // As in update.glsl.
@@ -109,15 +110,15 @@ vec3 gather(Surface s, vec3 light, int number) {
 #endif
             continue;
         }
-#endif
-        throughput *= albedo_of(hit);
-        radiance += throughput * sun_at(hit, direction, light, s.light.y);
-#if HAS_FACE_CACHE
         // From so near the mean of a face is not what is seen of it: gathered anew, as final gathering with photon
         // maps does (Jensen 2001, "Realistic Image Synthesis Using Photon Mapping").
         bool is_near = distance(hit.position, from) < FACE_NEAR;
-        reads_cache = bounce == gi_bounces - 1 || !(is_near || is_ill_known(hit));
-        if (reads_cache) break;
+        if (bounce == gi_bounces - 1 || !(is_near || is_ill_known(hit))) break;
+        throughput *= albedo_of(hit);
+        choose_sunlit(sunlit, hit, direction, throughput, light);
+#else
+        throughput *= albedo_of(hit);
+        radiance += throughput * sun_at(hit, direction, light, s.light.y);
 #endif
         bool thin = is_thin(hit.voxel.code);
         normal = thin && dot(hit.normal, direction) > 0.0 ? -hit.normal : hit.normal;
@@ -137,7 +138,10 @@ vec3 gather(Surface s, vec3 light, int number) {
         if (gi_bounces == 1) break;
     }
 #if HAS_FACE_CACHE
-    if (reads_cache) radiance += throughput * light_on(hit);
+#if HAS_LAMP_RAYS
+    if (aimed) throughput = vec3(0.0);  // a ray to a lamp finds nothing else
+#endif
+    radiance += end_of_path(hit, origin, direction, throughput, sunlit, light, s.light.y);
 #endif
     return radiance;
 }

@@ -31,7 +31,9 @@ float boost_of_planes(ivec3 cell, int code) {
     vec3 of_fire = 1.0 - pow(vec3(open_share(holes_of_plane(code))), planes_of_fire);
     float open = 0.0;
     float shown = 0.0;
-    for (int face = 0; face < 6; ++face) {
+    // Of no other lamp: drivers unroll loops whose length they know.
+    int faces = has_planes_of_lamp(code) ? 6 : 0;
+    for (int face = 0; face < faces; ++face) {
         vec3 normal = face_normal(face);
         int beside = voxel_at(cell + ivec3(normal)).code;
         bool own_side = dot(normal, across) != 0.0;
@@ -70,13 +72,6 @@ vec3 point_in_ball(Hit hit, vec3 from, vec3 direction) {
     return from + direction * dot(vec3(hit.cell) + 0.5 - from, direction);
 }
 
-/// The distance from `origin` to where a ray leaves its first cell.
-float distance_out(vec3 origin, vec3 direction) {
-    direction = mix(direction, vec3(1e-6), lessThan(abs(direction), vec3(1e-6)));
-    vec3 leave = (floor(origin) + step(0.0, direction) - origin) / direction;
-    return min(leave.x, min(leave.y, leave.z));
-}
-
 #if !HAS_VOXEL_CHANGES
 // Share of a side of leaves that is open.
 const float leaf_holes = 0.09;
@@ -103,54 +98,15 @@ void find_ground(inout Hit hit, vec3 origin, vec3 direction) {
 }
 #endif
 
-/// Do rays begin on the faces of a lamp?
-bool begins_on_lamp = false;
-
-/// The first block of a ray from a face. The face shares its cell with the water above it, with a slab, with
-/// the rest of the stairs that it belongs to, or with a small lamp that stands on it. What a lamp gives is what leaves it:
-/// its own faces see no ball.
+/// The first block of a ray from a face.
 Hit trace_from_face(vec3 origin, vec3 direction) {
-    ivec3 cell = ivec3(floor(origin));
-    Voxel own = voxel_at(cell);
-    vec3 to_center = vec3(cell) + 0.5 - origin;
-    Walk walk = begin_walk(origin, direction);
-#if HAS_VOXEL_CHANGES
-    Meeting post = meet_post(walk, own.code);
-#else
-    const Meeting post = Meeting(false, 0.0, vec3(0.0));
-#endif
-    bool outside = dot(to_center, to_center) > small_lamp_radius * small_lamp_radius;
-    if (is_ball(own.code) && !begins_on_lamp && outside && (post.found || meets_ball(cell, origin, direction)))
-        return Hit(true, cell, origin + direction * (post.found ? post.t : 0.0),
-                   post.found ? -post.axis * walk.stride : -direction, own, vec3(1.0), post.found);
-    vec3 within = floor((origin - vec3(cell)) * 2.0);
-    uint octants = octants_of(own.code, cell);
-    // What is thinner than half a block has its face inside of what stands for it.
-    octants = (octants >> uint(dot(within, vec3(1.0, 2.0, 4.0))) & 1u) == 1u ? 0u : octants;
-    Meeting met = meet_octants(walk, octants, vec2(-1.0, distance_out(origin, direction)));
-#if HAS_VOXEL_CHANGES
-    if (is_post(own.code)) met = post;
-    if (has_planes(own.code) && !(is_fire(own.code) && begins_on_lamp)) met = meet_planes(walk, own.code, true);
-#endif
-    // From above it, off the blocks around it.
-    if (own.code == voxel_lava) met = meet_lava(walk, vec2(0.0, distance_out(origin, direction)));
-    if (met.found)
-        return Hit(true, cell, origin + direction * met.t, -met.axis * walk.stride, own, vec3(1.0), has_middle(own.code));
-    Hit hit = trace(origin, direction, own.code);
-#if HAS_FACE_CACHE && HAS_SHADOW_MAP
-    if (!hit.found && direction.y < 0.0) find_ground(hit, origin, direction);
-#endif
+    Voxel own = voxel_at(ivec3(floor(origin)));
+    Hit hit = trace(origin, direction, own.code, true, false);
 #if !HAS_VOXEL_CHANGES
     // Of full blocks leaves alone are looked out of: without a picture of their holes they pass light on as if it went
     // straight on.
     if (own.code == voxel_solid) hit.transmittance *= mix(own.color, vec3(1.0), leaf_holes);
 #endif
-    if (is_filter_voxel(own.code)) {
-        vec2 span = vec2(0.0, distance_out(origin, direction));
-        if (own.code == voxel_water_surface)
-            span = below_surface(span, float(cell.y) + water_height - origin.y, direction.y);
-        hit.transmittance *= filtered(own.color, filter_depth(own.code, true, to_center, walk.inverse, span));
-    }
     return hit;
 }
 

@@ -93,14 +93,14 @@ float density_of_ball(float far) {
     return 0.5 * (1.0 + sqrt(1.0 - ratio * ratio)) / (pi * ratio * ratio);
 }
 
-/// Light of a lamp that a ray into the hemisphere met, without what rays to lamps count of it.
-vec3 met_lamp(Hit hit, Receiver r, vec3 direction) {
+/// Of the light of a lamp that a ray into the hemisphere met, what rays to lamps do not count.
+float met_share(Hit hit, Receiver r, vec3 direction) {
     bool ball = is_ball(hit.voxel.code);
     float density = ball ? density_of_ball(distance(vec3(hit.cell) + 0.5, r.origin))
                          : density_of_face(distance(hit.position, r.origin), -dot(hit.normal, direction));
     // Rays to lamps look for fire on the outside of its cell.
     if (is_fire(hit.voxel.code) && hit.cell == ivec3(floor(r.origin))) density = 0.0;
-    return lamp_light(hit, r.origin, direction) * (1.0 - sampled_share(density, listed_lamps(), dot(direction, r.normal)));
+    return 1.0 - sampled_share(density, listed_lamps(), dot(direction, r.normal));
 }
 
 /// About what a lamp gives if nothing hides it, to choose by: by its middle, and never 0 where a part of

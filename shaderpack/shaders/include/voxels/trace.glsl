@@ -276,18 +276,31 @@ bool meets_ball(ivec3 cell, vec3 origin, vec3 direction) {
     return along > 0.0 && dot(to_center, to_center) - along * along < small_lamp_radius * small_lamp_radius;
 }
 
-/// What of the cell's block stops the ray?
-Meeting meet(Walk walk, int code) {
+/// Do rays begin on the faces of a lamp?
+bool begins_on_lamp = false;
+
+/// Do rays from a point of a cell see the small lamp in it? What a lamp gives is what leaves it: its own faces do not.
+bool sees_own_ball(vec3 off) { return !begins_on_lamp && dot(off, off) > small_lamp_radius * small_lamp_radius; }
+
+/// What of the cell's block stops the ray? `begins`: the ray begins in the cell, on a face that shares it with water above that, with
+/// a slab, with the rest of the stairs that it belongs to, or with a small lamp that stands on it.
+Meeting meet(Walk walk, int code, bool begins) {
     vec2 span = span_in_cell(walk);
-    Meeting met = meet_octants(walk, octants_of(code, cell_of(walk)), span);
-    if (code == voxel_lava) met = meet_lava(walk, span);
+    vec3 within = walk.origin - walk.cell;
+    uint octants = octants_of(code, cell_of(walk));
+    // What is thinner than half a block has its face inside of what stands for it.
+    uint own = octants >> uint(dot(floor(within * 2.0), vec3(1.0, 2.0, 4.0))) & 1u;
+    Meeting met = meet_octants(walk, begins && own == 1u ? 0u : octants, span);
+    // From above it, off the blocks around it.
+    if (code == voxel_lava) met = meet_lava(walk, max(span, 0.0));
 #if HAS_VOXEL_CHANGES
-    if (has_planes(code)) met = meet_planes(walk, code, false);
+    if (has_planes(code) && !(begins && is_fire(code) && begins_on_lamp)) met = meet_planes(walk, code, begins);
 #endif
-    met.found = met.found || (is_ball(code) && meets_ball(cell_of(walk), walk.origin, walk.direction));
+    bool sees_ball = is_ball(code) && (!begins || sees_own_ball(within - 0.5));
+    met.found = met.found || (sees_ball && meets_ball(cell_of(walk), walk.origin, walk.direction));
 #if HAS_VOXEL_CHANGES
     Meeting post = meet_post(walk, code);
-    if (post.found) return post;
+    if (post.found && (sees_ball || !is_ball(code))) return post;
 #endif
     return met;
 }
@@ -324,16 +337,15 @@ void describe(inout Hit hit, Walk walk, Meeting met, vec4 texel) {
     bool inside = met.found && met.axis != vec3(0.0);
     hit.cell = cell_of(walk);
     hit.voxel = decode_voxel(texel);
-    hit.position =
-        walk.origin + walk.direction * (inside ? met.t : max(came.x, max(came.y, came.z)));
+    hit.position = walk.origin + walk.direction * (inside ? met.t : max(0.0, max(came.x, max(came.y, came.z))));
     hit.inner = inside && has_middle(hit.voxel.code);
     hit.normal = -(inside ? met.axis : vec3(x, y, !x && !y)) * walk.stride;
 }
 
-/// First block from `origin` (volume space) on. The first cell is not tested: rays start on a face,
-/// and there the cell holds either nothing or the partial block that the face belongs to: `first_code`.
-/// `as_drawn`: the first side of a translucent block stops a ray, too, and colours nothing.
-Hit trace(vec3 origin, vec3 direction, int first_code, bool as_drawn) {
+/// First block from `origin` (volume space) on. `from_face`: the ray begins on a face, and may meet what else is in its cell; else
+/// that is not tested, and `first_code` is what it holds. `as_drawn`: the first side of a translucent block stops a ray, too, and
+/// colours nothing.
+Hit trace(vec3 origin, vec3 direction, int first_code, bool from_face, bool as_drawn) {
     count_ray();
     Walk walk = begin_walk(origin, direction);
     Hit hit;
@@ -341,15 +353,15 @@ Hit trace(vec3 origin, vec3 direction, int first_code, bool as_drawn) {
     Meeting met = Meeting(false, 0.0, vec3(0.0));
     vec3 last_cell = walk.cell;
     int last_code = first_code;
-    walk_on(walk);
+    if (!from_face) walk_on(walk);
     // What a full block stops has no turn here, and branches save nothing on some drivers.
-    for (int i = 0; i < 3 * VOLUME && walk.reach != stopped && in_volume(cell_of(walk)); ++i) {
+    for (int i = 0; i <= 3 * VOLUME && walk.reach != stopped && in_volume(cell_of(walk)); ++i) {
         vec4 texel = texel_of(cell_of(walk));
         int code = int(texel.a * 255.0 + 0.5);
-        met = meet(walk, code);
+        met = meet(walk, code, from_face && i == 0);
         if (met.found) break;
         if (is_filter_voxel(code)) {
-            vec2 span = span_in_cell(walk);
+            vec2 span = max(span_in_cell(walk), 0.0);
             if (code == voxel_water_surface)
                 span = below_surface(span, walk.cell.y + water_height - origin.y, walk.direction.y);
             float depth = filter_depth(code, last_code == code, walk.cell + 0.5 - origin, walk.inverse, span);
@@ -370,6 +382,6 @@ Hit trace(vec3 origin, vec3 direction, int first_code, bool as_drawn) {
     return hit;
 }
 
-Hit trace(vec3 origin, vec3 direction, int first_code) { return trace(origin, direction, first_code, false); }
+Hit trace(vec3 origin, vec3 direction, int first_code) { return trace(origin, direction, first_code, false, false); }
 
 #endif

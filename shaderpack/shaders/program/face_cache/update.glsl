@@ -27,7 +27,7 @@ vec4 light_of(ivec3 cell, int face) {
     return trusted(imageLoad(face_light, recent_texel(face_texel(cell, face))));
 }
 
-#include "/include/face_cache/light_at.glsl"
+#include "/include/face_cache/path_end.glsl"
 #include "/include/gi/thin.glsl"
 
 // Rays more where the light on what one hits is ill known: between the sides of glass one after the other.
@@ -39,25 +39,25 @@ vec3 hemisphere_sample(Face f, vec2 u, vec3 light) {
     vec3 direction = cosine_direction(f.from.normal, u);
     vec3 throughput = vec3(1.0);
     vec3 radiance = vec3(0.0);
+    Sunlit sunlit = no_sunlit();
     Hit hit;
     for (int ray = 0; ray <= most_rays_on; ++ray) {
         hit = trace_from_face(from, direction);
         throughput *= hit.transmittance;
         // Rays to lamps end at the first small one: what lies behind it is found by rays that pass it, and counts in full.
-        radiance += throughput * (ray == 0 ? met_lamp(hit, f.from, direction) : lamp_light(hit, from, direction));
-        radiance += throughput * (hit.found ? vec3(0.0) : sky_beyond(hit, direction, f.sky));
-        bool ends = ray == most_rays_on || !(goes_on(hit) || is_ill_known(hit));
-        bool passes = goes_on(hit) && !ends;
-        throughput *= passes ? vec3(1.0) : albedo_of(hit);
-        vec3 reflected = passes || !hit.found ? vec3(0.0) : throughput;
-        radiance += reflected * sun_at(hit, direction, light, f.sky);
-        if (ends) break;
+        radiance += throughput * lamp_light(hit, from, direction) * (ray == 0 ? met_share(hit, f.from, direction) : 1.0);
+        bool passes = goes_on(hit);
+        if (ray == most_rays_on || !(passes || is_ill_known(hit))) break;
+        if (!passes) {
+            throughput *= albedo_of(hit);
+            choose_sunlit(sunlit, hit, direction, throughput, light);
+        }
         begins_on_lamp = !passes && is_on_body(hit);
         from = passes ? point_in_ball(hit, from, direction) : hit.position + hit.normal * face_offset;
         direction = passes ? direction : cosine_direction(hit.normal, next_random().xy);
     }
     begins_on_lamp = false;
-    return radiance + (hit.found ? throughput * light_on(hit) : vec3(0.0));
+    return radiance + end_of_path(hit, from, direction, throughput, sunlit, light, f.sky);
 }
 
 /// Updates that count, after an edit in the frame before: none, or a few if edits follow each other.

@@ -208,7 +208,7 @@ vec3 mirrored_scene(vec3 from, vec3 direction, vec3 l, float water) {
     float share = 1.0;
     int code = voxel_air;
     for (int i = 0; i < mirrored_layers; ++i) {
-        Hit hit = trace(from, direction, code, true);
+        Hit hit = trace(from, direction, code, false, true);
         float alpha = i == mirrored_layers - 1 ? 1.0 : drawn_alpha(hit, water);
         vec3 lamp = lamp_light(hit, from, direction);
         vec3 sun = DIRECT_LIGHT == NONE ? vec3(0.0) : sun_at(hit, direction, l, light.y);

@@ -82,10 +82,8 @@ vec3 mirrored(Surface s, vec3 light) {
     vec3 from = to_volume(s.player) + s.normal * pixel_offset(s.player);
     Hit hit = trace_from_face(from, direction);
     weight *= hit.transmittance;
-    if (!hit.found) return weight * sky_beyond(hit, direction, s.light.y);
-    vec3 lamp = lamp_light(hit, from, direction);
-    vec3 cached = light_on(hit);
-    return weight * (lamp + albedo_of(hit) * (sun_at(hit, direction, light, s.light.y) + cached));
+    vec3 seen = lamp_light(hit, from, direction) + end_of_path(hit, from, direction, vec3(1.0), no_sunlit(), light, s.light.y);
+    return weight * seen;
 }
 #endif
 

@@ -1,0 +1,26 @@
+// What comes from where a path ends, with the face cache. The program has light_of(cell, face), B of a face and its number of
+// updates.
+#if !defined INCLUDED_FACE_CACHE_PATH_END
+#define INCLUDED_FACE_CACHE_PATH_END
+
+#include "/include/face_cache/light_at.glsl"
+#include "/include/gi/sunlit.glsl"
+
+/// Radiance by the last hit of a path and by the sun: of the sky, or what the cache has of a face. `from`, `direction`: of the last
+/// ray; `throughput`: without the albedo of the last hit; `sunlit`: of the hits before; `sky`: level where the path began.
+vec3 end_of_path(Hit hit, vec3 from, vec3 direction, vec3 throughput, Sunlit sunlit, vec3 light, float sky) {
+#if HAS_SHADOW_MAP
+    if (!hit.found && direction.y < 0.0) find_ground(hit, from, direction);
+#endif
+    vec3 radiance = vec3(0.0);
+    if (hit.found) {
+        throughput *= albedo_of(hit);
+        choose_sunlit(sunlit, hit, direction, throughput, light);
+        radiance = light_on(hit);
+    } else {
+        radiance = sky_beyond(hit, direction, sky);
+    }
+    return throughput * radiance + light_of_sunlit(sunlit, light, sky);
+}
+
+#endif
