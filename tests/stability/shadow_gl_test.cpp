@@ -173,6 +173,42 @@ TEST(ShadowOfHits, ends_where_geometry_says) {
   }
 }
 
+// Of the hits of a path one is lit, for all: over many paths each gets its own share, and one that looks away from the sun none.
+TEST(SunOfPaths, one_hit_stands_for_all_of_a_path) {
+  constexpr int kSide = 64;
+  ShadowLab lab({.sun = 60,
+                 .probe = "vec4(shares(pixel), 1.0)",
+                 .functions = "#define HAS_VOXEL_READS\n"
+                              "#include \"/include/gi/sunlit.glsl\"\n"
+                              "vec3 shares(ivec2 pixel) {\n"
+                              "    vec3 throughput = vec3(0.9, 0.3, 2.5);\n"
+                              "    vec3 up = vec3(0.0, 1.0, 0.0);\n"
+                              "    Voxel none = Voxel(vec3(0.0), voxel_solid);\n"
+                              "    vec3 sum = vec3(0.0);\n"
+                              "    for (int path = 0; path < 16; ++path) {\n"
+                              "        seed_random(pixel, path);\n"
+                              "        Sunlit sunlit = no_sunlit();\n"
+                              "        for (int i = 0; i < 4; ++i) {\n"
+                              "            vec3 own = i < 3 ? throughput * vec3(i == 0, i == 1, i == 2) : vec3(8.0);\n"
+                              "            Hit hit = Hit(true, ivec3(0), vec3(0.0), i < 3 ? up : -up, none, vec3(1.0), false);\n"
+                              "            choose_sunlit(sunlit, hit, -up, own, light_direction());\n"
+                              "        }\n"
+                              "        sum += sunlit.sum * sunlit.throughput;\n"
+                              "    }\n"
+                              "    return sum / (16.0 * throughput);\n"
+                              "}\n",
+                 .options = {{"GI_METHOD", "FACE_CACHE"}, {"VOXEL_SIZE", "32"}},
+                 .width = kSide,
+                 .height = kSide});
+  lab.draw();
+  glm::dvec3 mean(0);
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x)
+      for (int channel = 0; channel < 3; ++channel) mean[channel] += lab.at(x, y)[channel] / double(kSide * kSide);
+  // A third of the paths light each: a standard deviation of .6 % over all.
+  for (int channel = 0; channel < 3; ++channel) EXPECT_NEAR(mean[channel], 1, .02) << channel;
+}
+
 TEST_P(ShadowOfPoints, open_floor_has_no_acne) {
   ShadowLab floor({.sun = double(GetParam()),
                    .probe = "vec4(lit_point(vec3(20.0, 2.0, 20.0) + 0.0731 * vec3(pixel.x, 0.0, pixel.y)))",

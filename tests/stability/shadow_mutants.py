@@ -6,6 +6,7 @@ For kill_list.py --table; rows as in mutants.py.
 MAP = "include/shadow/shadow.glsl"
 SPACE = "include/shadow/shadow_space.glsl"
 HIT = "include/gi/hit.glsl"
+SUNLIT = "include/gi/sunlit.glsl"
 DIRECT = "include/brdf/direct.glsl"
 LIT = "program/lighting.glsl"
 TRANSLUCENT = "program/gbuffers/translucent.glsl"
@@ -31,6 +32,10 @@ MUTANTS = [
     ("edges of what rays hit by texels", "ShadowOfHits.*", [(HIT, "bool is_exact = edge.found", "bool is_exact = false && edge.found")]),
     ("edges beside what throws the shadow", "ShadowOfHits.*", [(MAP, "0.25 * (dark.xy - ", "0.0 * (dark.xy - ")]),
     ("edges let all light pass", "ShadowOfHits.*", [(HIT, "bool passes = !is_stopped(from, light, is_exact, boxes);", "bool passes = true;")]),
+    ("sun on the first hit of a path alone", "SunOfPaths.*", [(SUNLIT, "chosen.sum > weight && next_random().x * chosen.sum >= weight", "chosen.sum > weight")]),
+    ("sun on the last hit of a path alone", "SunOfPaths.*", [(SUNLIT, "chosen.sum > weight && next_random().x * chosen.sum >= weight", "false")]),
+    ("hits chosen evenly", "SunOfPaths.*", [(SUNLIT, "next_random().x * chosen.sum >= weight", "next_random().x < 0.5")]),
+    ("sun on a hit that looks away from it", "SunOfPaths.*", [(SUNLIT, "max(slope, 0.0))", "abs(slope))")]),
     ("C4 normal of the camera's space", "ShadowMapStability.shadows*",
      [(MAP, "clamp(dot(normal, light), 0.0, 1.0)",
        "clamp(dot(mat3(gbufferModelView) * normal, light), 0.0, 1.0)")]),
