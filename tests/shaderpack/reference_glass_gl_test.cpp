@@ -332,10 +332,11 @@ TEST(ReferenceGlassSide, light_changes_over_the_side_of_a_block) {
   EXPECT_NEAR(far / pack.meanRadiance().g, .919, .08);
 }
 
-/// What a pool of water mirrors: a window, and the point of it whose mirror image the eye sees.
+/// What a pool of water mirrors: a window, what is behind it, and the point of it whose mirror image the eye sees.
 struct Mirrored {
   const char* name;
   const char* window;
+  const char* behind;
   double x, y, z;
   double traced;  ///< mean green of orris trace --seconds 8
 };
@@ -351,10 +352,10 @@ TEST_P(ReferenceMirrorOfWater, shows_windows_as_they_are_drawn) {
   PackSession pack(fmt::format(R"({{"size": [12, 10, 14],
       "blocks": [{{"box": "stone", "min": [0, 0, 0], "max": [11, 7, 13]}}, {{"box": "air", "min": [2, 2, 2], "max": [9, 5, 11]}},
                  {{"box": "water", "min": [2, 2, 2], "max": [9, 2, 11]}}, {{"block": "glowstone", "at": [5, 6, 6]}},
-                 {{"box": "{}", "min": [4, 3, 1], "max": [7, 5, 1]}}, {{"box": "air", "min": [4, 3, 0], "max": [7, 5, 0]}}],
+                 {{"box": "{}", "min": [4, 3, 1], "max": [7, 5, 1]}}, {{"box": "{}", "min": [4, 3, 0], "max": [7, 5, 0]}}],
       "cameras": [{{"name": "eye", "position": [7.4, 3.5, 10.8], "target": [{}, {}, {}], "fov": 1}}],
       "environment": {{"time": 6000}}}})",
-                               mirrored.window, mirrored.x, 2 * surface - mirrored.y, mirrored.z),
+                               mirrored.window, mirrored.behind, mirrored.x, 2 * surface - mirrored.y, mirrored.z),
                    manyRays({{"WATER_WAVES", "false"}}), 16, 9);
   pack.renderFrames(60);
   expectTraced(pack.meanRadiance().g, mirrored.traced, .03);
@@ -364,11 +365,12 @@ constexpr const char* kStainedPane = "light_blue_stained_glass_pane[east=true,we
 
 INSTANTIATE_TEST_SUITE_P(
     , ReferenceMirrorOfWater,
-    testing::Values(Mirrored{"opening", "air", 5.53, 4.47, 2, .14320},
-                    Mirrored{"glass", "light_blue_stained_glass", 5.53, 4.47, 2, .07773},
-                    Mirrored{"frame_of_glass", "light_blue_stained_glass", 5.03, 4.47, 2, .05778},
-                    Mirrored{"pane", kStainedPane, 5.53, 4.47, 1.56, .08291},
-                    Mirrored{"frame_of_a_pane", kStainedPane, 5.03, 4.47, 1.56, .06112}),
+    testing::Values(Mirrored{"opening", "air", "air", 5.53, 4.47, 2, .14320},
+                    Mirrored{"glass", "light_blue_stained_glass", "air", 5.53, 4.47, 2, .07773},
+                    Mirrored{"glass_before_glass", "light_blue_stained_glass", "red_stained_glass", 5.53, 4.47, 2, .03750},
+                    Mirrored{"frame_of_glass", "light_blue_stained_glass", "air", 5.03, 4.47, 2, .05778},
+                    Mirrored{"pane", kStainedPane, "air", 5.53, 4.47, 1.56, .08291},
+                    Mirrored{"frame_of_a_pane", kStainedPane, "air", 5.03, 4.47, 1.56, .06112}),
     [](const auto& tested) { return std::string(tested.param.name); });
 
 }  // namespace

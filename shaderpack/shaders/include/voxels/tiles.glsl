@@ -1,7 +1,7 @@
 // Where in the atlas the textures of stained glass, ice and slime lie, for mirrors, which show them as they are drawn: voxels
 // have their mean colour alone. In voxel_sums: a bit of the byte that stairs keep their octants in, one of five by chance, and for
-// each of these, behind the pictures of holes, a word: a texture. Of two that meet in one word the larger stays, so that neither
-// the order of writers nor the frame decides.
+// each of these, behind the pictures of holes, a word: a texture. Of two textures with one number the larger word stays, whoever
+// writes first, so that frames are alike.
 #if !defined INCLUDED_VOXELS_TILES
 #define INCLUDED_VOXELS_TILES
 
@@ -13,8 +13,8 @@ const uint tile_bits = 31u;
 ivec2 word_of_tile(int tile) { return holes_of_picture(hole_pictures) + ivec2(tile, 0); }
 
 #if defined HAS_OCTANT_WRITES
-/// A texture of an atlas, which halves of halves of the atlas make up: how often each axis is halved, and the row and the column of
-/// such parts. `place`: lower and upper end. 0: the whole atlas.
+/// A texture in a word: how often each axis of the atlas is halved to have its size, 4 bits each, and which of these parts it is, 12
+/// bits each. Atlases and textures are powers of two wide, and textures lie at multiples of their size. `place`: lower and upper end.
 uint pack_tile(vec4 place) {
     vec2 halvings = clamp(round(-log2(place.zw - place.xy)), 0.0, 12.0);
     uvec2 part = uvec2(floor(0.5 * (place.xy + place.zw) * exp2(halvings)));

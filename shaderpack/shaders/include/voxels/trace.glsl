@@ -353,6 +353,7 @@ Hit trace(vec3 origin, vec3 direction, int first_code, bool from_face, bool as_d
     Meeting met = Meeting(false, 0.0, vec3(0.0));
     vec3 last_cell = walk.cell;
     int last_code = first_code;
+    vec3 last_color = as_drawn ? texel_of(cell_of(walk)).rgb : vec3(0.0);
     if (!from_face) walk_on(walk);
     // What a full block stops has no turn here, and branches save nothing on some drivers.
     for (int i = 0; i <= 3 * VOLUME && walk.reach != stopped && in_volume(cell_of(walk)); ++i) {
@@ -365,11 +366,15 @@ Hit trace(vec3 origin, vec3 direction, int first_code, bool from_face, bool as_d
             if (code == voxel_water_surface)
                 span = below_surface(span, walk.cell.y + water_height - origin.y, walk.direction.y);
             float depth = filter_depth(code, last_code == code, walk.cell + 0.5 - origin, walk.inverse, span);
-            if (as_drawn && depth > 0.0 && (last_code != code || is_tinted_pane(code))) {
+            // Between blocks of a kind no side is drawn, but for panes. Bytes are rounded by chance.
+            bool other_color = any(greaterThan(abs(texel.rgb - last_color), vec3(1.5 / 255.0)));
+            bool is_side = last_code != code || is_tinted_pane(code) || (code == voxel_translucent && other_color);
+            if (as_drawn && depth > 0.0 && is_side) {
                 met = side_of_filter(walk, code, span);
                 break;
             }
             if (!as_drawn) hit.transmittance *= filtered(decode_voxel(texel).color, depth);
+            last_color = texel.rgb;
         }
         last_cell = walk.cell;
         last_code = code;
