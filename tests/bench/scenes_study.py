@@ -20,10 +20,10 @@ SCENES = ("glazed_house@ground", "deep_hall@back", "bend_grey@bend", "bend_white
           "h4_house@inside", "h4_house@outside")
 OUTDOORS = ("street@street", "forest_floor@floor", "bay@shore", "h4_house@outside")
 # Fewer frames than the default of TEMPORAL_FRAMES: a picture that rests costs less.
-NO_SUN = ["--set", "AMBIENT_MINIMUM=0.0", "DIRECT_LIGHT=NONE", "WATER_WAVES=false"]
+AS_TRACED = ["--set", "AMBIENT_MINIMUM=0.0", "DIRECT_LIGHT=NONE", "WATER_WAVES=false"]
 COSTS = ["--size", "160x90", "--axis", "GI_METHOD=BOUNCE_1,FLOODFILL,FACE_CACHE", "--buffer", "colortex0", "--clock", "cpu",
          "--runs", "4", "--warm-up", "200", "--frames", "64", "--rounds", "8", "--visit", "4", "--trace-seconds", "40",
-         "--trace-noise", "0.0001", *NO_SUN]
+         "--trace-noise", "0.0001", *AS_TRACED]
 DEFAULT = ["--size", "160x90", "--axis", "GI_METHOD=FACE_CACHE", "--buffer", "colortex0", "--no-costs", "--trace-noise", "0.0001"]
 # After 200 frames, and where means of TEMPORAL_FRAMES frames are full.
 WARM_UPS = (200, 1100)
@@ -110,7 +110,7 @@ def default_flags(scene, warm_up, runs, frames):
     ['--runs', '4', '--warm-up', '200', '--frames', '64', '--trace-seconds', '100']
     """
     return [*DEFAULT, "--runs", str(runs), "--warm-up", str(warm_up), "--frames", str(frames), "--trace-seconds",
-            str(seconds_of(scene)), *NO_SUN]
+            str(seconds_of(scene)), *AS_TRACED]
 
 
 def default_row(args, scene, warm_up, runs, frames=64):
@@ -147,7 +147,7 @@ def measure_default(args):
             rows = list(pool.map(lambda scene: default_row(args, scene, warm_up, RUNS.get(scene, 4)), scenes))
             blocks += [f"After {warm_up} frames: {within_goals(rows)}", table_of_default(rows, commit_of(args.pack))]
     typed = as_typed([args.orris, "chart", pathlib.Path(args.pack).name, "--scenes", "worlds/SCENE@CAMERA", "-o", "scenes", *DEFAULT,
-                      "--runs", "RUNS", "--warm-up", "FRAMES", "--frames", "64", "--trace-seconds", "SECONDS", *NO_SUN])
+                      "--runs", "RUNS", "--warm-up", "FRAMES", "--frames", "64", "--trace-seconds", "SECONDS", *AS_TRACED])
     write_part(args.page, "default", [typed, f"{datetime.date.today().isoformat()}.", *blocks])
 
 

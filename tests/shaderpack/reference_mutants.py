@@ -109,7 +109,7 @@ MUTANTS = [
     ("planes of a portal as bright as its cube", PORTAL, [(HIT, "return open / max(shown, 1e-3);", "return is_portal(code) ? 1.0 : open / max(shown, 1e-3);")]),
     ("rays to lamps look for portals on the sides of their cell", PORTAL, [(LAMP_SAMPLE, "is_portal(code) ? normal * (0.5 - portal_radius) : vec3(0.0)", "vec3(0.0)")]),
     ("one value for both sides of a portal", PORTAL, [(OCTANTS, "return is_partition(code) ?", "return is_tinted_pane(code) ?")]),
-    ("water mirrors no sky through openings", "ReferenceMirrorOfWater.*opening", [(TRANSLUCENT, "sky_beyond(hit, direction, light.y)", "sky_radiance(direction) * light.y * light.y")]),
+    ("water mirrors no sky through openings", "ReferenceMirrorOfWater.*opening", [(TRANSLUCENT, "light_of_end(hit, from, direction, light.y);", "(hit.found ? light_of_end(hit, from, direction, light.y) : sky_radiance(direction) * light.y * light.y);")]),
     ("mirrored glass hides what is behind it", MIRROR, [(TRANSLUCENT, "share *= 1.0 - alpha;", "share = 0.0;")]),
     ("mirrored glass tints what is behind it", MIRROR, [(TRACE, "if (as_drawn && depth > 0.0", "if (false && depth > 0.0"), (TRACE, "if (!as_drawn) hit", "hit")]),
     ("one alpha for mirrored glass", MIRROR, [(TRANSLUCENT, "textureLod(gtexture, place, 0.0).a", "textureLod(gtexture, place, 4.0).a")]),

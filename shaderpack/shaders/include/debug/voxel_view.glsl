@@ -20,7 +20,7 @@ float grid_lines(Hit hit) {
 
 vec3 voxel_view(vec3 player) {
     vec3 direction = normalize(player);
-    Hit hit = trace(to_volume(direction * VOXEL_VIEW_FROM), direction, voxel_air);
+    Hit hit = trace(to_volume(direction * VOXEL_VIEW_FROM), direction, voxel_air, ray_from_point);
     if (!hit.found) return vec3(0.0);
     if (is_lamp_voxel(hit.voxel.code)) return lamp_radiance(hit.voxel) * hit.transmittance;
 #if VOXEL_VIEW == VOXEL_VIEW_RADIANCE && HAS_AIR_LIGHT

@@ -101,7 +101,7 @@ void find_ground(inout Hit hit, vec3 origin, vec3 direction) {
 /// The first block of a ray from a face.
 Hit trace_from_face(vec3 origin, vec3 direction) {
     Voxel own = voxel_at(ivec3(floor(origin)));
-    Hit hit = trace(origin, direction, own.code, true, false);
+    Hit hit = trace(origin, direction, own.code, ray_from_face);
 #if !HAS_VOXEL_CHANGES
     // Of full blocks leaves alone are looked out of: without a picture of their holes they pass light on as if it went
     // straight on.

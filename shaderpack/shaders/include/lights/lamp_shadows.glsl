@@ -43,7 +43,7 @@ vec3 lamp_visibility(vec3 player, vec3 normal, vec3 lamp) {
     // Of a leaf either side.
     origin += normal * (lamp_ray_offset * sign(dot(target - origin, normal)));
     if (!in_volume(ivec3(floor(origin)))) return vec3(1.0);
-    Hit hit = trace(origin, normalize(target - origin), voxel_at(ivec3(floor(origin))).code);
+    Hit hit = trace(origin, normalize(target - origin), voxel_at(ivec3(floor(origin))).code, ray_from_point);
     bool sees = !hit.found || hit.cell == ivec3(floor(target)) ||
                 distance(hit.position, origin) > distance(target, origin);
     return sees ? hit.transmittance : vec3(0.0);

@@ -342,10 +342,13 @@ void describe(inout Hit hit, Walk walk, Meeting met, vec4 texel) {
     hit.normal = -(inside ? met.axis : vec3(x, y, !x && !y)) * walk.stride;
 }
 
-/// First block from `origin` (volume space) on. `from_face`: the ray begins on a face, and may meet what else is in its cell; else
-/// that is not tested, and `first_code` is what it holds. `as_drawn`: the first side of a translucent block stops a ray, too, and
-/// colours nothing.
-Hit trace(vec3 origin, vec3 direction, int first_code, bool from_face, bool as_drawn) {
+// Kinds of rays. What is in the cell of its origin stops one from a face alone.
+const int ray_from_point = 0;
+const int ray_from_face = 1;
+const int ray_of_eye = 2;  // the first side of a translucent block stops it, too, and colours nothing
+
+/// First block from `origin` (volume space) on. `first_code`: what the cell of the origin holds.
+Hit trace(vec3 origin, vec3 direction, int first_code, int kind) {
     count_ray();
     Walk walk = begin_walk(origin, direction);
     Hit hit;
@@ -353,13 +356,14 @@ Hit trace(vec3 origin, vec3 direction, int first_code, bool from_face, bool as_d
     Meeting met = Meeting(false, 0.0, vec3(0.0));
     vec3 last_cell = walk.cell;
     int last_code = first_code;
+    bool as_drawn = kind == ray_of_eye;
     vec3 last_color = as_drawn ? texel_of(cell_of(walk)).rgb : vec3(0.0);
-    if (!from_face) walk_on(walk);
+    if (kind != ray_from_face) walk_on(walk);
     // What a full block stops has no turn here, and branches save nothing on some drivers.
     for (int i = 0; i <= 3 * VOLUME && walk.reach != stopped && in_volume(cell_of(walk)); ++i) {
         vec4 texel = texel_of(cell_of(walk));
         int code = int(texel.a * 255.0 + 0.5);
-        met = meet(walk, code, from_face && i == 0);
+        met = meet(walk, code, kind == ray_from_face && i == 0);
         if (met.found) break;
         if (is_filter_voxel(code)) {
             vec2 span = max(span_in_cell(walk), 0.0);
@@ -386,7 +390,5 @@ Hit trace(vec3 origin, vec3 direction, int first_code, bool from_face, bool as_d
     hit.inner = hit.inner || is_beyond_pane(hit, last_cell, last_code);
     return hit;
 }
-
-Hit trace(vec3 origin, vec3 direction, int first_code) { return trace(origin, direction, first_code, false, false); }
 
 #endif

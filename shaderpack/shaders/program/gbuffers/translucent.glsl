@@ -64,7 +64,7 @@ void main() {
 #include "/include/voxels/tiles.glsl"
 
 vec4 light_of(ivec3 cell, int face) { return cached_light(cell, face); }
-#include "/include/face_cache/light_at.glsl"
+#include "/include/face_cache/path_end.glsl"
 #endif
 #if HAS_TRANSLUCENT_RAYS
 #include "/include/gi/gather.glsl"
@@ -208,11 +208,12 @@ vec3 mirrored_scene(vec3 from, vec3 direction, vec3 l, float water) {
     float share = 1.0;
     int code = voxel_air;
     for (int i = 0; i < mirrored_layers; ++i) {
-        Hit hit = trace(from, direction, code, false, true);
+        Hit hit = trace(from, direction, code, ray_of_eye);
         float alpha = i == mirrored_layers - 1 ? 1.0 : drawn_alpha(hit, water);
-        vec3 lamp = lamp_light(hit, from, direction);
-        vec3 sun = DIRECT_LIGHT == NONE ? vec3(0.0) : sun_at(hit, direction, l, light.y);
-        vec3 seen = hit.found ? lamp + albedo_of(hit) * (sun + light_on(hit)) : sky_beyond(hit, direction, light.y);
+        vec3 seen = lamp_light(hit, from, direction) + light_of_end(hit, from, direction, light.y);
+#if DIRECT_LIGHT != NONE
+        if (hit.found) seen += albedo_of(hit) * sun_at(hit, direction, l, light.y);
+#endif
         radiance += share * alpha * seen;
         share *= 1.0 - alpha;
         if (share == 0.0) break;
