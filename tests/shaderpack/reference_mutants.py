@@ -7,6 +7,7 @@ shows in a test that asks the pack for its own numbers.
 UPDATE = "program/face_cache/update.glsl"
 GATHER = "include/gi/gather.glsl"
 HIT = "include/gi/hit.glsl"
+PATH_END = "include/face_cache/path_end.glsl"
 OCTANTS = "include/voxels/octants.glsl"
 POSTS = "include/voxels/posts.glsl"
 VOXEL = "include/voxels/voxel.glsl"
@@ -84,8 +85,11 @@ MUTANTS = [
     ("panes alone shade what is beside them", "ReferenceSunlitPanes.stand*", [(HIT, "is_stopped(from, light, is_exact, boxes)", "is_stopped(from, light, false, boxes)")]),
     ("tint beside a stained pane by the map's texels", "ReferenceSunlitPanes.tint*", [(HIT, "beside_stained || tint != vec3(1.0) ? tint : mapped", "mapped")]),
     ("holes of leaves unknown", "ReferenceSpot.*by_a_hole", [(SHADOW, " || is_thin(code) || is_fire(code)) {", " || is_fire(code)) {")]),
-    ("no ground beyond the volume", "ReferenceGround.*", [(HIT, "if (ground.code == voxel_solid && near && is_there)", "if (false)")]),
-    ("ground beyond the volume wherever there is none", "ReferenceGround.*", [(HIT, "near && is_there)", "near)")]),
+    ("no ground beyond the volume", "ReferenceGround.*", [(PATH_END, "if (ground.code != voxel_solid || !near || inside.lit)", "if (true)")]),
+    ("ground beyond the volume wherever there is none", "ReferenceGround.*", [(PATH_END, "|| !near || inside.lit)", "|| !near)")]),
+    ("ground beyond the volume has the colour of that within", "ReferenceGround.*", [(PATH_END, "if (is_shown) ground.color", "if (false) ground.color")]),
+    ("ground beyond a roof gets the light below it", "ReferenceGround.*", [(PATH_END, "return is_shown && roof > height", "return false && roof > height")]),
+    ("roofs end with the volume", "ReferenceGround.*", [(PATH_END, "&& roof_ends ?", "?")]),
     ("ground at the roof", "ReferenceGround.*", [(OCTANTS, "return position.y > highest ? highest : lit_floor;", "return highest;")]),
     ("rays stop at leaves", LEAVES, [(TRACE, "met = meet_planes(walk, code, begins);", "met = code == voxel_leaves ? Meeting(true, span.x, vec3(0.0)) : meet_crossed(walk, code);")]),
     ("leaves have no inside", LEAVES, [(TRACE, "bool drawn = is_fire(code) || beyond == voxel_leaves || !is_full(beyond);", "const bool drawn = false;")]),

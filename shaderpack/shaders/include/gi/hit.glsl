@@ -77,27 +77,6 @@ vec3 point_in_ball(Hit hit, vec3 from, vec3 direction) {
 const float leaf_holes = 0.09;
 #endif
 
-#if HAS_FACE_CACHE && HAS_SHADOW_MAP
-/// Of a ray that has left the volume downwards: the ground beyond, if the shadow map knows of any there. It goes on as at the edge
-/// of the volume, by its height, its colour and its light.
-void find_ground(inout Hit hit, vec3 origin, vec3 direction) {
-    ivec3 cell = clamp(hit.cell, ivec3(0), volume_size - 1);
-    float height = ground_below(hit.position, cell.xz);
-    if (hit.position.y > height) {
-        cell.y = int(ceil(height)) - 1;
-        Voxel ground = voxel_at(cell);
-        vec3 position = origin + direction * ((height - origin.y) / direction.y);
-        vec2 away = abs(from_volume(position).xz);
-        bool near = max(away.x, away.y) < SHADOW_DISTANCE;
-        // Light does not come to what lies below it.
-        PlaneInMap below = plane_in_map(from_volume(position) - vec3(0.0, 0.5, 0.0), vec3(0.0, 1.0, 0.0));
-        bool is_there = lit_at(floor(below.position) + 0.5, depth_in_texel(below, floor(below.position))) == 0.0;
-        if (ground.code == voxel_solid && near && is_there)
-            hit = Hit(true, cell, position, vec3(0.0, 1.0, 0.0), ground, hit.transmittance, false);
-    }
-}
-#endif
-
 /// The first block of a ray from a face.
 Hit trace_from_face(vec3 origin, vec3 direction) {
     Voxel own = voxel_at(ivec3(floor(origin)));

@@ -1,6 +1,6 @@
 // What the shadow map knows of the surface nearest to the light beside its depth, one texel of shadowcolor0: rgb the
-// fourth root of what the block behind it leaves of the light; a: is there such a block, or a surface that has holes and
-// no shadow volume?
+// fourth root of what the block behind it leaves of the light, or of an opaque one's colour; a: is there such a block, or a surface
+// that has holes and no shadow volume?
 #if !defined INCLUDED_SHADOW_SHEETS
 #define INCLUDED_SHADOW_SHEETS
 
@@ -13,15 +13,19 @@ vec4 encode_sheet(vec3 color, float thickness) {
     return vec4(sqrt(sqrt(filtered(min(color, vec3(1.0)), thickness))), 0.5) * float(thickness > 0.0);
 }
 
+vec4 encode_opaque(vec3 color) { return vec4(sqrt(sqrt(min(color, vec3(1.0)))), 0.0); }
+
 bool has_holes(vec4 texel) { return texel.a > 0.75; }
 
 /// Is the surface translucent?
 bool is_sheet(vec4 texel) { return texel.a > 0.25 && !has_holes(texel); }
 
-/// What is left of light that passed it.
-vec3 sheet_tint(vec4 texel) {
+/// What is left of light that passed it, or the colour of an opaque surface.
+vec3 sheet_color(vec4 texel) {
     vec3 square = texel.rgb * texel.rgb;
-    return is_sheet(texel) ? square * square : vec3(1.0);
+    return square * square;
 }
+
+vec3 sheet_tint(vec4 texel) { return is_sheet(texel) ? sheet_color(texel) : vec3(1.0); }
 
 #endif
