@@ -7,55 +7,38 @@
 #include "/include/gi/sunlit.glsl"
 
 #if HAS_SHADOW_MAP
-/// What the shadow map knows of a point.
-struct PointInMap {
-    bool lit;
-    float below;  // how far below the first surface that the light meets, straight up
-    vec4 first;   // that surface, as sheets.glsl stores it
-};
-
-PointInMap point_in_map(vec3 position) {
-    PlaneInMap plane = plane_in_map(from_volume(position), vec3(0.0, 1.0, 0.0));
-    float depth = depth_in_texel(plane, floor(plane.position));
-    ivec2 texel = sheet_texel(ivec2(plane.position));
-    float below = blocks_below(texel, depth) * shadowModelView[1].z;
-    return PointInMap(lit_at(floor(plane.position) + 0.5, depth) > 0.0, below, texelFetch(shadowcolor0, texel, 0));
-}
-
 /// Of a ray that has left the volume downwards: the ground beyond, if the shadow map knows of any there. It has the height, the
-/// light and, where the map does not show it, the colour of that at the edge of the volume. Gives how much of what the sky gives
-/// beyond that light it gets: in front of a roof that ends with the volume, as of a long wall, more with the distance.
-float find_ground(inout Hit hit, vec3 origin, vec3 direction) {
+/// light and, where the map does not show it, the colour of that at the edge of the volume.
+void find_ground(inout Hit hit, vec3 origin, vec3 direction) {
     ivec3 cell = clamp(hit.cell, ivec3(0), volume_size - 1);
     float height = ground_below(hit.position, cell.xz);
-    if (hit.position.y <= height) return 0.0;
-    float roof = highest_in(cell.xz);
+    if (hit.position.y <= height) return;
     cell.y = int(ceil(height)) - 1;
     Voxel ground = voxel_at(cell);
     vec3 position = origin + direction * ((height - origin.y) / direction.y);
     vec2 away = abs(from_volume(position).xz);
     bool near = max(away.x, away.y) < SHADOW_DISTANCE;
-    // Light does not come to what lies below it.
-    PointInMap inside = point_in_map(position - vec3(0.0, 0.5, 0.0));
-    if (ground.code != voxel_solid || !near || inside.lit) return 0.0;
-    bool is_shown = inside.below < 0.75 && inside.first.a == 0.0;
-    if (is_shown) ground.color = sheet_color(inside.first);
-    bool roof_ends = point_in_map(vec3(hit.cell) * vec3(1.0, 0.0, 1.0) + vec3(0.5, roof - 0.5, 0.5)).lit;
-    float far = distance(position.xz, hit.position.xz);
+    // Light does not come to what lies half a block below it.
+    PlaneInMap inside = plane_in_map(from_volume(position) - vec3(0.0, 0.5, 0.0), vec3(0.0, 1.0, 0.0));
+    float depth = depth_in_texel(inside, floor(inside.position));
+    bool is_there = lit_at(floor(inside.position) + 0.5, depth) == 0.0;
+    if (ground.code != voxel_solid || !near || !is_there) return;
+    ivec2 texel = sheet_texel(ivec2(inside.position));
+    vec4 first = texelFetch(shadowcolor0, texel, 0);
+    // How far above that the first surface lies which the light meets.
+    float above = blocks_below(texel, depth) * shadowModelView[1].z;
+    if (above < 0.75 && first.a == 0.0) ground.color = sheet_color(first);
     hit = Hit(true, cell, position, vec3(0.0, 1.0, 0.0), ground, hit.transmittance, false);
-    return is_shown && roof > height && roof_ends ? far * inversesqrt(far * far + (roof - height) * (roof - height)) : 0.0;
 }
 #endif
 
-/// Radiance of what a ray ends at, without the sun: of the sky, or what the cache has of a face. Behind the volume the hit becomes
+/// Radiance of what a ray ends at, without the sun: of the sky, or what the cache has of a face. Beyond the volume the hit becomes
 /// that of the ground. `sky`: level where the path began.
 vec3 light_of_end(inout Hit hit, vec3 from, vec3 direction, float sky) {
-    float open = 0.0;
 #if HAS_SHADOW_MAP
-    if (!hit.found && direction.y < 0.0) open = find_ground(hit, from, direction);
+    if (!hit.found && direction.y < 0.0) find_ground(hit, from, direction);
 #endif
-    if (!hit.found) return sky_beyond(hit, direction, sky);
-    return albedo_of(hit) * mix(light_on(hit), sky_ambient(hit.normal), open);
+    return hit.found ? albedo_of(hit) * light_on(hit) : sky_beyond(hit, direction, sky);
 }
 
 /// Radiance by the last hit of a path, and by the sun at all of its hits. `from`, `direction`: of the last ray; `throughput`: without

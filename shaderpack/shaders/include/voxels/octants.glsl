@@ -114,13 +114,10 @@ bool sky_comes_to(vec3 position) {
 }
 
 #if HAS_FACE_CACHE
-/// The height of a column's highest block.
-float highest_in(ivec2 column) { return height_of_stored(imageLoad(voxel_sums, height_texel(column)).r); }
-
 /// The height of the ground in a column of cells, below a place: of its highest block, or of the lowest floor that gets light of
 /// the sky; above the place if there is none.
 float ground_below(vec3 position, ivec2 column) {
-    float highest = highest_in(column);
+    float highest = height_of_stored(imageLoad(voxel_sums, height_texel(column)).r);
     float lit_floor = height_of_stored(height_end - imageLoad(voxel_sums, lit_floor_texel(column)).r);
     return position.y > highest ? highest : lit_floor;
 }
