@@ -31,7 +31,7 @@ WARM_UPS = (200, 1100)
 TRACE_SECONDS = {"bend_white@bend": 600, "chapel@nave": 400, "lava_cave@lava": 200, "bay@shore": 100,
                  **dict.fromkeys(("street@street", "forest_floor@floor", "h4_house@inside", "h4_house@outside", "glow_floor@room"), 60)}
 # More where the brightness of the whole picture wanders from run to run.
-RUNS = {"deep_hall@back": 16, "bend_white@bend": 16}
+RUNS = {"deep_hall@back": 24, "bend_white@bend": 16}
 BIAS = [*rooms_study.EFFORTS[0], *rooms_study.BIAS]
 
 
