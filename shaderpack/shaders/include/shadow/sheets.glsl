@@ -8,12 +8,14 @@
 
 const vec4 sheet_with_holes = vec4(0.0, 0.0, 0.0, 1.0);
 
+vec3 fourth_root(vec3 color) { return sqrt(sqrt(color)); }
+
 /// `thickness`: through how many blocks of the colour light comes; none where it is 0.
 vec4 encode_sheet(vec3 color, float thickness) {
-    return vec4(sqrt(sqrt(filtered(min(color, vec3(1.0)), thickness))), 0.5) * float(thickness > 0.0);
+    return vec4(fourth_root(filtered(min(color, vec3(1.0)), thickness)), 0.5) * float(thickness > 0.0);
 }
 
-vec4 encode_opaque(vec3 color) { return vec4(sqrt(sqrt(min(color, vec3(1.0)))), 0.0); }
+vec4 encode_opaque(vec3 color) { return vec4(fourth_root(min(color, vec3(1.0))), 0.0); }
 
 bool has_holes(vec4 texel) { return texel.a > 0.75; }
 

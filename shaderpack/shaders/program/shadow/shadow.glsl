@@ -106,12 +106,14 @@ vec3 tile_color() {
 vec4 sheet_of_triangle() {
     int id = int(floor(vertex_id[0] + 0.5));
     bool holes = id == block_plant || id == block_open || id == block_glass || id == block_pane;
+    if (renderStage != MC_RENDER_STAGE_TERRAIN_TRANSLUCENT) {
+        if (holes) return sheet_with_holes;
 #if HAS_FACE_CACHE
-    vec4 opaque = encode_opaque(tile_color());
+        return encode_opaque(tile_color());
 #else
-    const vec4 opaque = vec4(0.0);
+        return vec4(0.0);
 #endif
-    if (renderStage != MC_RENDER_STAGE_TERRAIN_TRANSLUCENT) return holes ? sheet_with_holes : opaque;
+    }
     float slope = abs((mat3(shadowModelView) * vertex_normal[0]).z);
     float height = id == block_translucent ? 1.0 : id == block_water ? water_height : 0.0;
     float thickness = id == block_tinted_pane ? 1.0 : height / max(slope, 0.25);
