@@ -44,7 +44,6 @@ ReferenceScene buildReferenceScene(World world, const ShaderPack& pack, const Ca
                            lightingOf(frame, options)}),
           {frame.cameraPosition, frame.gbufferModelViewInverse, frame.gbufferProjectionInverse,
            frame.width, frame.height},
-          castersOf(data.mesh, data.atlas),
           shadowLightDirection(frame.skyAngle, directives.sunPathRotation)};
 }
 

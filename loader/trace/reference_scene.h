@@ -6,7 +6,6 @@
 
 #include <orris/pack/shader_pack.h>
 #include <orris/trace/path_tracer.h>
-#include <orris/world/mesh/casters.h>
 #include <orris/world/world.h>
 
 namespace orris {
@@ -14,7 +13,6 @@ namespace orris {
 struct ReferenceScene {
   TraceScene scene;
   TraceCamera camera;
-  CasterSet casters;         ///< what casts shadows of one light
   glm::vec3 shadowLight{0};  ///< direction to sun or moon, whichever casts
 };
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include <orris/trace/seen_surfaces.h>
@@ -13,95 +12,12 @@ namespace {
 /// Rays begin this far before what the pixel shows, blocks.
 constexpr double kLift = 1e-5;
 
-/// Is a point of the quad's plane on the quad? Rays through an edge meet both its faces.
-bool covers(const glm::dvec3 (&corners)[4], const glm::dvec3& normal, const glm::dvec3& point) {
-  constexpr double kEdge = 1e-9;
-  for (int i = 0; i < 4; ++i) {
-    const glm::dvec3 edge = corners[(i + 1) % 4] - corners[i];
-    if (glm::dot(glm::cross(edge, point - corners[i]), normal) < -kEdge) return false;
-  }
-  return true;
-}
-
-}  // namespace
-
-CasterRays::CasterRays(const CasterSet& casters)
-    : low_(std::numeric_limits<double>::max()), high_(std::numeric_limits<double>::lowest()) {
-  constexpr double kReach = 0.01;  // faces on a cell's side belong to both cells
-  for (const CasterFace& face : casters.faces) {
-    Quad quad;
-    glm::dvec3 low(std::numeric_limits<double>::max()), high(std::numeric_limits<double>::lowest());
-    for (int i = 0; i < 4; ++i) {
-      quad.corners[i] = glm::dvec3(face.corners[std::size_t(i)]) + glm::dvec3(casters.origin);
-      low = glm::min(low, quad.corners[i]);
-      high = glm::max(high, quad.corners[i]);
-    }
-    quad.normal = glm::dvec3(face.normal);
-    low_ = glm::min(low_, low);
-    high_ = glm::max(high_, high);
-    const glm::ivec3 first(glm::floor(low - kReach)), last(glm::floor(high + kReach));
-    for (int y = first.y; y <= last.y; ++y)
-      for (int z = first.z; z <= last.z; ++z)
-        for (int x = first.x; x <= last.x; ++x)
-          byCell_[keyOf({x, y, z})].push_back(std::uint32_t(quads_.size()));
-    quads_.push_back(quad);
-  }
-}
-
-std::uint64_t CasterRays::keyOf(const glm::ivec3& cell) {
-  constexpr int kBits = 21;
-  std::uint64_t key = 0;
-  for (int axis = 0; axis < 3; ++axis)
-    key = key << kBits | (std::uint64_t(std::uint32_t(cell[axis])) & ((1u << kBits) - 1));
-  return key;
-}
-
-bool CasterRays::blockedIn(const glm::ivec3& cell, const glm::dvec3& from,
-                           const glm::dvec3& direction, double end) const {
-  const auto found = byCell_.find(keyOf(cell));
-  if (found == byCell_.end()) return false;
-  return std::any_of(found->second.begin(), found->second.end(), [&](std::uint32_t index) {
-    const Quad& quad = quads_[index];
-    const double slope = glm::dot(direction, quad.normal);
-    if (std::abs(slope) < 1e-12) return false;
-    const double t = glm::dot(quad.corners[0] - from, quad.normal) / slope;
-    return t > 0 && t < end && covers(quad.corners, quad.normal, from + direction * t);
-  });
-}
-
-bool CasterRays::blocked(const glm::dvec3& from, const glm::dvec4& toward) const {
-  glm::dvec3 direction = glm::dvec3(toward) - toward.w * from;
-  const double end =
-      toward.w == 0 ? std::numeric_limits<double>::infinity() : glm::length(direction);
-  direction = glm::normalize(direction);
-  glm::ivec3 cell(glm::floor(from));
-  glm::dvec3 next(std::numeric_limits<double>::infinity()), step = next;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (direction[axis] == 0) continue;
-    step[axis] = 1 / std::abs(direction[axis]);
-    next[axis] =
-        (direction[axis] > 0 ? cell[axis] + 1 - from[axis] : from[axis] - cell[axis]) * step[axis];
-  }
-  for (double t = 0; t < end;) {
-    if (blockedIn(cell, from, direction, end)) return true;
-    const int axis = next.x < next.y ? (next.x < next.z ? 0 : 2) : (next.y < next.z ? 1 : 2);
-    t = next[axis];
-    next[axis] += step[axis];
-    cell[axis] += direction[axis] > 0 ? 1 : -1;
-    // Past the last caster in this direction nothing follows.
-    if (direction[axis] > 0 ? cell[axis] > high_[axis] : cell[axis] + 1 < low_[axis]) return false;
-  }
-  return false;
-}
-
-namespace {
-
 /// Whether light reaches what is seen through points of the picture.
 class LightSeen {
  public:
-  LightSeen(const TraceScene& scene, const TraceCamera& camera, const CasterRays& casters,
+  LightSeen(const TraceScene& scene, const TraceCamera& camera, const LightStopped& stopped,
             const glm::dvec4& light)
-      : scene_(scene), camera_(camera), viewer_(scene, camera), casters_(casters), light_(light) {}
+      : scene_(scene), camera_(camera), viewer_(scene, camera), stopped_(stopped), light_(light) {}
 
   bool at(double x, double y) const {
     const std::vector<SeenSurface> seen = viewer_.at(x, y, 0);
@@ -158,21 +74,38 @@ class LightSeen {
     const glm::dvec3 toEye = camera_.position - on;
     const double distance = glm::length(toEye);
     const glm::dvec3 at = on + toEye * (viewer_.stepAt(distance, lift) / distance);
-    return !casters_.blocked(at + seen.normal * kLift, light_);
+    return !stopped_(*seen.quad, at + seen.normal * kLift, light_);
   }
 
   const TraceScene& scene_;
   const TraceCamera& camera_;
   SeenSurfaces viewer_;
-  const CasterRays& casters_;
+  const LightStopped& stopped_;
   glm::dvec4 light_;
 };
 
 }  // namespace
 
-ImageF shadowMask(const TraceScene& scene, const TraceCamera& camera, const CasterRays& casters,
+LightStopped stoppedByBlocks(const TraceScene& scene) {
+  return [&scene](const TraceQuad& on, const glm::dvec3& from, const glm::dvec4& light) {
+    const glm::dvec3 start = from - glm::dvec3(scene.origin);
+    const glm::dvec3 place = glm::dvec3(light) - glm::dvec3(scene.origin);
+    const glm::dvec3 toward = light.w == 0 ? glm::dvec3(light) : place - start;
+    Ray ray;
+    ray.origin = glm::vec3(start);
+    ray.direction = withoutZeros(glm::vec3(glm::normalize(toward)));
+    ray.cell = glm::ivec3(glm::floor(start));
+    ray.ignore = std::uint32_t(&on - scene.grid.quads().data());
+    RayHit hit;
+    if (light.w != 0) hit.distance = float(glm::length(toward));
+    scene.grid.intersect(ray, hit);
+    return hit.quad != kNoQuad && !(light.w != 0 && hit.cell == glm::ivec3(glm::floor(place)));
+  };
+}
+
+ImageF shadowMask(const TraceScene& scene, const TraceCamera& camera, const LightStopped& stopped,
                   const glm::dvec4& light, ShownFrame* shown) {
-  const LightSeen seen(scene, camera, casters, light);
+  const LightSeen seen(scene, camera, stopped, light);
   const auto row = [&](double y, double first) {
     std::vector<bool> lit;
     for (int x = 0; x + first <= camera.width; ++x) lit.push_back(seen.at(x + first, y));

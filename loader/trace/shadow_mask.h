@@ -1,36 +1,21 @@
-// The reference for shadows of one light: for each pixel whether the light reaches what it shows, by a
-// ray to the light past whole caster faces. Shares nothing with shadow volumes but what casts.
+// The reference for shadows of one light: for each pixel whether the light reaches what it shows, by a ray to the light.
 #pragma once
 
-#include <unordered_map>
-#include <vector>
+#include <functional>
 
 #include <orris/image/image.h>
 #include <orris/trace/path_tracer.h>
-#include <orris/world/mesh/casters.h>
 
 namespace orris {
 
-/// Caster faces by cell, for rays in double precision.
-class CasterRays {
- public:
-  explicit CasterRays(const CasterSet& casters);
-  /// Does any face lie between `from` and `to`? Both in world blocks; with `toward.w` 0 its xyz is a
-  /// direction and the ray never ends.
-  bool blocked(const glm::dvec3& from, const glm::dvec4& toward) const;
+/// Does anything stop the light on its way to a surface? `from`: just before the surface, world blocks. `light`: w 0 and
+/// the direction to it, or w 1 and its place in world blocks.
+using LightStopped =
+    std::function<bool(const TraceQuad& on, const glm::dvec3& from, const glm::dvec4& light)>;
 
- private:
-  struct Quad {
-    glm::dvec3 corners[4];
-    glm::dvec3 normal;
-  };
-  static std::uint64_t keyOf(const glm::ivec3& cell);
-  bool blockedIn(const glm::ivec3& cell, const glm::dvec3& from, const glm::dvec3& direction,
-                 double end) const;
-  std::vector<Quad> quads_;
-  std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> byCell_;
-  glm::dvec3 low_{0}, high_{0};
-};
+/// By what stops the path tracer's rays to the sun: blocks as they are drawn, with the holes of their textures.
+/// Translucent ones stop nothing, whatever they leave of the light; nor does the block that the light stands in.
+LightStopped stoppedByBlocks(const TraceScene& scene);
 
 /// Faces whose cosine with the light is smaller count as turned away: the normals of the frame have
 /// eight bits, so there rounding decides.
@@ -48,7 +33,7 @@ struct ShownFrame {
 /// changes within the pixel, or within what a frame can know of its middle, lit is 0.75 and dark
 /// 0.25. `light`: w 0 and the direction to it, or w 1 and its place in world blocks. What is seen through water is judged, not
 /// the water; leaves and plants that turn away are lit through.
-ImageF shadowMask(const TraceScene& scene, const TraceCamera& camera, const CasterRays& casters,
+ImageF shadowMask(const TraceScene& scene, const TraceCamera& camera, const LightStopped& stopped,
                   const glm::dvec4& light, ShownFrame* shown = nullptr);
 
 }  // namespace orris

@@ -9,9 +9,9 @@
 #include <iterator>
 #include <sstream>
 
-#include <orris/plan/frame/celestial.h>
+#include "caster_rays.h"
 #include "shadow_lab.h"
-#include <orris/trace/shadow_mask.h>
+#include <orris/plan/frame/celestial.h>
 
 namespace orris::test {
 namespace {

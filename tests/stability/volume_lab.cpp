@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "caster_rays.h"
 #include <orris/world/files/world_json.h>
 
 namespace orris::test {
@@ -63,18 +64,22 @@ ReferenceScene VolumeLab::referenceScene() const {
                              setup_.size, setup_.size, diagnostics);
 }
 
+CasterSet VolumeLab::casters() const {
+  const SceneData& scene = const_cast<PackSession&>(session_).session().scene();
+  return castersOf(scene.mesh, scene.atlas);
+}
+
 ImageF VolumeLab::reference() const {
   const ReferenceScene scene = referenceScene();
-  return shadowMask(scene.scene, scene.camera, CasterRays(scene.casters),
-                    glm::dvec4(scene.shadowLight, 0));
+  const CasterRays rays(casters());
+  return shadowMask(scene.scene, scene.camera, rays.stopping(), glm::dvec4(scene.shadowLight, 0));
 }
 
 ImageF VolumeLab::referenceOfLamp(const glm::ivec3& cell) const {
   constexpr double kEverywhere = 1e6;
   const ReferenceScene scene = referenceScene();
-  return shadowMask(scene.scene, scene.camera,
-                    CasterRays(castersOfLamp(scene.casters, cell, kEverywhere)),
-                    glm::dvec4(glm::dvec3(cell) + 0.5, 1));
+  const CasterRays rays(castersOfLamp(casters(), cell, kEverywhere));
+  return shadowMask(scene.scene, scene.camera, rays.stopping(), glm::dvec4(glm::dvec3(cell) + 0.5, 1));
 }
 
 MaskDifference VolumeLab::difference() {

@@ -4,7 +4,7 @@
 #include "../shaderpack/pack_session.h"
 #include <orris/image/mask_compare.h>
 #include <orris/trace/reference_scene.h>
-#include <orris/trace/shadow_mask.h>
+#include <orris/world/mesh/casters.h>
 
 namespace orris::test {
 
@@ -38,6 +38,7 @@ class VolumeLab {
 
  private:
   ReferenceScene referenceScene() const;
+  CasterSet casters() const;
   VolumeSetup setup_;
   std::string world_;
   PackSession session_;

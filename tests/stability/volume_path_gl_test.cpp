@@ -5,10 +5,10 @@
 #include <filesystem>
 
 #include "../shaderpack/pack_session.h"
+#include "caster_rays.h"
 #include <orris/image/mask_compare.h>
 #include <orris/plan/frame/frame_state.h>
 #include <orris/trace/reference_scene.h>
-#include <orris/trace/shadow_mask.h>
 
 namespace orris::test {
 namespace {
@@ -98,7 +98,7 @@ TEST_P(VolumePath, equals_rays_inside_of_lit_and_dark) {
   const ReferenceScene reference =
       buildReferenceScene(*loadWorld(file, 0, diagnostics), session.renderer().pack(),
                           session.camera(), kWidth, kHeight, diagnostics);
-  const CasterRays casters(reference.casters);
+  const CasterRays casters(castersOf(session.scene().mesh, session.scene().atlas));
   long long edge = 0, interior = 0, pixels = 0, others = 0;
   int inShadow = 0;
   for (int frame = 0; frame < kFrames; ++frame) {
@@ -108,7 +108,7 @@ TEST_P(VolumePath, equals_rays_inside_of_lit_and_dark) {
     pack.renderFrames(1);
     inShadow += session.renderer().facesAtEye() > 0;
     ShownFrame shown{pack.dump("depthtex0")};
-    const ImageF mask = shadowMask(reference.scene, traceCamera(session), casters,
+    const ImageF mask = shadowMask(reference.scene, traceCamera(session), casters.stopping(),
                                    glm::dvec4(reference.shadowLight, 0), &shown);
     const ImageF drawn = pack.dump("colortex0");
     const auto difference = compareMasks(drawn, mask, diagnostics);

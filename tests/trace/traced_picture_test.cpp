@@ -14,7 +14,7 @@ namespace {
 /// Its picture is as bright as `radiance`, noise and all.
 ReferenceScene glowingRoom(float radiance) {
   const test::Cubes cubes = test::roomOf({4, 4, 4}, {glm::vec3(0.5f), glm::vec3(radiance)});
-  ReferenceScene view{test::sceneOf(cubes), {}, {}, {}};
+  ReferenceScene view{test::sceneOf(cubes), {}, {}};
   view.camera.width = 8;
   view.camera.height = 4;
   view.camera.position = {3, 3, 3};

@@ -151,14 +151,13 @@ int runShadowMask(const TraceOptions& options, Report& report, nlohmann::json& r
   const auto view = openReferenceScene(options.pack, options.scene, options.image, report);
   if (!view) return report.status();
   const glm::dvec4 light = lamp ? glm::dvec4(*lamp, 1) : glm::dvec4(view->shadowLight, 0);
-  const ImageF mask = shadowMask(view->scene, view->camera, CasterRays(view->casters), light);
+  const ImageF mask = shadowMask(view->scene, view->camera, stoppedByBlocks(view->scene), light);
   Diagnostics diagnostics;
   writeImage(options.picture, mask, diagnostics);
   report.add(diagnostics);
   const auto lit = std::count_if(mask.pixels.begin(), mask.pixels.end(),
                                  [](float value) { return value > 0.5f; });
-  result = {
-      {"size", {mask.width, mask.height}}, {"lit", lit}, {"casters", view->casters.faces.size()}};
+  result = {{"size", {mask.width, mask.height}}, {"lit", lit}};
   if (!options.output.json && !options.output.quiet)
     std::cout << fmt::format("{} of {} pixels lit\n", lit, mask.pixels.size());
   if (report.status() == kClean) sayWritten(options.output, {options.picture});
