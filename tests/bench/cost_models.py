@@ -3,8 +3,8 @@
 
 Charts the candidates in many scenes (`orris chart`, interleaved, processor time), fits each one's cost over the
 same frame without it, with no negative factor, by least squares relative to the frame, and prints the `auto.*`
-lines of shaders.properties. Then how good the choice by these lines is: the chosen candidate's measured cost
-over the cheapest one's. A second run of the same command goes on where the first one ended."""
+lines of shaders.properties. Then how good the choice by these lines is, and by those that the pack has: the chosen candidate's measured
+cost over the cheapest one's. A second run of the same command goes on where the first one ended."""
 
 import argparse
 import json
@@ -71,11 +71,16 @@ def asking_pack(args):
     return copy
 
 
-def quantities(args, pack, option, world, camera, size, settings):
+def choice(args, pack, option, world, camera, size, settings):
+    """What `orris render` says of the option's choice."""
     done = subprocess.run([args.orris, "render", pack, world, "-o", args.folder / "asked.png", "--size", size,
                            "--camera", camera, "--frames", "1", "--json", "--set", *COMMON, *settings,
                            f"{option}=AUTO"], check=True, text=True, stdout=subprocess.PIPE)
-    scene = json.loads(done.stdout)["auto"]["quantities"]
+    return json.loads(done.stdout)["auto"]
+
+
+def quantities(args, pack, option, world, camera, size, settings):
+    scene = choice(args, pack, option, world, camera, size, settings)["quantities"]
     texels = next((s.split("=")[1] for s in settings if s.startswith("SHADOW_RESOLUTION")), "1024")
     return {**scene, "texels": float(texels) ** 2}
 
@@ -130,6 +135,20 @@ def judge(option, measured, factors):
     return worst
 
 
+def judge_pack(args, option, found):
+    """Prints where the pack takes another value than the best one; the worst ratio."""
+    worst = 1.0
+    for case, times in found:
+        options = choice(args, args.pack, option, *case[2:6])["options"]
+        taken = next(row["value"] for row in options if row["option"] == option)
+        best = min(MODELS[option], key=lambda value: times.get(value, float("inf")))
+        if taken not in times or taken == best:
+            continue
+        worst = max(worst, times[taken] / times[best])
+        print(f"# {case[1]}: the pack takes {taken}, {times[taken] / times[best]:.2f} of {best}")
+    return worst
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("orris")
@@ -152,6 +171,7 @@ def main():
             factors[value] = fit(rows, terms)
             print(f"auto.{option.lower()}.{value.lower()} = {spelled(terms, factors[value])}")
         print(f"# {option}: the chosen frame at most {judge(option, measured, factors):.2f} of the best")
+        print(f"# {option}: by the lines that {args.pack} has at most {judge_pack(args, option, found):.2f} of the best")
 
 
 if __name__ == "__main__":

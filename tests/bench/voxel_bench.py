@@ -16,7 +16,7 @@ import tempfile
 
 PROGRAMS = "shaders/program"
 LIST = f"{PROGRAMS}/floodfill/image_list.glsl"
-GI = f"{PROGRAMS}/gi/gather.glsl"
+GI = "shaders/include/gi/gather.glsl"
 
 
 def copy_of(pack, folder, edits):
@@ -69,6 +69,12 @@ def room_world(folder, size, height=None):
 
 
 def step_cases(args, folder):
+    """
+    >>> args = argparse.Namespace(pack=pathlib.Path(__file__).parents[2] / "shaderpack", volume=64)
+    >>> with tempfile.TemporaryDirectory() as name:
+    ...     list(step_cases(args, pathlib.Path(name)))
+    ['published', 'again', 'all bricks', '5 % of the bricks', 'none', 'as it is']
+    """
     bricks = "(all || restless.light || restless.blocks)"
     forced = [copy_of(args.pack, folder / name, [(LIST, bricks, text)])
               for name, text in (("all", "true"), ("some", "brick % 20 == 0"), ("none", "false"))]
@@ -80,9 +86,15 @@ def step_cases(args, folder):
 
 
 def ray_cases(args, folder):
-    """Four rays a pixel that find a hit and nothing of its light; none, to take the rest of the pass off."""
+    """Four rays a pixel that find a hit and nothing of its light; none, to take the rest of the pass off.
+
+    >>> args = argparse.Namespace(pack=pathlib.Path(__file__).parents[2] / "shaderpack", volume=64)
+    >>> with tempfile.TemporaryDirectory() as name:
+    ...     list(ray_cases(args, pathlib.Path(name)))
+    ['none', 'cells', 'leaps']
+    """
     loop = "    for (int bounce = 0; bounce < gi_bounces; ++bounce) {\n"
-    ray = ("    Hit only = trace(origin, cosine_direction(normal, next_random().xy));\n"
+    ray = ("    Hit only = trace_from_face(origin, cosine_direction(normal, next_random().xy));\n"
            "    if (viewWidth > 0.0) return only.position + vec3(only.found);\n" + loop)
     none = "    if (viewWidth > 0.0) return cosine_direction(normal, next_random().xy);\n" + loop
     rays = copy_of(args.pack, folder / "rays", [(GI, loop, ray)])

@@ -7,6 +7,8 @@ MAP = "include/shadow/shadow.glsl"
 SPACE = "include/shadow/shadow_space.glsl"
 HIT = "include/gi/hit.glsl"
 SUNLIT = "include/gi/sunlit.glsl"
+SHADOW = "program/shadow/shadow.glsl"
+VISIBILITY = "include/sun/sun_visibility.glsl"
 DIRECT = "include/brdf/direct.glsl"
 LIT = "program/lighting.glsl"
 TRANSLUCENT = "program/gbuffers/translucent.glsl"
@@ -74,6 +76,11 @@ MUTANTS = [
        "level * level + albedo * indirect_radiance(n));")]),
     ("published: albedo twice in lamplight", "Listing.every*",
      [(LIT, "float(s.thin), diffuse);", "float(s.thin), diffuse * diffuse);")]),
+    ("no holes in the map", "Pillars/SunShadow.*0", [(SHADOW, "!is_voxel && textureLod(gtexture, place, 0.0).a", "!is_voxel && 1.0")]),
+    ("holes by mean alpha", "Pillars/SunShadow.*0",
+     [(SHADOW, "!is_voxel && textureLod(gtexture, place, 0.0).a", "!is_voxel && textureLod(gtexture, place, 4.0).a")]),
+    ("one volume does not shade", "Pillars/SunShadow.*1",
+     [(VISIBILITY, "float(texelFetch(stenciltex0, pixel, 0).r == 0u)", "float(texelFetch(stenciltex0, pixel, 0).r <= 1u)")]),
     ("published: albedo twice in lamplight on glass", "Listing.every*",
      [(TRANSLUCENT, "lamps_radiance(player, n, 0.0, albedo);", "lamps_radiance(player, n, 0.0, albedo * albedo);")]),
 ]
