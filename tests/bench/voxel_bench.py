@@ -17,6 +17,8 @@ import tempfile
 PROGRAMS = "shaders/program"
 LIST = f"{PROGRAMS}/floodfill/image_list.glsl"
 GI = "shaders/include/gi/gather.glsl"
+FEATURES = "shaders/include/derived/features.glsl"
+CHANGES = "(HAS_FACE_CACHE || HAS_FLOOD_IMAGE || HAS_DISTANCES)"
 
 
 def copy_of(pack, folder, edits):
@@ -37,8 +39,8 @@ def processor_seconds(args, pack, options, size, frames, folder):
     return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
 
 
-def measure(args, cases, size, count, without, folder):
-    """Nanoseconds of each of `count` things in a frame, by case; `without` is the case that has none."""
+def measure(args, cases, size, count, folder, without):
+    """Nanoseconds of each of `count` things in a frame, by case; `without`: cases that have none, by what they are taken off from."""
     found = {name: [] for name in cases}
     for pack, options in cases.values():
         processor_seconds(args, pack, options, size, 2, folder)  # fills the driver's cache of programs
@@ -48,7 +50,7 @@ def measure(args, cases, size, count, without, folder):
                        for frames in (4, 4 + args.frames)]
             found[name].append((seconds[1] - seconds[0]) / args.frames)
     least = {name: min(values) for name, values in found.items()}
-    return {name: round((value - least[without]) / count * 1e9, 1) for name, value in least.items()}
+    return {name: round((least[name] - least[none]) / count * 1e9, 1) for name, none in without.items()}
 
 
 def room_world(folder, size, height=None):
@@ -91,17 +93,19 @@ def ray_cases(args, folder):
     >>> args = argparse.Namespace(pack=pathlib.Path(__file__).parents[2] / "shaderpack", volume=64)
     >>> with tempfile.TemporaryDirectory() as name:
     ...     list(ray_cases(args, pathlib.Path(name)))
-    ['none', 'cells', 'leaps']
+    ['no cells', 'cells', 'no leaps', 'leaps']
     """
     loop = "    for (int bounce = 0; bounce < gi_bounces; ++bounce) {\n"
     ray = ("    Hit only = trace_from_face(origin, cosine_direction(normal, next_random().xy));\n"
            "    if (viewWidth > 0.0) return only.position + vec3(only.found);\n" + loop)
     none = "    if (viewWidth > 0.0) return cosine_direction(normal, next_random().xy);\n" + loop
-    rays = copy_of(args.pack, folder / "rays", [(GI, loop, ray)])
-    empty = copy_of(args.pack, folder / "none", [(GI, loop, none)])
+    # Without this cells would know fewer shapes than leaps.
+    shapes = [(file, CHANGES, "(HAS_VOXELS)") for file in (FEATURES, "shaders/shaders.properties")]
+    rays = copy_of(args.pack, folder / "rays", [(GI, loop, ray), *shapes])
+    empty = copy_of(args.pack, folder / "none", [(GI, loop, none), *shapes])
     common = ["GI_METHOD=BOUNCE_1", "GI_SAMPLES=4", "TEMPORAL_ACCUMULATION=false", f"VOXEL_SIZE={args.volume}"]
-    return {"none": (empty, [*common, "RAY_WALK=GRID"]), "cells": (rays, [*common, "RAY_WALK=GRID"]),
-            "leaps": (rays, [*common, "RAY_WALK=DISTANCE"])}
+    grid, distance = [*common, "RAY_WALK=GRID"], [*common, "RAY_WALK=DISTANCE"]
+    return {"no cells": (empty, grid), "cells": (rays, grid), "no leaps": (empty, distance), "leaps": (rays, distance)}
 
 
 def main():
@@ -120,10 +124,11 @@ def main():
         if str(args.world) == "room":
             args.world = room_world(folder / "room", args.volume)
         if args.only != "rays":
-            result["step"] = measure(args, step_cases(args, folder), "16x9", args.volume ** 3, "none",
-                                     folder)
+            cases = step_cases(args, folder)
+            result["step"] = measure(args, cases, "16x9", args.volume ** 3, folder, {name: "none" for name in cases})
         if args.only != "steps":
-            result["ray"] = measure(args, ray_cases(args, folder), "320x180", 4 * 320 * 180, "none", folder)
+            result["ray"] = measure(args, ray_cases(args, folder), "320x180", 4 * 320 * 180, folder,
+                                    {"cells": "no cells", "leaps": "no leaps"})
     for kind, published in (("step", "published"), ("ray", "cells")):
         if kind in result:
             result[f"{kind} over {published}"] = {name: round(value / result[kind][published], 2)
