@@ -103,5 +103,24 @@ INSTANTIATE_TEST_SUITE_P(Roofs, ShadowMask,
                                          Roof{"oak_fence[east=true,west=true]", 0.4, 0.95},
                                          Roof{"oak_slab[type=top]", 0, 0}));
 
+// A fern from its dark side, before the shaded side of a wall. Its own planes do not stop the light that they let through.
+TEST(ShadowMaskOfPlants, light_from_behind_comes_to_a_fern) {
+  const BlockScene scene = test::blockScene(
+      R"({"size": [9, 9, 9], "blocks": [{"box": "stone", "min": [0,0,0], "max": [8,0,8]},
+        {"box": "stone", "min": [0,1,0], "max": [8,3,0]}, {"block": "fern", "at": [4,1,4]}],
+        "cameras": [{"name": "a", "position": [4, 1, 7], "yaw": 180, "pitch": 0}]})",
+      {{"minecraft:fern", 10}}, {});
+  TraceCamera camera = down();
+  camera.position = {4.5, 1.5, 7.5};
+  camera.modelViewInverse = glm::mat4(1);  // to the north
+  camera.projectionInverse[0][0] = camera.projectionInverse[1][1] = 0.3f;
+  const glm::dvec4 behind(glm::normalize(glm::dvec3(0.1, 1.2, -1)), 0);
+  const ImageF mask = shadowMask(scene.scene, camera, stoppedByBlocks(scene.scene), behind);
+  int lit = 0;  // above the horizon, where there are the fern and the wall
+  for (int y = 0; y < kMaskSide / 2; ++y)
+    for (int x = 0; x < kMaskSide; ++x) lit += mask.at(x, y)[0] > 0.5f;
+  EXPECT_GT(lit, 10);
+}
+
 }  // namespace
 }  // namespace orris
