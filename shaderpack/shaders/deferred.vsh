@@ -1,4 +1,5 @@
 #version 330 compatibility
-// Light from everything but the direct sun: rays through the voxels, averaged over frames.
+// Light from everything but the direct sun: rays into the hemisphere.
 #define VERTEX_STAGE
-#include "/program/gi/gather.glsl"
+#define RAYS_INTO_HEMISPHERE
+#include "/program/gi/rays.glsl"

@@ -1,5 +1,5 @@
 #version 330 compatibility
-// Smooths the gathered light within each face: pixels 1 apart.
+// The same by rays to lamps.
 #define VERTEX_STAGE
-#define FILTER_STEP 1
-#include "/program/gi/filter.glsl"
+#define RAYS_TO_LAMPS
+#include "/program/gi/rays.glsl"

@@ -1,5 +1,4 @@
 #version 330 compatibility
-// Smooths the gathered light within each face: pixels 2 apart.
+// The same averaged over frames.
 #define VERTEX_STAGE
-#define FILTER_STEP 2
-#include "/program/gi/filter.glsl"
+#include "/program/gi/mean.glsl"

@@ -1,4 +1,5 @@
 #version 330 compatibility
-// Lights the opaque scene: sun with shadows, lamps, gathered light, sky.
+// Smooths the gathered light within each face: pixels 2 apart.
 #define FRAGMENT_STAGE
-#include "/program/lighting.glsl"
+#define FILTER_STEP 2
+#include "/program/gi/filter.glsl"

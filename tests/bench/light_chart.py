@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Charts the methods for many lamps against the number of lamps, and the grid of clusters.
 
-Processor time of passes. Lamps: `shade` is what the passes that light (deferred4, and what is drawn) take over the same
+Processor time of passes. Lamps: `shade` is what the passes that light (deferred6, and what is drawn) take over the same
 without lamps (`orris chart`, interleaved); `cull` what making the lists takes in each frame of a turning camera
 (`orris render --timings`, shadowcomp3 to 6); `collect` what the shadow pass takes that finds the lamps. Lights a pixel and
 entries are counted by LIGHT_DEBUG. Grid: the same for columns times slices, linear and logarithmic.
@@ -32,8 +32,8 @@ LISTED = ["CLUSTERED", "TILED"]
 LAMPS = [16, 64, 256, 1024, 4096, 16384]
 COMMON = ["GI_METHOD=NONE", "SHADOW_METHOD=NONE", "DIRECT_LIGHT=NONE", "LIGHT_CAPACITY=16384", "LIGHT_LIST=2048"]
 COLUMNS, SLICES, SLICING = [8, 16, 20, 32], [1, 8, 16, 24, 32], ["LINEAR", "LOGARITHMIC"]
-LIGHTING = ("deferred4",)  # passes in which lamps shine, as their names begin
-FORWARD_LIGHTING = ("gbuffers_terrain", "deferred4")
+LIGHTING = ("deferred6",)  # passes in which lamps shine, as their names begin
+FORWARD_LIGHTING = ("gbuffers_terrain", "deferred6")
 CULLING = ["shadowcomp3", "shadowcomp4", "shadowcomp5", "shadowcomp6"]
 TURN = 12  # frames
 
@@ -170,7 +170,7 @@ def grid_rows(args):
                 counts = kept(args, "count-" + name, lambda: count(args, world, asked))
                 cull = kept(args, "cull-" + name, lambda: culling(args, args.grid_lamps, asked))
                 if found and counts and cull is not None:
-                    yield [slicing, columns, slices, found["deferred4"], cull, counts["lights"], counts["entries"]]
+                    yield [slicing, columns, slices, found["deferred6"], cull, counts["lights"], counts["entries"]]
 
 
 def write(path, head, rows):

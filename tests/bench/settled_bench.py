@@ -17,7 +17,7 @@ import tempfile
 SETTLED, CHANGING = range(260, 280), range(281, 320)
 VOLUME = ("prepare", "shadowcomp")
 PARTS = {"volume": lambda step: step.startswith(VOLUME),
-         "gi": lambda step: step.startswith((*VOLUME, "deferred")) and step != "deferred4",
+         "gi": lambda step: step.startswith((*VOLUME, "deferred")) and step != "deferred6",
          "frame": lambda step: True}
 
 

@@ -17,7 +17,7 @@ SIZES = [32, 48, 64, 96, 128, 256]
 HIGHEST = 128
 FACES_MOST = 128  # side of the largest volume of the face cache
 STEP = ("prepare",)
-LIGHT = ("deferred", "prepare", "shadowcomp")  # and not deferred4, which lights by it
+LIGHT = ("deferred", "prepare", "shadowcomp")  # and not deferred6, which lights by it
 METHODS = ["BOUNCE_1", "FLOODFILL", "FACE_CACHE"]
 PLOT = """set datafile separator ','
 set logscale xy
@@ -55,7 +55,7 @@ def render(args, pack, world, size, method, folder):
 
 def least(frames, names):
     """Of a frame but the first four, in which caches fill and distances are made."""
-    return min(sum(ms for name, ms in passes.items() if name.startswith(names) and name != "deferred4")
+    return min(sum(ms for name, ms in passes.items() if name.startswith(names) and name != "deferred6")
                for frame, passes in frames.items() if frame >= 4)
 
 

@@ -375,6 +375,23 @@ TEST(FaceCache, only_a_share_of_the_faces_is_updated_while_nothing_changes) {
   EXPECT_LT(updatedFaces(pack), all / 3);
 }
 
+TEST(FaceCache, half_of_the_faces_are_updated_while_edits_follow_each_other) {
+  std::string events;
+  for (int frame = 70; frame < 100; frame += 2)
+    events += fmt::format(R"({}{{"frame": {}, "set": {{"at": [2, 1, 2], "block": "{}"}}}})", frame > 70 ? "," : "", frame,
+                          frame % 4 == 0 ? "stone" : "air");
+  PackSession pack(room("white_concrete", {6, 6, 6}, events), cacheOptions({{"FACE_SHARE", "4"}}));
+  pack.renderFrames(58);
+  int all = 0;
+  for (int i = 0; i < 4; ++i, all += updatedFaces(pack)) pack.renderFrames(1);
+  pack.renderFrames(20);
+  for (int i = 0; i < 2; ++i) {
+    int both = 0;
+    for (int frame = 0; frame < 2; ++frame, both += updatedFaces(pack)) pack.renderFrames(1);
+    EXPECT_NEAR(both, all, 8) << "each once in two frames, and the block that comes and goes";
+  }
+}
+
 // Boiling. FACE_GAIN=1 only shortens the time until a face rests on a whole window.
 /// A room with nine lamps, at rest.
 struct Settled {

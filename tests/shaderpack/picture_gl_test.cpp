@@ -336,7 +336,7 @@ TEST(PackCost, without_lights_and_shadows_no_voxels_floodfill_or_shadow_map_exis
   for (const int target : {3, 4, 5}) EXPECT_FALSE(schedule.target(false, target)) << target;
   for (const char* program : {"shadow", "prepare", "deferred"})
     EXPECT_FALSE(mentions(schedule, renderer.pack(), program)) << program;
-  EXPECT_TRUE(mentions(schedule, renderer.pack(), "deferred4"));
+  EXPECT_TRUE(mentions(schedule, renderer.pack(), "deferred6"));
 }
 
 TEST(PackCost, shadow_map_alone_needs_no_voxels) {

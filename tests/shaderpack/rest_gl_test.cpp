@@ -1,8 +1,10 @@
-// Of a picture at rest an eighth is drawn; of one that changes all.
+// Of a picture at rest half is drawn, an eighth once its means are full; of one that changes all.
 #include <gtest/gtest.h>
 
 #include <array>
+#include <map>
 #include <set>
+#include <vector>
 
 #include "pack_session.h"
 
@@ -14,16 +16,21 @@ constexpr int kBands = 8;  // include/gi/rest.glsl
 
 // Until means of ten frames are full: 48 frames after the first blocks, and ten.
 constexpr int kRestsFrom = 60;
+// Halves are drawn from 64 frames at rest on, so that means of 128 are full after 128 more.
+constexpr int kHalvesFrom = 48 + 64, kEighthsFrom = kHalvesFrom + 128;
 
-PackSession restingRoom(const std::string& events = "") {
-  const std::string world = R"({
+std::string roomWith(const std::string& events) {
+  return R"({
     "size": [9, 7, 9],
     "blocks": [{"hollow": "white_concrete", "min": [0, 0, 0], "max": [8, 6, 8]},
                {"block": "glowstone", "at": [4, 6, 4]}],
     "cameras": [{"name": "eye", "position": [4.5, 3.5, 6.5], "yaw": 180, "pitch": 10}],
     "environment": {"time": 18000},
     "events": [)" + events + "]}";
-  return PackSession(world, {{"GI_METHOD", "FACE_CACHE"}, {"TEMPORAL_FRAMES", "10"}}, kSide, kSide);
+}
+
+PackSession restingRoom(const std::string& events = "", const std::string& frames = "10") {
+  return PackSession(roomWith(events), {{"GI_METHOD", "FACE_CACHE"}, {"TEMPORAL_FRAMES", frames}}, kSide, kSide);
 }
 
 /// Rows of a buffer that the next frame changes.
@@ -54,6 +61,50 @@ TEST(PictureAtRest, a_frame_draws_an_eighth_of_what_is_settled) {
       all.insert(rows.begin(), rows.end());
     }
     EXPECT_EQ(all.size(), kSide) << "in turn";
+  }
+}
+
+TEST(PictureAtRest, half_is_drawn_before_means_are_full) {
+  PackSession pack = restingRoom("", "128");
+  pack.renderFrames(kHalvesFrom - 8);
+  for (const char* buffer : {"colortex3", "colortex6"}) EXPECT_EQ(changedRows(pack, buffer).size(), kSide) << buffer;
+  pack.renderFrames(16);
+  for (const char* buffer : {"colortex3", "colortex6"}) {
+    std::set<int> rows = changedRows(pack, buffer);
+    EXPECT_EQ(rows.size(), kSide / 2) << buffer;
+    rows.merge(changedRows(pack, buffer));
+    EXPECT_EQ(rows.size(), kSide) << "in turn";
+  }
+  pack.renderFrames(kEighthsFrom - kHalvesFrom - 32);
+  EXPECT_EQ(changedRows(pack, "colortex3").size(), kSide / 2) << "still";
+  pack.renderFrames(32);
+  EXPECT_EQ(changedRows(pack, "colortex3").size(), kSide / kBands);
+}
+
+TEST(PictureAtRest, samples_of_a_pixel_are_numbered_without_a_gap) {
+  SessionSetup setup;
+  setup.world = roomWith("");
+  setup.options = {{"GI_METHOD", "FACE_CACHE"}, {"TEMPORAL_FRAMES", "128"}, {"GI_LAMPS", "HIT"}};
+  setup.width = setup.height = kBands;
+  setup.change = [](PackTexts& files) {
+    std::string& text = files["/program/gi/rays.glsl"];
+    const std::string stored = "out_sample = vec4(min(round_to_half(radiance), vec3(65504.0)), 1.0);";
+    const std::size_t at = text.find(stored);
+    ASSERT_NE(at, std::string::npos);
+    text.replace(at, stored.size(), "out_sample = vec4(float(number));");
+  };
+  PackSession pack(setup);
+  pack.renderFrames(kHalvesFrom - 10);
+  std::map<int, std::vector<float>> numbers;  // by row, those that differ from the one before
+  for (int frame = kHalvesFrom - 10; frame < kEighthsFrom + 4 * kBands; ++frame) {
+    pack.renderFrames(1);
+    const ImageF samples = pack.dump("colortex14");
+    for (int row = 0; row < kBands; ++row)
+      if (auto& of = numbers[row]; of.empty() || of.back() != *samples.at(0, row)) of.push_back(*samples.at(0, row));
+  }
+  for (const auto& [row, of] : numbers) {
+    EXPECT_NEAR(double(of.size()), 10 + 64 + 4, 2) << row;
+    for (std::size_t i = 1; i < of.size(); ++i) EXPECT_EQ(of[i], of[i - 1] + 1) << row;
   }
 }
 

@@ -97,7 +97,7 @@ SessionSetup ClusterLab::sessionOf(const ClusterSetup& setup) {
   session.change = [setup](PackTexts& files) {
     const std::string random = fmt::format(kRandom);
     files["/shadowcomp3.csh"] = fmt::format(kTable, random, setup.light, setup.lights);
-    files["/deferred4.fsh"] = fmt::format(kProbe, random, setup.probe, setup.functions);
+    files["/deferred6.fsh"] = fmt::format(kProbe, random, setup.probe, setup.functions);
     edit(files["/include/buffers.glsl"], "colortex0Format = RGBA16F", "colortex0Format = RGBA32F");
     if (setup.change) setup.change(files);
   };

@@ -46,7 +46,7 @@ void storeFullFloats(PackTexts& files) {
 
 void runOnlyTheVolume(PackTexts& files) {
   // The final program stays: it includes buffers.glsl.
-  for (const char* program : {"deferred", "deferred1", "deferred2", "deferred3", "deferred4"})
+  for (const char* program : {"deferred", "deferred1", "deferred2", "deferred3", "deferred4", "deferred5", "deferred6"})
     files["/shaders.properties"] += fmt::format("\nprogram.{}.enabled=false\n", program);
 }
 

@@ -12,7 +12,7 @@ IMAGE_CELLS = "program/floodfill/image_cells.glsl"
 IMAGE = "include/floodfill/flood_image.glsl"
 DISTANCE = "program/voxels/distance.glsl"
 POWERS = "include/floodfill/power_step.glsl"
-GI = "program/gi/gather.glsl"
+RAYS = "program/gi/rays.glsl"
 GATHER = "include/gi/gather.glsl"
 HISTORY = "include/gi/history.glsl"
 RULE = "include/floodfill/propagation.glsl"
@@ -191,7 +191,7 @@ MUTANTS = [
     ("B3 no ray to the lamp", "PixelRays.rays*",
      [("include/derived/features.glsl", "#define HAS_LAMP_RAYS (HAS_FACE_CACHE && !HAS_LAMPS && GI_LAMPS != GI_LAMPS_HIT)", "#define HAS_LAMP_RAYS 0")]),
     ("B4 the same noise in each frame", "PixelRays.weight*:PixelRays.still*",
-     [(GI, "seed_random(pixel, frameCounter);", "seed_random(pixel, 0);")]),
+     [(RAYS, "seed_random(pixel, frameCounter);", "seed_random(pixel, 0);")]),
     ("B4 new frames count twice", "PixelRays.weight*",
      [(HISTORY, "mix(before.rgb, radiance, weight_of_sample(count))", "mix(before.rgb, radiance, min(2.0 * weight_of_sample(count), 1.0))")]),
     ("B5 light divided by its distance squared", "PixelRays.furnace*",

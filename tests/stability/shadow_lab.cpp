@@ -69,7 +69,7 @@ SessionSetup ShadowLab::sessionOf(const ShadowSetup& setup) {
   session.options.emplace("sunPathRotation", "0.0");
   session.change = [setup](PackTexts& files) {
     for (const auto& [option, value] : setup.constants) setDefault(files, option, value);
-    files["/deferred4.fsh"] = fmt::format(kProbe, setup.functions, setup.probe);
+    files["/deferred6.fsh"] = fmt::format(kProbe, setup.functions, setup.probe);
     edit(files["/include/buffers.glsl"], "colortex0Format = RGBA16F", "colortex0Format = RGBA32F");
     if (setup.change) setup.change(files);
   };

@@ -10,12 +10,19 @@
 layout(r32ui) uniform uimage2D face_list;
 layout(r32ui) uniform uimage3D face_seen;
 
-/// Is the face among those of this frame? All are when they are new or the light has changed.
+/// In how many frames each face is updated once: FACE_SHARE, sooner while the light changes.
+uint share_of_faces() {
+    int last = int(imageLoad(face_list, last_edit).r);
+    if (!light_changes(uint(last))) return uint(FACE_SHARE);
+    return edits_follow(last, int(imageLoad(face_list, edit_before).r)) ? min(uint(FACE_SHARE), 2u) : 1u;
+}
+
+/// Is the face among those of this frame? All are when they are new.
 bool is_due(ivec3 cell, int face) {
-    if (entered(cell) || light_changes(imageLoad(face_list, last_edit).r)) return true;
+    if (entered(cell)) return true;
     ivec3 place = store_cell(cell);
     uint turn = hash(uvec3(place.x * 6 + face, place.yz)).x >> 8;
-    return (turn + uint(frameCounter)) % uint(FACE_SHARE) == 0u;
+    return (turn + uint(frameCounter)) % share_of_faces() == 0u;
 }
 
 /// Enters a face once, however many quads it has.

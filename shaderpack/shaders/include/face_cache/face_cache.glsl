@@ -28,8 +28,8 @@
 const int face_ball = 6;  // a small lamp, which has no faces
 const int face_places = 9;
 
-// After an edit all faces are updated for so many frames, and what they hold counts for nothing, or
-// for no more than a few updates where edits follow each other sooner than face_calm_frames. The
+// After an edit all faces are updated for so many frames, and what they hold counts for nothing. Where edits follow each other
+// sooner than face_calm_frames, half of the faces are, in turn, and what they hold counts for no more than a few updates. The
 // means over frames that pixels keep are cut to so many frames, too.
 const int face_hurry_frames = 48;
 const int face_calm_frames = 32;
@@ -49,6 +49,9 @@ const ivec3 listed_lamps_texel = ivec3(1, VOLUME - 1, VOLUME);
 const ivec2 last_edit = ivec2(0, face_rows + lamp_rows);
 const ivec2 edit_before = last_edit + ivec2(1, 0);
 const ivec2 last_motion = last_edit + ivec2(2, 0);
+
+/// Do edits follow each other? `last`, `before`: the frames of the last two; 0: there was none.
+bool edits_follow(int last, int before) { return before > 0 && last - before <= face_calm_frames; }
 
 /// Do the faces still adapt to an edit? `last`: its frame.
 bool light_changes(uint last) {

@@ -19,6 +19,7 @@ layout(r32ui) uniform readonly uimage2D face_list;
 layout(r32ui) uniform readonly uimage3D face_seen;
 const int lamp_candidates = 4;
 #include "/include/lights/lamp_sample.glsl"
+#include "/include/gi/turns.glsl"
 #endif
 #if HAS_LAMPS
 #include "/include/lights/lamps.glsl"
@@ -32,7 +33,7 @@ const int gi_bounces = 2;
 const int gi_bounces = 1;
 #endif
 
-/// Does deferred4 add the light of a lamp that the ray from the pixel hits here?
+/// Does deferred6 add the light of a lamp that the ray from the pixel hits here?
 bool lit_directly(int bounce, vec3 position) {
 #if HAS_LAMPS
     return bounce == 0 && in_lamp_volume(ivec3(floor(to_lamp_space(from_volume(position)))));
@@ -41,21 +42,29 @@ bool lit_directly(int bounce, vec3 position) {
 #endif
 }
 
-/// One sample of the mean incoming radiance, the pixel's n-th over all frames.
-vec3 gather(Surface s, vec3 light, int number) {
+#if HAS_LAMP_RAYS
+/// A sample by a ray to a lamp, the pixel's n-th of those: what gather() makes of it, without the rest of that.
+vec3 gather_by_lamp(Surface s, ivec2 pixel, int number) {
+    vec3 normal = s.normal;
+    vec3 throughput = 2.0 * choose_side(s.thin, s.albedo, normal);
+    vec3 from = to_volume(s.player) + normal * pixel_offset(s.player);
+    begins_on_lamp = s.emission > 0.0;
+    next_random();  // as in gather(), so that both choose alike
+    LampSample lamp = choose_lamp(Receiver(from, normal), listed_lamps(), spread_point(pixel, number));
+    Hit hit = trace_from_face(from, lamp.direction);
+    return hit.found && hit.cell == lamp.cell ? throughput * hit.transmittance * lamp.light : vec3(0.0);
+}
+#endif
+
+/// One sample of the mean incoming radiance, the pixel's n-th over all frames, or of its kind. `aimed`: by a ray to a lamp.
+vec3 gather(Surface s, ivec2 pixel, vec3 light, int number, bool aimed) {
     vec3 normal = s.normal;
     vec3 throughput = choose_side(s.thin, s.albedo, normal);
     vec3 origin = to_volume(s.player) + normal * pixel_offset(s.player);
     vec3 radiance = vec3(0.0);
     begins_on_lamp = s.emission > 0.0;
 #if HAS_LAMP_RAYS
-    // Rays into the hemisphere and to lamps take turns, over frames and over squares of 4 x 4 pixels: processors draw these
-    // together, so that what either kind of ray costs is spent on half of the picture.
     uint lamps = listed_lamps();
-    ivec2 square = ivec2(gl_FragCoord.xy) / 4;
-    int turn = number + square.x + square.y;
-    bool aimed = lamps > 0u && (turn & 1) == 1;
-    if (lamps > 0u) number = turn >> 1;
 #endif
     vec3 direction;
     bool goes_straight = false;
@@ -66,7 +75,7 @@ vec3 gather(Surface s, vec3 light, int number) {
     for (int bounce = 0; bounce < gi_bounces; ++bounce) {
         vec2 u = next_random().xy;
 #if HAS_FACE_CACHE
-        if (bounce == 0) u = spread_point(ivec2(gl_FragCoord.xy), number);
+        if (bounce == 0) u = spread_point(pixel, number);
 #endif
         direction = goes_straight ? direction : cosine_direction(normal, u);
         vec3 from = origin;

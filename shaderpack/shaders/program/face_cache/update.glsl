@@ -65,7 +65,7 @@ float trusted_updates(float updates) {
     int last = int(imageLoad(face_list, last_edit).r);
     int before = int(imageLoad(face_list, edit_before).r);
     if (last != frameCounter - 1) return updates;
-    return last - before > face_calm_frames ? 0.0 : min(updates, face_edited_updates);
+    return edits_follow(last, before) ? min(updates, face_edited_updates) : 0.0;
 }
 
 uint octants_at(ivec3 cell) { return octants_of(voxel_at(cell).code, cell); }

@@ -1,4 +1,4 @@
-// Stars, sun and moon. The sky itself is added by deferred4, so that it needs no geometry.
+// Stars, sun and moon. The sky itself is added by deferred6, so that it needs no geometry.
 // PROGRAM_TEXTURED: sun and moon quads.
 #include "/settings.glsl"
 #include "/include/uniforms.glsl"

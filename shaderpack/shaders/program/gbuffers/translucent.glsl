@@ -10,7 +10,7 @@
 #include "/include/gi/rest.glsl"
 
 flat out int drawing;
-flat out int band;
+flat out vec2 band;
 #endif
 out vec3 player;
 flat out float is_water;
@@ -70,7 +70,7 @@ vec4 light_of(ivec3 cell, int face) { return cached_light(cell, face); }
 #include "/include/gi/gather.glsl"
 
 flat in int drawing;
-flat in int band;
+flat in vec2 band;
 #endif
 #if HAS_TRANSLUCENT_MEANS
 #include "/include/gi/history.glsl"
@@ -124,10 +124,19 @@ vec3 expected_radiance(vec3 n) {
 #if HAS_TRANSLUCENT_RAYS
 /// Mean of this frame's rays.
 vec3 gathered_radiance(Surface s) {
-    seed_random(ivec2(gl_FragCoord.xy), frameCounter);
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    seed_random(pixel, frameCounter);
     vec3 light = light_direction();
     vec3 radiance = vec3(0.0);
-    for (int i = 0; i < GI_SAMPLES; ++i) radiance += gather(s, light, drawing * GI_SAMPLES + i);
+    for (int i = 0; i < GI_SAMPLES; ++i) {
+        int number = drawing * GI_SAMPLES + i;
+#if HAS_LAMP_RAYS
+        bool aimed = listed_lamps() > 0u && is_turn_of_lamps(pixel, number);
+#else
+        const bool aimed = false;
+#endif
+        radiance += gather(s, pixel, light, number, aimed);
+    }
     return radiance / float(GI_SAMPLES);
 }
 #endif

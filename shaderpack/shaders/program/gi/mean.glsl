@@ -1,46 +1,45 @@
-// Light from everything but the direct sun: GI_SAMPLES rays a pixel through the voxels, averaged
-// with the frames before. Radiance is constant along a ray, so nothing is divided by distance.
+// Light from everything but the direct sun: the samples of this frame (rays.glsl), averaged with the frames before.
 #include "/settings.glsl"
 
 #if defined VERTEX_STAGE
 
 #include "/include/gi/rest.glsl"
+#if HAS_LAMP_RAYS
+#include "/include/gi/turns.glsl"
 
-#if HAS_FACE_CACHE
+flat out int lamps;
 flat out int drawing;
 #endif
 
 void main() {
     gl_Position = drawn_corner(ftransform());
-#if HAS_FACE_CACHE
+#if HAS_LAMP_RAYS
+    lamps = listed_lamps();
     drawing = number_of_drawing();
 #endif
 }
 
 #else
 
-#if HAS_VOXEL_CHANGES
+#if HAS_GLOSSY
 #extension GL_ARB_shader_image_load_store : enable
+#define HAS_VOXEL_READS
 #endif
 
 #define HAS_GBUFFER_READS
-#define HAS_VOXEL_READS
 #include "/include/gbuffer.glsl"
-#if HAS_FACE_CACHE
-layout(rgba16f) uniform readonly image3D face_light;
-#include "/include/face_cache/face_cache.glsl"
-
-/// B of a face, and its number of updates.
-vec4 light_of(ivec3 cell, int face) { return trusted(imageLoad(face_light, face_texel(cell, face))); }
-#endif
-#include "/include/gi/gather.glsl"
 #include "/include/gi/history.glsl"
 #if HAS_GLOSSY
 #include "/include/brdf/glossy.glsl"
+#include "/include/face_cache/face_image.glsl"
+#include "/include/face_cache/path_end.glsl"
 
 uniform sampler2D colortex8;
 #endif
-#if HAS_FACE_CACHE
+#if HAS_LAMP_RAYS
+#include "/include/gi/turns.glsl"
+
+flat in int lamps;
 flat in int drawing;
 #endif
 
@@ -70,6 +69,24 @@ layout(location = 2) out vec4 out_mirrored;
 layout(location = 0) out vec4 out_radiance;
 layout(location = 1) out vec4 out_plane;
 
+uniform sampler2D colortex14;
+#if HAS_LAMP_RAYS
+uniform sampler2D colortex15;
+#endif
+
+/// The mean of this frame's samples of a pixel.
+vec3 sample_of(ivec2 pixel) {
+#if HAS_LAMP_RAYS
+    if (kinds_take_turns(lamps)) {
+        int number = drawing;
+        ivec2 place = place_of_sample(pixel);
+        return is_turn_of_lamps(pixel, number) ? texelFetch(colortex15, place, 0).rgb : texelFetch(colortex14, place, 0).rgb;
+    }
+    if (lamps > 0) return 0.5 * (texelFetch(colortex14, pixel, 0).rgb + texelFetch(colortex15, pixel, 0).rgb);
+#endif
+    return texelFetch(colortex14, pixel, 0).rgb;
+}
+
 #if HAS_GLOSSY
 /// One sample of what a polished block or a metal mirrors.
 vec3 mirrored(Surface s, vec3 light) {
@@ -90,20 +107,7 @@ vec3 mirrored(Surface s, vec3 light) {
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     Surface s = read_surface(pixel);
-    seed_random(pixel, frameCounter);
-    vec3 light = light_direction();
-
-    vec3 radiance = vec3(0.0);
-    // No ray is sent from the sky.
-    int samples = s.sky ? 0 : GI_SAMPLES;
-#if HAS_FACE_CACHE
-    int first = drawing * GI_SAMPLES;
-#else
-    int first = 0;
-#endif
-    for (int i = 0; i < samples; ++i) radiance += gather(s, light, first + i);
-    radiance /= float(GI_SAMPLES);
-
+    vec3 radiance = sample_of(pixel);
     out_radiance = vec4(radiance, 1.0);
     out_plane = surface_plane(s.player, s.normal);
     vec4 mean = vec4(0.0);
@@ -125,7 +129,8 @@ void main() {
 #endif
 #if HAS_GLOSSY
     out_mirrored = vec4(0.0);
-    if (s.gloss > 0) out_mirrored = vec4(mirrored(s, light), 1.0);
+    seed_random(pixel, frameCounter);
+    if (s.gloss > 0) out_mirrored = vec4(mirrored(s, light_direction()), 1.0);
 #ifdef TEMPORAL_ACCUMULATION
     // What is mirrored moves with the eye.
     out_mirrored =

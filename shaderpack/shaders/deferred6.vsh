@@ -1,0 +1,4 @@
+#version 330 compatibility
+// Lights the opaque scene: sun with shadows, lamps, gathered light, sky.
+#define VERTEX_STAGE
+#include "/program/lighting.glsl"
