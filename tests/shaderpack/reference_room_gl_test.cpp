@@ -50,7 +50,7 @@ TEST_P(ReferenceRoom, is_as_bright_as_in_the_path_tracer) {
         "environment": {{"time": 18000}}}})",
                                room.wall, room.lamp),
                    manyRays(), 16, 9);
-  pack.renderFrames(160);
+  pack.renderFrames(240);
   const glm::dvec3 ratio = glm::dvec3(pack.meanRadiance()) / room.mean;
   RecordProperty("ratio", fmt::format("{:.4f} {:.4f} {:.4f}", ratio.r, ratio.g, ratio.b));
   for (int channel = 0; channel < 3; ++channel) EXPECT_NEAR(ratio[channel], 1, .009) << channel;
