@@ -1,5 +1,4 @@
 #version 330 compatibility
 // Light from everything but the direct sun: rays into the hemisphere.
 #define FRAGMENT_STAGE
-#define RAYS_INTO_HEMISPHERE
 #include "/program/gi/rays.glsl"
