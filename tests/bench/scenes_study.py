@@ -19,14 +19,14 @@ SCENES = ("glazed_house@ground", "deep_hall@back", "bend_grey@bend", "bend_white
           "nether_room@lake", "street@street", "forest_floor@floor", "bay@shore", "snow_hut@inside", "chapel@nave",
           "h4_house@inside", "h4_house@outside")
 OUTDOORS = ("street@street", "forest_floor@floor", "bay@shore", "h4_house@outside")
-# Fewer frames than the default of TEMPORAL_FRAMES: a picture that rests costs less.
+# Fewer frames than means take to be full: of a picture that rests eighths are drawn.
 AS_TRACED = ["--set", "AMBIENT_MINIMUM=0.0", "DIRECT_LIGHT=NONE", "WATER_WAVES=false"]
 COSTS = ["--size", "160x90", "--axis", "GI_METHOD=BOUNCE_1,FLOODFILL,FACE_CACHE", "--buffer", "colortex0", "--clock", "cpu",
          "--runs", "4", "--warm-up", "200", "--frames", "64", "--rounds", "8", "--visit", "4", "--trace-seconds", "40",
          "--trace-noise", "0.0001", *AS_TRACED]
 DEFAULT = ["--size", "160x90", "--axis", "GI_METHOD=FACE_CACHE", "--buffer", "colortex0", "--no-costs", "--trace-noise", "0.0001"]
 # After 200 frames, and where means of TEMPORAL_FRAMES frames are full.
-WARM_UPS = (200, 1100)
+WARM_UPS = (200, 2060)
 # Of a reference: more where few paths find the light, less where all do.
 TRACE_SECONDS = {"bend_white@bend": 600, "chapel@nave": 400, "lava_cave@lava": 200, "bay@shore": 100,
                  **dict.fromkeys(("street@street", "forest_floor@floor", "h4_house@inside", "h4_house@outside", "glow_floor@room"), 60)}
