@@ -173,7 +173,7 @@ MUTANTS = [
        "")]),
     ("pixel sends no rays to lamps", "IndirectLight.rays_to_lamps*",
      [(RAYS, "if (lamps == 0) gl_Position", "if (lamps > 0) gl_Position")]),
-    ("pixels read samples of the other kind", "RaysInTurn.*", [(TURNS, "return (turn & 1) == 1;", "return (turn & 1) == 0;"), (TURNS, "int(to_lamp)) & 1", "int(!to_lamp) & 1")]),
+    ("pixels read samples of the other kind", "RaysInTurn.*", [(TURNS, "return (turn & 1) == 1;", "return (turn & 1) == 0;")]),
     ("kinds of rays take no turns over frames", "RaysInTurn.*", [(TURNS, "int turn = number + square.x", "int turn = square.x"), (TURNS, "int odd = (number + square.y", "int odd = (square.y")]),
     ("samples lie at their pixels", "RaysInTurn.*", [(TURNS, "return ivec2(pixel.x / (2 * square_side) * square_side + pixel.x % square_side, pixel.y);", "return pixel;")]),
     ("half of the pixels are left out to the right", "RaysInTurn.*", [(TURNS, "(width + 2 * square_side - 1)", "width")]),
