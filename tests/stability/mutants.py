@@ -189,7 +189,8 @@ MUTANTS = [
        "                    (next_random().x < 1.0 / 256.0 ? 256.0 : 0.0) *")]),
     ("B2 four bounces are one", "PixelRays.more*", [(GATHER, "const int gi_bounces = 4;", "const int gi_bounces = 1;")]),
     ("B3 no ray to the lamp", "PixelRays.rays*",
-     [("include/derived/features.glsl", "#define HAS_LAMP_RAYS (HAS_FACE_CACHE && !HAS_LAMPS && GI_LAMPS != GI_LAMPS_HIT)", "#define HAS_LAMP_RAYS 0")]),
+     [(file, "#define HAS_LAMP_RAYS (HAS_FACE_CACHE && !HAS_LAMPS && GI_LAMPS != GI_LAMPS_HIT)", "#define HAS_LAMP_RAYS 0")
+      for file in ("include/derived/features.glsl", "shaders.properties")]),
     ("B4 the same noise in each frame", "PixelRays.weight*:PixelRays.still*",
      [(RAYS, "seed_random(pixel, frameCounter);", "seed_random(pixel, 0);")]),
     ("B4 new frames count twice", "PixelRays.weight*",
