@@ -55,6 +55,13 @@ std::shared_ptr<const FileSource> openReferencePack(const std::function<void(Pac
 
 }  // namespace
 
+void edit(std::string& text, const std::string& from, const std::string& to) {
+  const size_t at = text.find(from);
+  ASSERT_NE(at, std::string::npos) << from;
+  ASSERT_EQ(text.find(from, at + 1), std::string::npos) << from;
+  text.replace(at, from.size(), to);
+}
+
 void setDefault(PackTexts& files, const std::string& option, const std::string& value) {
   std::string& text = files["/settings.glsl"];
   const std::regex line("(#define " + option + ") [^ ]+");

@@ -15,6 +15,9 @@ namespace orris::test {
 /// Texts by pack path ("/settings.glsl").
 using PackTexts = std::map<std::string, std::string>;
 
+/// Replaces what a text holds once; a failure of the test if it does not.
+void edit(std::string& text, const std::string& from, const std::string& to);
+
 /// Gives an option a value that its list need not hold.
 void setDefault(PackTexts& files, const std::string& option, const std::string& value);
 

@@ -22,11 +22,8 @@ PackSession countingRoom(const std::string& block, const std::string& samples) {
   setup.width = kWidth;
   setup.height = kHeight;
   setup.change = [](PackTexts& files) {
-    std::string& text = files["/program/gi/rays.glsl"];
-    const std::string stored = "out_sample = vec4(min(round_to_half(radiance), vec3(65504.0)), 1.0);";
-    const std::size_t at = text.find(stored);
-    ASSERT_NE(at, std::string::npos);
-    text.replace(at, stored.size(), "out_sample = vec4(vec2(pixel), 2.0 * float(number) + float(to_lamp), 1.0);");
+    edit(files["/program/gi/rays.glsl"], "out_sample = vec4(min(round_to_half(radiance), vec3(65504.0)), 1.0);",
+         "out_sample = vec4(vec2(pixel), 2.0 * float(number) + float(to_lamp), 1.0);");
   };
   return PackSession(setup);
 }

@@ -30,13 +30,6 @@ void main() {{
 
 }  // namespace
 
-void edit(std::string& text, const std::string& from, const std::string& to) {
-  const size_t at = text.find(from);
-  ASSERT_NE(at, std::string::npos) << from;
-  ASSERT_EQ(text.find(from, at + 1), std::string::npos) << from;
-  text.replace(at, from.size(), to);
-}
-
 const char* const kFullscreen =
     "#version 330 compatibility\nvoid main() { gl_Position = ftransform(); }\n";
 

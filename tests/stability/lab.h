@@ -57,7 +57,4 @@ void storeFullFloats(PackTexts& files);
 /// Vertex shader of a fullscreen program.
 extern const char* const kFullscreen;
 
-/// `text` with its only `from` replaced.
-void edit(std::string& text, const std::string& from, const std::string& to);
-
 }  // namespace orris::test

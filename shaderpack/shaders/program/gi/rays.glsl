@@ -1,5 +1,5 @@
-// This frame's samples of the light on what pixels show, by rays of one kind: into the hemisphere, or to lamps. The mean over frames
-// is a program of its own, as drivers keep less at hand for a long program.
+// This frame's samples of the light on what pixels show, by rays of one kind: into the hemisphere, or to lamps. mean.glsl averages
+// both over frames.
 #include "/settings.glsl"
 
 #if defined VERTEX_STAGE
