@@ -52,19 +52,21 @@ void list_face(ivec3 cell, int face, int code, int sky) {
     if (due) enter_face(pack_face(cell, face, sky));
 }
 
-/// Of a lamp that planes inside its cell draw, as fire does: rays meet a cube, that of fire with holes, and what a ray into the
-/// hemisphere leaves to rays to lamps must be found by these on every side.
-void list_cube(ivec3 cell, int code, int sky) {
-    for (int face = 0; face < 6; ++face) list_face(cell, face, code, sky);
-}
-
-/// The upper halves of the faces beside a pane or a portal that lies across `axis`, should there be blocks.
-void list_halves(ivec3 pane, vec3 axis, int sky) {
-    for (int face = 0; face < 6; ++face) {
-        ivec3 cell = pane - ivec3(face_normal(face));
-        bool parted = dot(face_normal(face), axis) == 0.0;
-        if (parted && in_volume(cell)) list_face(cell, face + face_inner, voxel_solid, sky);
-    }
+/// The face of a quad, and what else it stands for. `is_cube`: all sides of a lamp that planes inside its cell draw, as fire does:
+/// rays meet a cube, that of fire with holes, and what a ray into the hemisphere leaves to rays to lamps must be found by these on
+/// every side. `parted`: the upper halves of the faces beside a pane or a portal that lies across this axis, should there be
+/// blocks; 0: of none. One loop: drivers run each copy of its body for every quad.
+void list_faces(ivec3 cell, int face, int code, int sky, bool is_cube, vec3 parted) {
+    int more = is_cube || parted != vec3(0.0) ? 6 : 0;
+    int i = 0;
+    do {
+        vec3 normal = face_normal(i - 1);
+        bool is_half = i > 0 && !is_cube;
+        ivec3 there = is_half ? cell - ivec3(normal) : cell;
+        int listed = i == 0 ? face : is_half ? i - 1 + face_inner : i - 1;
+        if (!is_half || (dot(normal, parted) == 0.0 && in_volume(there)))
+            list_face(there, listed, is_half ? voxel_solid : code, sky);
+    } while (++i <= more);
 }
 
 #endif

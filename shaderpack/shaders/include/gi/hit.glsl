@@ -128,7 +128,8 @@ vec3 tint_along(vec3 point, vec3 light, float reach) {
     vec3 tint = vec3(1.0);
     int last_code = voxel_at(cell_of(walk)).code;
     vec2 span = vec2(0.0);
-    for (int i = 0; i < 3 * VOLUME && span.y < reach && in_volume(cell_of(walk)); ++i) {
+    int i = 0;
+    if (reach > 0.0 && in_volume(cell_of(walk))) do {
         Voxel voxel = voxel_at(cell_of(walk));
         span = max(span_in_cell(walk), 0.0);
         vec2 within = span;
@@ -138,7 +139,7 @@ vec3 tint_along(vec3 point, vec3 light, float reach) {
         tint *= is_filter_voxel(voxel.code) ? filtered(voxel.color, depth) : vec3(1.0);
         last_code = voxel.code;
         leave_cube(walk, 1.0);
-    }
+    } while (++i < 3 * VOLUME && span.y < reach && in_volume(cell_of(walk)));
     return tint;
 }
 

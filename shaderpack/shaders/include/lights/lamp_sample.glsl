@@ -179,7 +179,8 @@ LampSample choose_lamp(Receiver r, uint lamps, vec2 u) {
     float stride = float(lamps) / float(candidates);
     // One number for all choices: where it falls within what it decided is as random as it was.
     vec2 v = next_random().xy;
-    for (int i = 0; i < candidates; ++i) {
+    int i = 0;
+    do {
         uint index = min(uint((float(i) + v.x) * stride), lamps - 1u);
         uint entry = imageLoad(face_list, lamp_slot(index)).r;
         float own = promise(r, entry);
@@ -189,7 +190,7 @@ LampSample choose_lamp(Receiver r, uint lamps, vec2 u) {
         chosen = taken ? entry : chosen;
         weight = taken ? own : weight;
         v.y = taken ? v.y / bound : (v.y - bound) / (1.0 - bound);
-    }
+    } while (++i < candidates);
     if (weight <= 0.0) return lamp;
     lamp = sample_lamp(r, chosen, lamps, u);
     lamp.light *= sum * stride / weight;

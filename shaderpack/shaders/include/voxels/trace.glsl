@@ -1,5 +1,6 @@
 // Rays through the voxels: cell by cell (Amanatides & Woo 1987, "A Fast Voxel Traversal Algorithm"), or
-// with RAY_WALK=DISTANCE in leaps through empty cubes.
+// with RAY_WALK=DISTANCE in leaps through empty cubes. Loops ask at their end whether they go on: llvmpipe runs the
+// body of one that asks at its beginning once more, for no ray.
 #if !defined INCLUDED_VOXELS_TRACE
 #define INCLUDED_VOXELS_TRACE
 
@@ -71,10 +72,11 @@ void leave_cube(inout Walk walk, float reach) {
 void walk_on(inout Walk walk) {
 #if HAS_DISTANCES
     walk.reach = max(1, walk.reach);
-    for (int i = 0; i < 3 * VOLUME && uint(walk.reach - 1) < uint(stopped - 1); ++i) {
+    int i = 0;
+    do {
         leave_cube(walk, float(walk.reach));
         walk.reach = empty_reach(cell_of(walk));
-    }
+    } while (++i < 3 * VOLUME && uint(walk.reach - 1) < uint(stopped - 1));
 #else
     leave_cube(walk, 1.0);
     walk.reach = 0;
@@ -311,7 +313,8 @@ bool is_stopped(vec3 origin, vec3 direction, bool opaque, bool boxes) {
     Walk walk = begin_walk(origin, direction);
     bool found = false;
     int cells = opaque ? 3 * VOLUME : 2 * int(boxes);
-    for (int i = 0; i < cells && !found; ++i) {
+    int i = 0;
+    if (cells > 0) do {
         ivec3 cell = cell_of(walk);
         if (!in_volume(cell)) break;
         int code = int(texel_of(cell).a * 255.0 + 0.5);
@@ -322,7 +325,7 @@ bool is_stopped(vec3 origin, vec3 direction, bool opaque, bool boxes) {
 #endif
         if (i == 0) leave_cube(walk, 1.0);
         else walk_on(walk);
-    }
+    } while (++i < cells && !found);
     return found;
 }
 
@@ -360,7 +363,8 @@ Hit trace(vec3 origin, vec3 direction, int first_code, int kind) {
     vec3 last_color = as_drawn ? texel_of(cell_of(walk)).rgb : vec3(0.0);
     if (kind != ray_from_face) walk_on(walk);
     // What a full block stops has no turn here, and branches save nothing on some drivers.
-    for (int i = 0; i <= 3 * VOLUME && walk.reach != stopped && in_volume(cell_of(walk)); ++i) {
+    int i = 0;
+    if (walk.reach != stopped && in_volume(cell_of(walk))) do {
         vec4 texel = texel_of(cell_of(walk));
         int code = int(texel.a * 255.0 + 0.5);
         met = meet(walk, code, kind == ray_from_face && i == 0);
@@ -383,7 +387,7 @@ Hit trace(vec3 origin, vec3 direction, int first_code, int kind) {
         last_cell = walk.cell;
         last_code = code;
         walk_on(walk);
-    }
+    } while (++i <= 3 * VOLUME && walk.reach != stopped && in_volume(cell_of(walk)));
     hit.found = in_volume(cell_of(walk));
     vec4 texel = hit.found ? texel_of(cell_of(walk)) : vec4(0.0);
     describe(hit, walk, met, texel);

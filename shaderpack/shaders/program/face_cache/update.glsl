@@ -150,8 +150,9 @@ void main() {
     uint count = min(imageLoad(face_seen, listed_faces_texel).r, face_capacity);
     vec3 light = light_direction();
     uint threads = gl_NumWorkGroups.x * gl_WorkGroupSize.x;
-    for (uint i = gl_GlobalInvocationID.x; i < count; i += threads) {
+    uint i = gl_GlobalInvocationID.x;
+    if (i < count) do {
         ivec2 slot = face_slot(i);
         imageStore(face_fresh, slot, fresh_sample(imageLoad(face_list, slot).r, light));
-    }
+    } while ((i += threads) < count);
 }

@@ -128,7 +128,8 @@ vec3 gathered_radiance(Surface s) {
     seed_random(pixel, frameCounter);
     vec3 light = light_direction();
     vec3 radiance = vec3(0.0);
-    for (int i = 0; i < GI_SAMPLES; ++i) {
+    int i = 0;
+    do {
         int number = drawing * GI_SAMPLES + i;
 #if HAS_LAMP_RAYS
         bool aimed = listed_lamps() > 0u && is_turn_of_lamps(pixel, number);
@@ -136,7 +137,7 @@ vec3 gathered_radiance(Surface s) {
         const bool aimed = false;
 #endif
         radiance += gather(s, pixel, light, number, aimed);
-    }
+    } while (++i < GI_SAMPLES);
     return radiance / float(GI_SAMPLES);
 }
 #endif

@@ -75,14 +75,11 @@ void main() {
     Surface s = read_surface(min(pixel, ivec2(viewWidth, viewHeight) - 1));
     if (s.sky) discard;  // no ray is sent from there
     seed_random(pixel, frameCounter);
-    // Not a loop of one turn: on llvmpipe that makes the ray in it twice as costly.
-#if GI_SAMPLES == 1
-    vec3 radiance = sample_of(s, pixel, number);
-#else
     vec3 radiance = vec3(0.0);
-    for (int i = 0; i < samples; ++i) radiance += sample_of(s, pixel, number + i);
+    int i = 0;
+    do radiance += sample_of(s, pixel, number + i);
+    while (++i < samples);
     radiance /= float(samples);
-#endif
     out_sample = vec4(min(round_to_half(radiance), vec3(65504.0)), 1.0);
 }
 

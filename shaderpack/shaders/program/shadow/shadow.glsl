@@ -313,10 +313,9 @@ void emit_voxel() {
     float outward = dot(vertex_player[0] - block.middle, vertex_normal[0]);
     bool inner = has_octants(code) && outward < 0.25;
     int sky = int(clamp(vertex_sky[0], 0.0, 15.0) + 0.5);
-    list_face(cell, is_plant(code) ? face_of_plant : inner ? face + face_inner : face, code, sky);
-    if (is_fire(code) || (code >= voxel_lamp && abs(outward) < 0.3)) list_cube(cell, code, sky);
-    if (is_partition(code)) list_halves(cell, partition_axis(code), sky);
-    if (side_of_pane) list_halves(cell, abs(face_normal(face)), sky);
+    bool is_cube = is_fire(code) || (code >= voxel_lamp && abs(outward) < 0.3);
+    vec3 parted = is_partition(code) ? partition_axis(code) : side_of_pane ? abs(face_normal(face)) : vec3(0.0);
+    list_faces(cell, is_plant(code) ? face_of_plant : inner ? face + face_inner : face, code, sky, is_cube, parted);
 #endif
 
     // The faces of a block share one texel; depth lets the one with the largest holes win, and the top of those
