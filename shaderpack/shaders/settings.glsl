@@ -28,6 +28,7 @@ const float sunPathRotation = -30.0; // [-60.0 -45.0 -30.0 -15.0 0.0 15.0 30.0 4
 #define GI_METHOD FACE_CACHE // [NONE BOUNCE_1 BOUNCE_2 BOUNCE_4 FLOODFILL FACE_CACHE]
 #define GI_SAMPLES 1 // [1 2 4 8 16 32 64 128]
 #define GI_LAMPS AUTO // [HIT SAMPLED AUTO]
+#define GI_TRANSLUCENT AUTO // [CACHED RAYS AUTO]
 //#define GI_GLOSSY // Polished blocks and metals mirror the voxels about them
 #define VOXEL_SIZE AUTO // [32 48 64 96 128 256 AUTO]
 #define RAY_WALK DISTANCE // [GRID DISTANCE]

@@ -772,6 +772,10 @@ program.composite.enabled = false
            [f"render {{source}}/shaderpack {{source}}/worlds/{world} -o out.png --size 32x18 --frames 1 --json"], 0, {},
            creates=["out.png"], stdout=[rf'"option": "GI_LAMPS",\n\s+"value": "{lamps}"'])
       for world, lamps in (("cornell", "SAMPLED"), ("h4_house", "HIT"))],
+    *[Case(f"auto_light_of_translucent_blocks_{world}",
+           [f"render {{source}}/shaderpack {{source}}/worlds/{world} -o out.png --size 32x18 --frames 1 --json"], 0, {},
+           creates=["out.png"], stdout=[rf'"option": "GI_TRANSLUCENT",\n\s+"value": "{light}"'])
+      for world, light in (("bay", "CACHED"), ("street", "RAYS"))],
     Case("settings_file_then_set", ["options pack --settings mine.txt --set TONE=2"], 0,
          {**pack({"composite.fsh": COMPOSITE}), "mine.txt": "TONE=3\n"}, stdout=["^TONE = 2"]),
     Case("settings_file", ["options pack --settings mine.txt"], 0,

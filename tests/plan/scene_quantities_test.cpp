@@ -52,6 +52,19 @@ TEST(SceneQuantities, lamps_reach_as_far_as_their_level) {
   EXPECT_LT(dim.at("lamps_reaching"), 0.3) << "level 3, and at the border of what is seen";
 }
 
+double glassOf(const char* block) {
+  World world = lampFloor(0);
+  world.blocks.set({0, 3, 0}, world.blocks.paletteIndex(*parseBlockState(block)));
+  return measured(std::move(world)).at("glass");
+}
+
+TEST(SceneQuantities, glass_is_what_is_translucent_but_water) {
+  EXPECT_EQ(glassOf("minecraft:red_stained_glass"), 6);
+  EXPECT_EQ(glassOf("minecraft:ice"), 6);
+  EXPECT_EQ(glassOf("minecraft:glass"), 0) << "a cutout";
+  EXPECT_EQ(glassOf("minecraft:water"), 0);
+}
+
 TEST(SceneQuantities, no_sun_comes_into_a_closed_room) {
   World room = lampFloor(1);
   const auto stone = room.blocks.paletteIndex(*parseBlockState("minecraft:stone"));

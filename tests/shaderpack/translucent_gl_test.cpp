@@ -46,6 +46,18 @@ TEST(TranslucentRays, come_from_the_nearest_surface_of_a_pixel) {
   EXPECT_EQ(raysOf(2, "false"), 3 * kPixels);
 }
 
+TEST(TranslucentRays, are_none_where_the_cache_has_the_light) {
+  const auto rays = [](const std::string& light) {
+    PackSession pack(glassRoom(1),
+                     {{"GI_METHOD", "FACE_CACHE"}, {"GI_COUNTERS", "true"}, {"GI_LAMPS", "HIT"}, {"GI_TRANSLUCENT", light}},
+                     kAcross, kAcross);
+    pack.renderFrames(2);
+    return readCounters(pack.session().renderer()).at("gi_state").at(1);
+  };
+  EXPECT_EQ(rays("AUTO"), rays("RAYS")) << "for the glass";
+  EXPECT_GE(rays("RAYS") - rays("CACHED"), kAcross * kAcross);
+}
+
 /// Of the pixel in the middle: how many frames its mean is of.
 float framesInMean(PackSession& pack, const char* buffer = "colortex12") {
   const ImageF means = pack.dump(buffer);

@@ -8,7 +8,7 @@
 namespace orris {
 namespace {
 
-constexpr std::array<SceneQuantity, 10> kQuantities{{
+constexpr std::array<SceneQuantity, 11> kQuantities{{
     {"pixels", "of the picture"},
     {"faces", "quads of blocks within the shadow distance of the eye"},
     {"extent", "longest side of the box about the eye and all that is drawn, in blocks"},
@@ -17,6 +17,7 @@ constexpr std::array<SceneQuantity, 10> kQuantities{{
     {"casters_near", "casters within eight blocks of the eye"},
     {"lamps", "blocks that give light within the shadow distance of the eye"},
     {"lamps_reaching", "of them, how many reach a point that is seen, in the mean"},
+    {"glass", "quads of translucent blocks but fluids within the shadow distance of the eye"},
     {"sun", "share of what is seen, 0 to 1, that the light of the sky comes near"},
     {"texel_pixels",
      "width of a texel of the shadow map in pixels, at the nearest tenth of what is "

@@ -1,13 +1,12 @@
+#include <orris/plan/frame/celestial.h>
 #include <orris/plan/scene/scene_quantities.h>
+#include <orris/world/mesh/mesh_lamps.h>
+#include <orris/world/mesh/silhouette.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
-
-#include <orris/plan/frame/celestial.h>
-#include <orris/world/mesh/mesh_lamps.h>
-#include <orris/world/mesh/silhouette.h>
 
 namespace orris {
 namespace {
@@ -31,15 +30,13 @@ class Measuring {
   double pixels() { return double(view_.width) * view_.height; }
 
   double faces() {
-    double count = 0;
-    for (const MeshSection& section : scene_.mesh.sections)
-      for (std::uint32_t i = section.first; i < section.first + section.count; i += 4) {
-        const MeshFace& face = scene_.mesh.faces[i / 4];
-        const glm::vec3 corner = glm::vec3(face.cell) + scene_.mesh.shapes[face.shape].corners[0];
-        const glm::dvec3 place = glm::dvec3(section.origin) + glm::dvec3(corner);
-        count += glm::distance(place, view_.cameraPosition) <= directives_.shadowDistance;
-      }
-    return count;
+    return countFaces([](const MeshSection&, const MeshFace&) { return true; });
+  }
+
+  double glass() {
+    return countFaces([](const MeshSection& section, const MeshFace& face) {
+      return section.layer == RenderLayer::Translucent && !face.fluid;
+    });
   }
 
   double extent() {
@@ -102,6 +99,21 @@ class Measuring {
   }
 
  private:
+  /// Of those within the shadow distance of the eye.
+  template <typename Counts>
+  double countFaces(Counts counts) const {
+    double count = 0;
+    for (const MeshSection& section : scene_.mesh.sections)
+      for (std::uint32_t i = section.first; i < section.first + section.count; i += 4) {
+        const MeshFace& face = scene_.mesh.faces[i / 4];
+        if (!counts(section, face)) continue;
+        const glm::vec3 corner = glm::vec3(face.cell) + scene_.mesh.shapes[face.shape].corners[0];
+        const glm::dvec3 place = glm::dvec3(section.origin) + glm::dvec3(corner);
+        count += glm::distance(place, view_.cameraPosition) <= directives_.shadowDistance;
+      }
+    return count;
+  }
+
   const CasterSet& casterSet() {
     if (!casters_) casters_ = castersOf(scene_.mesh, scene_.atlas);
     return *casters_;
@@ -172,12 +184,17 @@ struct Entry {
   std::string_view name;
   double (Measuring::*measure)();
 };
-constexpr Entry kEntries[] = {
-    {"pixels", &Measuring::pixels},   {"faces", &Measuring::faces},
-    {"extent", &Measuring::extent},   {"casters", &Measuring::casters},
-    {"volumes", &Measuring::volumes}, {"casters_near", &Measuring::castersNear},
-    {"lamps", &Measuring::lampCount}, {"lamps_reaching", &Measuring::lampsReaching},
-    {"sun", &Measuring::sun},         {"texel_pixels", &Measuring::texelPixels}};
+constexpr Entry kEntries[] = {{"pixels", &Measuring::pixels},
+                              {"faces", &Measuring::faces},
+                              {"extent", &Measuring::extent},
+                              {"casters", &Measuring::casters},
+                              {"volumes", &Measuring::volumes},
+                              {"casters_near", &Measuring::castersNear},
+                              {"lamps", &Measuring::lampCount},
+                              {"lamps_reaching", &Measuring::lampsReaching},
+                              {"glass", &Measuring::glass},
+                              {"sun", &Measuring::sun},
+                              {"texel_pixels", &Measuring::texelPixels}};
 
 }  // namespace
 

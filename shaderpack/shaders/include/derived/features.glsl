@@ -80,9 +80,11 @@
 #endif
 
 // Weather and clouds share the program with water and glass, which have rays of global illumination; with floodfill the light
-// of their cells, that of a lamp within the glass, too.
+// of their cells, that of a lamp within the glass, too; with the face cache that of their faces, which is enough for water, if no
+// list of lamps adds light that these hold.
 #if !defined PROGRAM_WEATHER && !defined PROGRAM_CLOUDS
-#define HAS_TRANSLUCENT_RAYS (HAS_GI && !HAS_AIR_LIGHT)
+#define HAS_CACHED_TRANSLUCENTS (HAS_FACE_CACHE && !HAS_LAMPS && GI_TRANSLUCENT == GI_TRANSLUCENT_CACHED)
+#define HAS_TRANSLUCENT_RAYS (HAS_GI && !HAS_AIR_LIGHT && !HAS_CACHED_TRANSLUCENTS)
 #else
 #define HAS_TRANSLUCENT_RAYS 0
 #endif
