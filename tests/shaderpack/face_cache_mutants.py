@@ -139,6 +139,8 @@ MUTANTS = [
        "bool lamp = is_lamp_voxel(code);\n    if (code == voxel_translucent) return;")]),
     ("rays from what glass hides", "TranslucentRays.come*",
      [(TRANSLUCENT, "is_new ? !was_hidden(colortex11, before) :", "is_new ? true :")]),
+    ("rays from glass whose light is cached", "TranslucentRays.are_none*",
+     [("include/derived/features.glsl", "(HAS_FACE_CACHE && !HAS_LAMPS && GI_TRANSLUCENT == GI_TRANSLUCENT_CACHED)", "0")]),
     ("no mean of glass", "TranslucentMean.gains*",
      [(MEAN, "out_translucent = texelFetch(colortex12, pixel, 0);", "out_translucent = vec4(0.0);")]),
     ("means of glass stay with the pixel", "TranslucentMean.follows*",

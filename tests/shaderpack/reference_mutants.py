@@ -16,6 +16,7 @@ HOLES = "include/voxels/holes.glsl"
 TILES = "include/voxels/tiles.glsl"
 SHADOW = "program/shadow/shadow.glsl"
 COMMIT = "program/face_cache/commit.glsl"
+LIST = "include/face_cache/due_faces.glsl"
 LIGHT_AT = "include/face_cache/light_at.glsl"
 TINT = "include/sun/sun_tint.glsl"
 LAMP_SAMPLE = "include/lights/lamp_sample.glsl"
@@ -105,7 +106,7 @@ MUTANTS = [
     ("fire has a roof", FIRE, [(TRACE, "return outward.y != 0.0 || in_hole", "return in_hole")]),
     ("fire has no planes through its middle", FIRE, [(TRACE, "if (is_plant(code) || is_fire(code)) {", "if (is_plant(code)) {")]),
     ("rays that begin within fire pass it", FIRE, [(TRACE, "!(begins && is_fire(code) && begins_on_lamp)", "!(begins && is_fire(code))")]),
-    ("rays to lamps find the drawn sides of fire alone", FIRE, [(SHADOW, "if (is_fire(code) || (code", "if ((code")]),
+    ("rays to lamps find the drawn sides of fire alone", FIRE, [(SHADOW, "is_cube = is_fire(code) || (code", "is_cube = (code")]),
     ("rays to lamps look for fire from within", FIRE, [(LAMP_SAMPLE, "hit.cell == ivec3(floor(r.origin))) density = 0.0;", "false) density = 0.0;")]),
     ("portals are cubes", PORTAL, [(SHADOW, "if (id == block_portal) return", "if (false) return")]),
     ("planes of a portal as bright as its cube", PORTAL, [(HIT, "return open / max(shown, 1e-3);", "return is_portal(code) ? 1.0 : open / max(shown, 1e-3);")]),
@@ -134,6 +135,7 @@ MUTANTS = [
     ("ends of stained panes tint nothing", "ReferenceStainedPane.*", [(TRACE, " || (!goes_on && center + half_way > span.x)", "")]),
     ("stained panes tint anew in each cell", "ReferenceSpot.*behind_stained_panes", [(TRACE, "filter_depth(code, last_code == code,", "filter_depth(code, false,")]),
     ("panes part no light", "ReferenceSky.*/low_panes", [(OCTANTS, "arms = kept_shape(cell) & arms_of_pane;", "arms = 0u;")]),
+    ("faces beside a pane have a lower half only", "ReferenceSky.*/low_panes", [(LIST, "more = is_cube || parted != vec3(0.0) ? 6 : 0;", "more = is_cube ? 6 : 0;")]),
     ("both halves beside a pane lit alike", "ReferenceSky.*/low_panes", [(UPDATE, "bool parts = dot(face_normal(face), axis) == 0.0;", "bool parts = false;")]),
     ("light within glass by its outer side", "ReferenceGlazedRoom.*", [(HIT, "return is_on_body(hit) || is_glass(hit.voxel.code) ||", "return is_on_body(hit) ||")]),
     ("parts of a pane have edges of their own", "ReferencePanes.*", [(SHADOW, "if (id == block_pane || ", "if (")]),
