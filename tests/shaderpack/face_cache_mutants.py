@@ -70,6 +70,8 @@ MUTANTS = [
     ("no feedback", "FaceCache.one_cell*",
      [(PATH_END, "hit.found ? albedo_of(hit) * light_on(hit)",
        "hit.found ? vec3(0.0)")]),
+    ("dark samples in whole steps", "IndirectLight.light_too_dark*",
+     [("program/gi/rays.glsl", "dithered_half(radiance, next_random().x)", "round_to_half(radiance)")]),
     ("dark faces in coarse steps", "IndirectLight.light_too_dark*",
      [(CACHE, "const float face_unit = EMISSION_STRENGTH / 2048.0;",
        "const float face_unit = 1.0;")]),

@@ -80,7 +80,8 @@ void main() {
     do radiance += sample_of(s, pixel, number + i);
     while (++i < samples);
     radiance /= float(samples);
-    out_sample = vec4(min(round_to_half(radiance), vec3(65504.0)), 1.0);
+    // By chance up or down: of what is darker than a step of half floats, the mean over frames keeps all.
+    out_sample = vec4(min(dithered_half(radiance, next_random().x), vec3(65504.0)), 1.0);
 }
 
 #endif
