@@ -87,7 +87,7 @@ TEST(PictureAtRest, samples_of_a_pixel_are_numbered_without_a_gap) {
   setup.options = {{"GI_METHOD", "FACE_CACHE"}, {"TEMPORAL_FRAMES", "128"}, {"GI_LAMPS", "HIT"}};
   setup.width = setup.height = kBands;
   setup.change = [](PackTexts& files) {
-    edit(files["/program/gi/rays.glsl"], "out_sample = vec4(min(round_to_half(radiance), vec3(65504.0)), 1.0);",
+    edit(files["/program/gi/rays.glsl"], "out_sample = vec4(min(dithered_half(radiance, next_random().x), vec3(65504.0)), 1.0);",
          "out_sample = vec4(float(number));");
   };
   PackSession pack(setup);
