@@ -1,12 +1,13 @@
-#include <orris/plan/frame/celestial.h>
 #include <orris/plan/scene/scene_quantities.h>
-#include <orris/world/mesh/mesh_lamps.h>
-#include <orris/world/mesh/silhouette.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
+
+#include <orris/plan/frame/celestial.h>
+#include <orris/world/mesh/mesh_lamps.h>
+#include <orris/world/mesh/silhouette.h>
 
 namespace orris {
 namespace {
@@ -184,17 +185,13 @@ struct Entry {
   std::string_view name;
   double (Measuring::*measure)();
 };
-constexpr Entry kEntries[] = {{"pixels", &Measuring::pixels},
-                              {"faces", &Measuring::faces},
-                              {"extent", &Measuring::extent},
-                              {"casters", &Measuring::casters},
-                              {"volumes", &Measuring::volumes},
-                              {"casters_near", &Measuring::castersNear},
-                              {"lamps", &Measuring::lampCount},
-                              {"lamps_reaching", &Measuring::lampsReaching},
-                              {"glass", &Measuring::glass},
-                              {"sun", &Measuring::sun},
-                              {"texel_pixels", &Measuring::texelPixels}};
+constexpr Entry kEntries[] = {
+    {"pixels", &Measuring::pixels},   {"faces", &Measuring::faces},
+    {"extent", &Measuring::extent},   {"casters", &Measuring::casters},
+    {"volumes", &Measuring::volumes}, {"casters_near", &Measuring::castersNear},
+    {"lamps", &Measuring::lampCount}, {"lamps_reaching", &Measuring::lampsReaching},
+    {"glass", &Measuring::glass},     {"sun", &Measuring::sun},
+    {"texel_pixels", &Measuring::texelPixels}};
 
 }  // namespace
 
