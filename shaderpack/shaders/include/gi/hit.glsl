@@ -162,10 +162,8 @@ vec3 sun_share(Hit hit, vec3 light, float sky) {
 #if HAS_VOXEL_CHANGES
     // The map's texels are wider than the frame of glass is, and as wide as a pane is thick.
     bool beside_glass = is_clear(voxel_at(ivec3(floor(from))).code);
-    // A side is as far off the map's depth as it is aslant within a quarter of a texel, in its cell or beyond it.
-    vec3 around = 0.1 * light;
-    bool by_glass = edge.dark && (is_clear(voxel_at(ivec3(floor(caster - around))).code) ||
-                                  is_clear(voxel_at(ivec3(floor(caster + around))).code));
+    // A side may be as far behind the map's depth as it is aslant within a quarter of a texel.
+    bool by_glass = edge.dark && is_clear(voxel_at(ivec3(floor(caster - 0.1 * light))).code);
     bool near_pane = by_glass && is_pane(voxel_at(cell).code) && (beside_glass || distance(caster, from) < 0.5);
     is_exact = is_exact || by_glass;
     boxes = near_pane || beside_glass;
