@@ -62,6 +62,10 @@ void edit(std::string& text, const std::string& from, const std::string& to) {
   text.replace(at, from.size(), to);
 }
 
+void setSamples(PackTexts& files, const std::string& value) {
+  edit(files["/program/gi/rays.glsl"], "vec4(min(dithered_half(radiance, next_random().x), vec3(65504.0)), 1.0)", value);
+}
+
 void setDefault(PackTexts& files, const std::string& option, const std::string& value) {
   std::string& text = files["/settings.glsl"];
   const std::regex line("(#define " + option + ") [^ ]+");

@@ -18,6 +18,9 @@ using PackTexts = std::map<std::string, std::string>;
 /// Replaces what a text holds once; a failure of the test if it does not.
 void edit(std::string& text, const std::string& from, const std::string& to);
 
+/// Writes `value`, a vec4, in place of the light that a ray of a pixel has found (colortex14).
+void setSamples(PackTexts& files, const std::string& value);
+
 /// Gives an option a value that its list need not hold.
 void setDefault(PackTexts& files, const std::string& option, const std::string& value);
 

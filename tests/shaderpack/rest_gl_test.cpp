@@ -86,10 +86,7 @@ TEST(PictureAtRest, samples_of_a_pixel_are_numbered_without_a_gap) {
   setup.world = roomWith("");
   setup.options = {{"GI_METHOD", "FACE_CACHE"}, {"TEMPORAL_FRAMES", "128"}, {"GI_LAMPS", "HIT"}};
   setup.width = setup.height = kBands;
-  setup.change = [](PackTexts& files) {
-    edit(files["/program/gi/rays.glsl"], "out_sample = vec4(min(dithered_half(radiance, next_random().x), vec3(65504.0)), 1.0);",
-         "out_sample = vec4(float(number));");
-  };
+  setup.change = [](PackTexts& files) { setSamples(files, "vec4(float(number))"); };
   PackSession pack(setup);
   pack.renderFrames(kHalvesFrom - 10);
   std::map<int, std::vector<float>> numbers;  // by row, those that differ from the one before
