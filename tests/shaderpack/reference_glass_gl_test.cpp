@@ -119,7 +119,7 @@ TEST(ReferenceGlazedRoom, light_between_the_layers_of_glass_is_found) {
       "cameras": [{"name": "eye", "position": [10.5, 4.6, 10.5], "target": [4, 4.5, 10.5], "fov": 35}],
       "environment": {"time": 2500}})",
                    options, 16, 9);
-  pack.renderFrames(320);
+  pack.renderFrames(640);
   expectTraced(pack.meanRadiance().g, .004618, .02);
 }
 

@@ -161,6 +161,7 @@ MUTANTS = [
     ("paths of sunlight in glass by the map", "ReferenceLowSun.*", [(HIT, "beside_stained || tint != vec3(1.0) ? tint : mapped", "beside_stained ? tint : mapped")]),
     ("low sun through panes by texels of the map", "ReferenceLowSun.*panes*", [(HIT, "bool by_glass = edge.dark && ", "bool by_glass = false && ")]),
     ("low sun through glass by texels of the map", "ReferenceLowSun.*_glass_by_its_holes", [(HIT, "is_clear(voxel_at(ivec3(floor(caster - 0.1 * light))).code)", "is_pane(voxel_at(cell).code)")]),
+    ("sunlight by the exact ray before glass, too", "ReferenceGlazedRoom.*", [(HIT, "is_clear(voxel_at(ivec3(floor(caster - 0.1 * light))).code)", "(is_clear(voxel_at(ivec3(floor(caster - 0.1 * light))).code) || is_clear(voxel_at(ivec3(floor(caster + 0.1 * light))).code))")]),
     ("sunlight within a window meets no glass", "ReferenceGlazedRoom.*", [(HIT, "boxes = near_pane || beside_glass;", "boxes = near_pane;")]),
     ("light falls by as much everywhere", "ReferenceCorner.*factor*", [(LIGHT_AT, "return exp2(at * powers) / mean;", "return 1.0 + clamp(at * 0.6931 * powers, -0.5, 0.5);")]),
     ("low sun through panes without holes of their own", "ReferenceLowSun.*holes", [(TRACE, "(beyond && is_clear(code))", "false")]),
