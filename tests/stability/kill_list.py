@@ -23,9 +23,12 @@ def read_table(path):
 
 
 def run_tests(program, filters, pack):
+    """(exit status, output). Ends the program where it holds no such test, as what is not tried would count as unfound."""
     env = dict(os.environ, ORRIS_REFERENCE_PACK=str(pack))
     result = subprocess.run([program, "--gtest_filter=" + filters], env=env, text=True,
                             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=600, check=False)
+    if "Running 0 tests" in result.stdout:
+        sys.exit(f"{program} has no test {filters}: name the program that holds it")
     return result.returncode, result.stdout
 
 
