@@ -91,6 +91,29 @@ TEST(PackPicture, portals_shine_where_the_camera_sees_them) {
   EXPECT_GT(seen.b, 2 * seen.g);
 }
 
+/// The brightest value of the sky above a meadow.
+double brightestOfSky(const char* directLight, int time) {
+  PackSession pack(fmt::format(R"({{"size": [8, 2, 8],
+      "blocks": [{{"box": "grass_block", "min": [0, 0, 0], "max": [7, 0, 7]}}],
+      "cameras": [{{"name": "eye", "position": [4, 1.6, 4], "pitch": -90, "fov": 150}}],
+      "environment": {{"time": {}}}}})", time),
+                   {{"GI_METHOD", "NONE"}, {"DIRECT_LIGHT", directLight}}, 96, 96);
+  pack.renderFrames(1);
+  const std::vector<float> values = pack.dump("colortex0").pixels;
+  double brightest = 0;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (i % 4 != 3) brightest = std::max(brightest, double(values[i]));
+  return brightest;
+}
+
+// As in the reference: a pixel of the sun in a window would be the whole error of a picture of indirect light.
+TEST(PackPicture, without_direct_light_has_no_sun_moon_and_stars) {
+  EXPECT_GT(brightestOfSky("PHONG", 6000), 2) << "the sun";
+  EXPECT_LT(brightestOfSky("NONE", 6000), 1);
+  EXPECT_GT(brightestOfSky("PHONG", 18000), .1) << "the moon";
+  EXPECT_LT(brightestOfSky("NONE", 18000), .02);
+}
+
 // A floor under a low sun, which every shadow bias must leave unshadowed, and a wall on it.
 const char* const kSunWorld = R"({
   "size": [64, 4, 64],

@@ -9,12 +9,14 @@ WAVES = "include/water/waves.glsl"
 FILTER = "program/gi/filter.glsl"
 NOISE = "include/gi/noise.glsl"
 TRANSLUCENT = "program/gbuffers/translucent.glsl"
+SKY = "program/gbuffers/sky.glsl"
 
 MUTANTS = [
     ("half floats however many frames are averaged", "PackPicture.is_in_floats*",
      [("include/math/half.glsl", "#if HAS_LONG_MEANS", "#if 0")]),
     ("a picture in floats where nothing is averaged", "PackPicture.is_in_floats*",
      [("include/derived/features.glsl", "#define HAS_LONG_MEANS HAS_GI", "#define HAS_LONG_MEANS 1")]),
+    ("sun, moon and stars without direct light", "PackPicture.without*", [(SKY, "#if DIRECT_LIGHT == NONE", "#if 0")]),
     ("a picture in half floats of means in floats", "PackPicture.is_in_floats*",
      [("include/buffers.glsl", "colortex0Format = RGBA32F", "colortex0Format = RGBA16F")]),
     ("the filter mixes what is no noise", "GiFilter.leaves*",

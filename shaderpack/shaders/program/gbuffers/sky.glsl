@@ -28,6 +28,9 @@ uniform sampler2D gtexture;
 layout(location = 0) out vec4 out_color;
 
 void main() {
+#if DIRECT_LIGHT == NONE
+    discard;  // the reference (docs/method.md) has none of them
+#endif
 #if defined PROGRAM_TEXTURED
     vec4 color = texture(gtexture, uv) * tint;
     out_color = vec4(4.0 * to_linear(color.rgb), color.a);
