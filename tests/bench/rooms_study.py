@@ -10,6 +10,7 @@ import csv
 import datetime
 import json
 import pathlib
+import shutil
 import subprocess
 import time
 
@@ -25,7 +26,8 @@ BIAS = ["--size", "16x9", "--warm-up", "160", "--trace-noise", "0.0001", "--no-c
 # Five runs rather than four: Student's factor falls from 3.2 to 2.8.
 EFFORTS = [["--runs", "5", "--frames", "128", "--trace-seconds", "60"],
            ["--runs", "8", "--frames", "256", "--trace-seconds", "120"],
-           ["--runs", "12", "--frames", "640", "--trace-seconds", "240"]]
+           ["--runs", "12", "--frames", "640", "--trace-seconds", "240"],
+           ["--runs", "30", "--frames", "640", "--trace-seconds", "900"]]
 COST = ["--size", "160x90", "--axis", "GI_METHOD=BOUNCE_1,FACE_CACHE", "--clock", "cpu", "--reference",
         "GI_METHOD=FACE_CACHE", "--reference-frames", "2", "--warm-up", "60", "--frames", "2", "--rounds", "12", "--visit", "3"]
 
@@ -86,7 +88,17 @@ def command(orris, pack, scene, flags):
     return as_typed([orris, "chart", pathlib.Path(pack).name, *scene.split(), "-o", "rooms", *flags])
 
 
-def bias_of(args, seed, folder, effort):
+def keep_samples(before, folder):
+    """Tracing goes on where that of the folder `before` ended: more samples of the same picture are as good as others."""
+    (folder / "settings").mkdir(parents=True, exist_ok=True)
+    for checkpoint in (before / "settings").glob("*.trace"):
+        if not (folder / "settings" / checkpoint.name).exists():
+            shutil.copy(checkpoint, folder / "settings")
+
+
+def bias_of(args, seed, effort):
+    folder = args.folder / f"{seed}-bias-{effort}"
+    keep_samples(args.folder / f"{seed}-bias-{effort - 1}", folder)
     subprocess.run([args.orris, "chart", args.pack, "--scenes", f"random:{seed}:1", "-o", folder, "--quiet", *EFFORTS[effort - 1],
                     *BIAS], check=True)
     with (folder / "scenes.csv").open() as file:
@@ -109,7 +121,7 @@ def measure(args, seed, in_time):
     row = json.loads(kept.read_text()) if kept.exists() else {"seed": seed, "effort": 0, "cost": None}
     while in_time() and row["effort"] < args.efforts and not (row["effort"] and is_decided(row)):
         row["effort"] += 1
-        row |= bias_of(args, seed, args.folder / f"{seed}-bias-{row['effort']}", row["effort"])
+        row |= bias_of(args, seed, row["effort"])
         row |= {"commit": commit_of(args.pack), "date": datetime.date.today().isoformat()}
         kept.write_text(json.dumps(row))
     if args.costs and not row["cost"]:
