@@ -53,6 +53,15 @@ TEST_F(FileWatchTest, edits_in_progress_are_reported_together) {
   EXPECT_THAT(watch.poll(), ElementsAre(path("shaders/final.fsh"), path("shaders/lib/sky.glsl")));
 }
 
+// An edit that replaces a file whole has such a file beside it for a moment, and long enough on a busy machine.
+TEST_F(FileWatchTest, files_being_filled_to_replace_others_do_not_count) {
+  FileWatch watch({folder_});
+  write("shaders/lib/.orris-0123456789abcdef.partial", "three");
+  write("shaders/lib/.orris-notes.txt", "four");
+  watch.poll();
+  EXPECT_THAT(watch.poll(), ElementsAre(path("shaders/lib/.orris-notes.txt")));
+}
+
 TEST_F(FileWatchTest, new_renamed_and_removed_files_count) {
   FileWatch watch({folder_});
   write("shaders/composite.fsh", "new");

@@ -16,6 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::string_view kPartialBegin = ".orris-", kPartialEnd = ".partial";
+
 std::error_code lastError() { return {errno, std::generic_category()}; }
 
 fs::path folderOf(const fs::path& path) {
@@ -47,7 +49,7 @@ class Partial {
       error_ = lastError();
       return;
     }
-    path_ = (folder / fmt::format(".orris-{:016x}.partial", number)).string();
+    path_ = (folder / fmt::format("{}{:016x}{}", kPartialBegin, number, kPartialEnd)).string();
     constexpr int kNew = O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
     const int file = ::open(path_.c_str(), kNew, 0666);
     if (file < 0) {
@@ -123,6 +125,11 @@ std::error_code replaceFile(const std::string& path,
   if (partial.error()) return partial.error();
   if (!write(partial.path())) return std::make_error_code(std::errc::io_error);
   return partial.moveTo(path);
+}
+
+bool isPartial(const fs::path& file) {
+  const std::string name = file.filename().string();
+  return name.starts_with(kPartialBegin) && name.ends_with(kPartialEnd);
 }
 
 bool writePartial(const std::string& path, std::string_view bytes) {

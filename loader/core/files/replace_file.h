@@ -1,6 +1,7 @@
 // Writing a file whole or not at all, and never through a link or onto a device.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -22,6 +23,9 @@ std::error_code replaceFile(const std::string& path,
 
 /// The same for bytes at hand.
 std::error_code replaceFile(const std::string& path, std::string_view bytes);
+
+/// Has a file the name of one that replaceFile() lets be filled, which is there for a moment?
+bool isPartial(const std::filesystem::path& file);
 
 /// Fills the file that replaceFile() gives to `write`; false: it could not.
 bool writePartial(const std::string& partial, std::string_view bytes);

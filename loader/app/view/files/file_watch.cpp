@@ -6,6 +6,8 @@
 #include <system_error>
 #include <utility>
 
+#include <orris/core/files/replace_file.h>
+
 namespace orris {
 namespace {
 
@@ -56,7 +58,7 @@ FileWatch::Snapshot FileWatch::take() const {
     }
     walk(root, [&](const fs::directory_entry& entry) {
       std::error_code unknown;
-      if (entry.is_regular_file(unknown)) add(entry.path());
+      if (entry.is_regular_file(unknown) && !isPartial(entry.path())) add(entry.path());
     });
   }
   return snapshot;
