@@ -110,7 +110,7 @@ double brightestOfSky(const char* directLight, int time) {
 TEST(PackPicture, without_direct_light_has_no_sun_moon_and_stars) {
   EXPECT_GT(brightestOfSky("PHONG", 6000), 2) << "the sun";
   EXPECT_LT(brightestOfSky("NONE", 6000), 1);
-  EXPECT_GT(brightestOfSky("PHONG", 18000), .1) << "the moon";
+  EXPECT_GT(brightestOfSky("PHONG", 18000), .1) << "moon and stars";
   EXPECT_LT(brightestOfSky("NONE", 18000), .02);
 }
 

@@ -17,6 +17,8 @@ MUTANTS = [
     ("a picture in floats where nothing is averaged", "PackPicture.is_in_floats*",
      [("include/derived/features.glsl", "#define HAS_LONG_MEANS HAS_GI", "#define HAS_LONG_MEANS 1")]),
     ("sun, moon and stars without direct light", "PackPicture.without*", [(SKY, "#if DIRECT_LIGHT == NONE", "#if 0")]),
+    ("stars without direct light", "PackPicture.without*",
+     [(SKY, "#if DIRECT_LIGHT == NONE", "#if DIRECT_LIGHT == NONE && defined PROGRAM_TEXTURED")]),
     ("a picture in half floats of means in floats", "PackPicture.is_in_floats*",
      [("include/buffers.glsl", "colortex0Format = RGBA32F", "colortex0Format = RGBA16F")]),
     ("the filter mixes what is no noise", "GiFilter.leaves*",

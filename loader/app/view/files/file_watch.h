@@ -17,7 +17,7 @@ class FileWatch {
 
   /// Paths added, removed or edited since the last time some were returned, sorted. Empty until two
   /// calls in a row see the same: an editor may be in the middle of writing several files. Call it a
-  /// few times a second.
+  /// few times a second. What replaceFile() fills to put it in the place of another file does not count.
   std::vector<std::string> poll();
   /// What `path` is now counts as seen.
   void accept(const std::string& path);
